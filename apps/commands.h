@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace linelet::apps {
+
+/** \brief A command of the tool: gets the arguments behind its name, returns the exit
+ * code; throws std::exception for what main reports in one line. */
+struct Command {
+  const char* name;
+  const char* summary; ///< one line for `linelet --help`
+  int (*run)(const std::vector<std::string>& arguments);
+};
+
+int
+runInfo(const std::vector<std::string>& arguments);
+int
+runConvert(const std::vector<std::string>& arguments);
+
+/** \brief All commands, in the order of `linelet --help`. */
+const std::vector<Command>&
+commands();
+
+} // namespace linelet::apps

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "frame.h"
+
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace linelet::apps {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void
+onInterrupt(int)
+{
+  interrupted = 1;
+  std::signal(SIGINT, SIG_DFL); // a second Ctrl-C ends the program at once
+}
+
+double
+seconds(std::chrono::steady_clock::duration duration)
+{
+  return std::chrono::duration<double>(duration).count();
+}
+
+} // namespace
+
+ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0)
+{
+  std::signal(SIGINT, onInterrupt);
+}
+
+ProgressBar::~ProgressBar() { erase(); }
+
+void
+ProgressBar::begin(std::string_view stage, std::size_t total)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  erase();
+  stage_ = stage;
+  total_ = total;
+  done_ = 0;
+  begun_ = shown_ = Clock::now();
+}
+
+void
+ProgressBar::advance(std::size_t steps)
+{
+  done_ += steps;
+  if (!terminal_ || !mutex_.try_lock())
+    return;
+  const std::lock_guard<std::mutex> lock(mutex_, std::adopt_lock);
+  const auto now = Clock::now();
+  if (seconds(now - begun_) < 1 || seconds(now - shown_) < 0.1)
+    return;
+  shown_ = now;
+  visible_ = true;
+  if (total_ == 0) {
+    std::fprintf(stderr, "\r%-16s %zu\x1b[K", stage_.c_str(), done_.load());
+    return;
+  }
+  const double part =
+      std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_));
+  const int filled = static_cast<int>(part * 30);
+  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                          std::string(static_cast<std::size_t>(30 - filled), '.');
+  std::fprintf(stderr,
+               "\r%-16s [%s] %3.0f%%  %.0f s left\x1b[K",
+               stage_.c_str(),
+               bar.c_str(),
+               100 * part,
+               part > 0 ? seconds(now - begun_) * (1 - part) / part : 0.0);
+}
+
+bool
+ProgressBar::cancelled() const
+{
+  return interrupted != 0;
+}
+
+void
+ProgressBar::erase()
+{
+  if (visible_)
+    std::fprintf(stderr, "\r\x1b[K");
+  visible_ = false;
+}
+
+Frame::Frame(const std::string& command, const std::string& description)
+: app(description, "linelet " + command)
+{
+  app.option_defaults()->always_capture_default();
+  app.add_option("--threads", threads, "threads, 0: all");
+  app.add_option("--json", json_file_, "write a machine-readable summary to this file")
+      ->configurable(false);
+  app.set_config("--config", "", "read options from this file");
+  app.add_flag("--print-config", print_config_, "print all options with their values")
+      ->configurable(false);
+}
+
+void
+Frame::parse(const std::vector<std::string>& arguments)
+{
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    // A request for help exits with 0, everything else is a usage error.
+    throw Exit{app.exit(error) == 0 ? 0 : 2};
+  }
+  if (print_config_) {
+    std::cout << app.config_to_str(true, true);
+    throw Exit{0};
+  }
+}
+
+void
+Frame::warn(const std::string& sentence) const
+{
+  std::cerr << app.get_name() << ": warning: " << sentence << '\n';
+}
+
+void
+Frame::warn(const std::vector<std::string>& sentences) const
+{
+  for (const std::string& sentence : sentences)
+    warn(sentence);
+}
+
+int
+Frame::finish() const
+{
+  if (json_file_.empty())
+    return 0;
+  std::ofstream file(json_file_);
+  file << summary.dump(2) << '\n';
+  if (!file.flush())
+    throw std::runtime_error(json_file_ + ": cannot be written; check that the folder "
+                                          "exists and has room");
+  return 0;
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <linelet/support/monitor.h>
+
+namespace linelet::apps {
+
+/** \brief Progress on stderr where that is a terminal: stage, bar, estimate of the time
+ * left, shown once a stage takes longer than a second. Ctrl-C makes it say cancelled. */
+class ProgressBar : public Monitor {
+public:
+  ProgressBar();
+  ~ProgressBar() override;
+  void
+  begin(std::string_view stage, std::size_t total) override;
+  void
+  advance(std::size_t steps) override;
+  bool
+  cancelled() const override;
+
+private:
+  void
+  erase();
+
+  using Clock = std::chrono::steady_clock;
+  bool terminal_;
+  std::mutex mutex_;
+  std::string stage_;
+  std::size_t total_ = 0;
+  std::atomic<std::size_t> done_{0};
+  Clock::time_point begun_, shown_;
+  bool visible_ = false;
+};
+
+/** \brief Thrown to leave a command early with an exit code (after --help, say). */
+struct Exit {
+  int code;
+};
+
+/** \brief What every command shares: option parsing, threads, JSON summary, progress.
+ *
+ * A command makes a frame, adds its options to \ref app, calls \ref parse, works, fills
+ * \ref summary, and returns \ref finish. */
+class Frame {
+public:
+  Frame(const std::string& command, const std::string& summary);
+
+  CLI::App app;
+  unsigned threads = 0; ///< 0: all
+  nlohmann::ordered_json summary = nlohmann::ordered_json::object();
+  ProgressBar monitor;
+
+  /** \brief Reads the arguments behind the command's name. \throws Exit */
+  void
+  parse(const std::vector<std::string>& arguments);
+
+  /** \brief One sentence about something lost or odd, to stderr. */
+  void
+  warn(const std::string& sentence) const;
+  void
+  warn(const std::vector<std::string>& sentences) const;
+
+  /** \brief Writes --json; the exit code of a command that worked. */
+  int
+  finish() const;
+
+private:
+  std::string json_file_;
+  bool print_config_ = false;
+};
+
+} // namespace linelet::apps

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 the linelet authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What linelet builds on. The core asks PCL for four small components only: every other
+# one (io, features, surface) brings VTK, Qt and MPI into each consumer's build.
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(PCL 1.13 REQUIRED COMPONENTS common octree kdtree search)
+find_package(Boost 1.74 REQUIRED)
+find_package(HWY REQUIRED CONFIG)
+if(LINELET_WITH_OPENMP)
+  find_package(OpenMP REQUIRED COMPONENTS CXX)
+endif()
+if(LINELET_WITH_OPENCL)
+  find_package(OpenCL 1.2)
+  if(OpenCL_FOUND)
+    message(STATUS "linelet: OpenCL engine: yes (${OpenCL_LIBRARIES})")
+  else()
+    message(STATUS "linelet: OpenCL engine: no (OpenCL not found)")
+  endif()
+endif()
+if(LINELET_BUILD_IO)
+  find_package(GDAL REQUIRED)
+  find_package(Ceres REQUIRED)
+endif()
+if(LINELET_BUILD_IO OR LINELET_BUILD_APPS)
+  find_package(nlohmann_json 3.9 REQUIRED)
+endif()
+if(LINELET_BUILD_APPS)
+  find_package(CLI11 REQUIRED)
+endif()
+if(LINELET_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+endif()

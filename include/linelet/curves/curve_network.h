@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <linelet/support/names.h>
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief Why a curve ends where it ends. */
+enum class EndKind {
+  Cutoff,     ///< open: no cloud point within the distance cutoff
+  Bounds,     ///< open: left the bounding box of the cloud
+  Iterations, ///< open: the largest number of steps was reached
+  Support,    ///< open: the points ahead do not carry the curve on
+  Junction,   ///< joined to other curves, see CurveEnd::junction
+  Loop        ///< joined to its own other end: the curve is closed
+};
+
+template <>
+struct Names<EndKind> {
+  static constexpr std::string_view kind = "end kind";
+  static constexpr std::array<std::pair<EndKind, std::string_view>, 6> table = {
+      {{EndKind::Cutoff, "cutoff"},
+       {EndKind::Bounds, "bounds"},
+       {EndKind::Iterations, "iterations"},
+       {EndKind::Support, "support"},
+       {EndKind::Junction, "junction"},
+       {EndKind::Loop, "loop"}}};
+};
+
+/** \brief One end of a curve. */
+struct CurveEnd {
+  EndKind kind = EndKind::Cutoff;
+  int junction = -1; ///< place in CurveNetwork::junctions where kind is Junction, else -1
+};
+
+/** \brief A polyline: an ordered run of vertices. */
+struct Curve {
+  Points points;       ///< vertices; a closed curve does not repeat its first one
+  bool closed = false; ///< whether the last vertex is joined to the first
+  CurveEnd front;      ///< the end at points.front()
+  CurveEnd back;       ///< the end at points.back()
+  std::vector<Index> support; ///< cloud points explained by each vertex (count), or empty
+};
+
+/** \brief A place where curves meet. */
+struct Junction {
+  Point position = Point::Zero();
+  std::vector<std::size_t> curves; ///< places in CurveNetwork::curves, ascending
+};
+
+/** \brief The result of a reconstruction: polylines and how they hang together. */
+struct CurveNetwork {
+  std::vector<Curve> curves;
+  std::vector<Junction> junctions;
+};
+
+/** \brief Length of \a curve, its closing edge included. */
+double
+length(const Curve& curve);
+
+/** \brief Length of all curves of \a network. */
+double
+length(const CurveNetwork& network);
+
+} // namespace linelet

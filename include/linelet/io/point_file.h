@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <linelet/io/cloud.h>
+#include <linelet/support/monitor.h>
+
+namespace linelet::io {
+
+/** \brief A file that cannot be read or written. what() is one sentence that names the
+ * file, what is wrong and where, and what to do. */
+class FileError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief How to read a point file. */
+struct ReadOptions {
+  bool lenient = false; ///< read what is whole of a file that ends too early
+};
+
+/** \brief Reads .las, .pcd, .ply, .xyz/.txt/.csv or the vertices of .obj, by ending.
+ * \param[in] path the file
+ * \param[in] options see there
+ * \param[out] warnings one sentence for every loss (null: not wanted)
+ * \throws FileError */
+Cloud
+readCloud(const std::string& path,
+          const ReadOptions& options = {},
+          std::vector<std::string>* warnings = nullptr,
+          Monitor* monitor = nullptr);
+
+/** \brief Writes \a cloud in the format that the ending of \a path names.
+ * \param[out] warnings one sentence for every attribute the format cannot hold
+ * \throws FileError */
+void
+writeCloud(const std::string& path,
+           const Cloud& cloud,
+           std::vector<std::string>* warnings = nullptr,
+           Monitor* monitor = nullptr);
+
+} // namespace linelet::io

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/support/points.h>
+
+namespace linelet::io {
+
+/** \brief An attribute of a vector feature. */
+using Value = std::variant<std::int64_t, double, std::string>;
+
+/** \brief A point (one vertex) or a polyline with named attributes. */
+struct VectorFeature {
+  Points vertices; ///< world coordinates; a closed line repeats its first vertex
+  std::vector<std::pair<std::string, Value>> attributes; ///< in the order of columns
+};
+
+/** \brief Features of one kind under one name. */
+struct VectorLayer {
+  enum class Kind { Points, Lines };
+  std::string name;
+  Kind kind = Kind::Lines;
+  std::vector<VectorFeature> features; ///< all with the same attribute names and types
+};
+
+/** \brief Writes layers with their attributes as .geojson, .gpkg or .dxf (through GDAL,
+ * 3D, full precision; GeoJSON in the given reference system with its `crs` member).
+ * An existing file is replaced. GeoJSON holds all layers in one collection, each feature
+ * with a property `layer`.
+ * \param[in] wkt reference system, empty: unknown
+ * \throws FileError */
+void
+writeLayers(const std::string& path,
+            const std::vector<VectorLayer>& layers,
+            const std::string& wkt);
+
+/** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
+ * (lines), .csv, .geojson, .gpkg, .dxf.
+ * \param[in] shift added to every vertex: the output is in world coordinates
+ * \throws FileError */
+void
+writeCurves(const std::string& path,
+            const CurveNetwork& network,
+            const Point& shift = Point::Zero(),
+            const std::string& wkt = {});
+
+/** \brief Reads polylines back from .obj (`v x y z`, `l i j k ...`); a line whose last
+ * vertex is its first is closed.
+ * \param[in] shift subtracted from every vertex
+ * \throws FileError */
+CurveNetwork
+readCurves(const std::string& path, const Point& shift = Point::Zero());
+
+} // namespace linelet::io

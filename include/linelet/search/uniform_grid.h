@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief Neighbour search over a fixed set of points, sorted into rows of a grid.
+ *
+ * Space is cut into square columns along x (the rows); within a row the points lie
+ * sorted by x, so that the neighbours of a query in one row are one run of memory. A
+ * point belongs to the neighbourhood of radius r when its squared distance, computed in
+ * double, is at most r^2; every engine of linelet decides this case alike. Points with a
+ * coordinate that is not finite are left out. Queries are thread-safe. */
+class UniformGrid {
+public:
+  /** \brief Returned where there is no such point. */
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  /** \brief Sorts \a points (copied; at most 2^32 - 2).
+   * \param[in] points any points, in any order
+   * \param[in] row_size width of a row, best about the radius most asked for; widened
+   * where the rows would outnumber the points by far
+   * \throws std::invalid_argument unless \a row_size is positive and finite */
+  UniformGrid(const Points& points, double row_size);
+
+  /** \brief Number of points that can be found (those with finite coordinates). */
+  std::size_t
+  size() const
+  {
+    return points_.size();
+  }
+
+  /** \brief Calls visit(index, squared distance) for every point within \a radius of
+   * \a query (d <= radius), in an order that depends on the points alone. */
+  template <class Visit>
+  void
+  forEachWithin(const Point& query, double radius, Visit&& visit) const
+  {
+    forEachSlot(query, radius, [&](std::size_t slot, double squared) {
+      visit(indices_[slot], squared);
+    });
+  }
+
+  /** \brief Indices of the points within \a radius of \a query, in grid order. */
+  Indices
+  within(const Point& query, double radius) const;
+
+  /** \brief Number of points within \a radius of \a query. */
+  std::size_t
+  countWithin(const Point& query, double radius) const;
+
+  /** \brief The point nearest to \a query within \a max_distance, or \ref none. Among
+   * equally near points the lowest index. */
+  Index
+  nearest(const Point& query,
+          double max_distance = std::numeric_limits<double>::infinity()) const;
+
+  /** \brief The \a count points nearest to \a query (fewer where there are fewer), near
+   * to far, equals by index. */
+  Indices
+  nearestK(const Point& query, std::size_t count) const;
+
+private:
+  template <class Visit>
+  void
+  forEachSlot(const Point& query, double radius, Visit&& visit) const;
+
+  std::size_t
+  row(double coordinate, int axis) const;
+
+  Points points_;                      // sorted by row, then x
+  Indices indices_;                    // input index of each sorted point
+  std::vector<std::size_t> row_begin_; // rows_[0] * rows_[1] + 1 entries, y fastest
+  double row_size_;
+  Point min_ = Point::Zero();
+  Point max_ = Point::Zero();
+  std::size_t rows_[2] = {0, 0}; // along y and z
+};
+
+template <class Visit>
+void
+UniformGrid::forEachSlot(const Point& query, double radius, Visit&& visit) const
+{
+  if (points_.empty() || !(radius >= 0) || !query.allFinite())
+    return;
+  const Point low = query.array() - radius, high = query.array() + radius;
+  if ((high.array() < min_.array()).any() || (low.array() > max_.array()).any())
+    return;
+  const double squared_radius = radius * radius;
+  const std::size_t y_end = row(high.y(), 1), z_end = row(high.z(), 2);
+  for (std::size_t z = row(low.z(), 2); z <= z_end; ++z) {
+    for (std::size_t y = row(low.y(), 1); y <= y_end; ++y) {
+      const std::size_t begin = row_begin_[z * rows_[0] + y];
+      const std::size_t end = row_begin_[z * rows_[0] + y + 1];
+      // First point of the row that is not left of the ball.
+      std::size_t slot = begin;
+      for (std::size_t count = end - begin; count > 0;) {
+        const std::size_t half = count / 2;
+        if (points_[slot + half].x() < low.x()) {
+          slot += half + 1;
+          count -= half + 1;
+        }
+        else
+          count = half;
+      }
+      for (; slot < end && points_[slot].x() <= high.x(); ++slot) {
+        const double squared = (points_[slot] - query).squaredNorm();
+        if (squared <= squared_radius)
+          visit(slot, squared);
+      }
+    }
+  }
+}
+
+} // namespace linelet

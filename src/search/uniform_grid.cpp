@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/search/uniform_grid.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace linelet {
+
+UniformGrid::UniformGrid(const Points& points, double row_size) : row_size_(row_size)
+{
+  if (!(row_size > 0) || !std::isfinite(row_size))
+    throw std::invalid_argument("UniformGrid: row size " + std::to_string(row_size) +
+                                " is not a positive finite number");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      indices_.push_back(static_cast<Index>(i));
+  row_begin_.assign(1, 0);
+  if (indices_.empty())
+    return;
+
+  min_ = max_ = points[indices_.front()];
+  for (const Index i : indices_) {
+    min_ = min_.cwiseMin(points[i]);
+    max_ = max_.cwiseMax(points[i]);
+  }
+
+  // Wider rows rather than a table that outgrows the points.
+  const double most_rows = 4.0 * static_cast<double>(indices_.size()) + 64;
+  const Point extent = max_ - min_;
+  while ((std::floor(extent.y() / row_size_) + 1) *
+             (std::floor(extent.z() / row_size_) + 1) >
+         most_rows)
+    row_size_ *= 2;
+  for (int axis = 0; axis < 2; ++axis)
+    rows_[axis] = static_cast<std::size_t>(extent[axis + 1] / row_size_) + 1;
+
+  std::vector<std::size_t> row_of(points.size());
+  row_begin_.assign(rows_[0] * rows_[1] + 1, 0);
+  for (const Index i : indices_) {
+    row_of[i] = row(points[i].z(), 2) * rows_[0] + row(points[i].y(), 1);
+    ++row_begin_[row_of[i] + 1];
+  }
+  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+
+  Indices sorted(indices_.size());
+  std::vector<std::size_t> next(row_begin_.begin(), row_begin_.end() - 1);
+  for (const Index i : indices_)
+    sorted[next[row_of[i]]++] = i;
+  const auto by_x = [&](Index a, Index b) {
+    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
+  };
+  using Offset = Indices::difference_type;
+  for (std::size_t r = 0; r + 1 < row_begin_.size(); ++r)
+    std::sort(sorted.begin() + static_cast<Offset>(row_begin_[r]),
+              sorted.begin() + static_cast<Offset>(row_begin_[r + 1]),
+              by_x);
+  indices_ = std::move(sorted);
+  points_.reserve(indices_.size());
+  for (const Index i : indices_)
+    points_.push_back(points[i]);
+}
+
+std::size_t
+UniformGrid::row(double coordinate, int axis) const
+{
+  const double last = static_cast<double>(rows_[axis - 1] - 1);
+  const double r = std::floor((coordinate - min_[axis]) / row_size_);
+  return static_cast<std::size_t>(std::clamp(r, 0.0, last));
+}
+
+Indices
+UniformGrid::within(const Point& query, double radius) const
+{
+  Indices found;
+  forEachWithin(query, radius, [&](Index i, double) { found.push_back(i); });
+  return found;
+}
+
+std::size_t
+UniformGrid::countWithin(const Point& query, double radius) const
+{
+  std::size_t count = 0;
+  forEachSlot(query, radius, [&](std::size_t, double) { ++count; });
+  return count;
+}
+
+Index
+UniformGrid::nearest(const Point& query, double max_distance) const
+{
+  if (points_.empty() || !query.allFinite())
+    return none;
+  // Radii double until something is found or the whole set was within reach.
+  const double reach =
+      std::min(max_distance,
+               std::max((query - min_).cwiseAbs().maxCoeff(),
+                        (query - max_).cwiseAbs().maxCoeff()) * 2 + row_size_);
+  for (double radius = std::min(row_size_, reach);; radius = std::min(2 * radius, reach)) {
+    Index best = none;
+    double best_squared = std::numeric_limits<double>::infinity();
+    forEachWithin(query, radius, [&](Index i, double squared) {
+      if (squared < best_squared || (squared == best_squared && i < best)) {
+        best = i;
+        best_squared = squared;
+      }
+    });
+    if (best != none || radius >= reach)
+      return best;
+  }
+}
+
+Indices
+UniformGrid::nearestK(const Point& query, std::size_t count) const
+{
+  Indices result;
+  if (points_.empty() || count == 0 || !query.allFinite())
+    return result;
+  count = std::min(count, points_.size());
+  const double reach = std::max((query - min_).cwiseAbs().maxCoeff(),
+                                (query - max_).cwiseAbs().maxCoeff()) * 2 + row_size_;
+  std::vector<std::pair<double, Index>> found;
+  for (double radius = row_size_;; radius *= 2) {
+    found.clear();
+    forEachWithin(
+        query, radius, [&](Index i, double squared) { found.emplace_back(squared, i); });
+    if (found.size() >= count || radius >= reach)
+      break;
+  }
+  count = std::min(count, found.size());
+  using Offset = std::vector<std::pair<double, Index>>::difference_type;
+  std::partial_sort(
+      found.begin(), found.begin() + static_cast<Offset>(count), found.end());
+  for (std::size_t k = 0; k < count; ++k)
+    result.push_back(found[k].second);
+  return result;
+}
+
+} // namespace linelet

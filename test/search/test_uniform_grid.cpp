@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <limits>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <gtest/gtest.h>
+
+#include <linelet/search/uniform_grid.h>
+
+using namespace linelet;
+
+namespace {
+
+Points
+randomPoints(std::size_t count, const Point& extent, unsigned seed)
+{
+  boost::random::mt19937 random(seed);
+  boost::random::uniform_real_distribution<double> unit(0, 1);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i)
+    points.emplace_back(extent.x() * unit(random), extent.y() * unit(random), extent.z() * unit(random));
+  return points;
+}
+
+Indices
+bruteForce(const Points& points, const Point& query, double radius)
+{
+  Indices found;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if ((points[i] - query).squaredNorm() <= radius * radius)
+      found.push_back(static_cast<Index>(i));
+  return found;
+}
+
+} // namespace
+
+TEST(UniformGrid, FindsWhatBruteForceFinds)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Points points =
+        randomPoints(300, seed % 2 ? Point(10, 10, 10) : Point(100, 0.1, 0), seed);
+    const UniformGrid grid(points, 0.3 * seed);
+    for (const Point& query : randomPoints(20, Point(11, 11, 11), seed + 1000)) {
+      for (const double radius : {0.0, 0.5, 3.0, 50.0}) {
+        Indices found = grid.within(query, radius);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, bruteForce(points, query, radius));
+      }
+      const Indices near = grid.nearestK(query, 7);
+      ASSERT_EQ(near.size(), 7u);
+      EXPECT_EQ(near.front(), grid.nearest(query));
+      const double reach = (points[near.back()] - query).norm();
+      EXPECT_EQ(bruteForce(points, query, reach * (1 + 1e-12)).size(), 7u);
+    }
+  }
+}
+
+TEST(UniformGrid, SurvivesDegenerateSets)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(UniformGrid({}, 1).within(Point::Zero(), 1).empty());
+  EXPECT_EQ(UniformGrid({}, 1).nearest(Point::Zero()), UniformGrid::none);
+  EXPECT_EQ(UniformGrid({Point(nan, 0, 0)}, 1).size(), 0u);
+  const UniformGrid same(Points(50, Point(5e5, 5e6, 0)), 1e-3);
+  EXPECT_EQ(same.countWithin(Point(5e5, 5e6, 0), 0), 50u);
+  EXPECT_EQ(same.nearest(Point(5e5, 5e6, 1)), 0u);
+  EXPECT_EQ(same.nearestK(Point(5e5, 5e6, 1), 99).size(), 50u);
+  EXPECT_EQ(same.countWithin(Point(nan, 0, 0), 1), 0u);
+  EXPECT_THROW(UniformGrid({}, 0), std::invalid_argument);
+  // A table as wide as the extent in rows of this size would not fit into memory.
+  const UniformGrid far({Point(0, 0, 0), Point(1e6, 1e6, 1e6)}, 1e-6);
+  EXPECT_EQ(far.nearest(Point(9e5, 9e5, 9e5)), 1u);
+  EXPECT_EQ(far.countWithin(Point(0, 0, 0), std::numeric_limits<double>::infinity()), 2u);
+}
