@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <linelet/support/points.h>
+
+namespace linelet::powerline {
+
+/** \brief Terrain as heights on a square raster, interpolated between its nodes. */
+struct Ground {
+  double cell = 1;            ///< side of a cell, metres
+  double x = 0, y = 0;        ///< centre of the first cell
+  int columns = 0, rows = 0;  ///< cells along x and y
+  std::vector<float> heights; ///< row by row, x fastest; empty where nothing is known
+
+  /** \brief Height of the terrain at a place, bilinear; beyond the raster that of its
+   * rim; NaN without a raster. */
+  double
+  heightAt(double at_x, double at_y) const;
+};
+
+} // namespace linelet::powerline

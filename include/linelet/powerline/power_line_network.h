@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <linelet/powerline/ground.h>
+#include <linelet/support/points.h>
+
+namespace linelet::powerline {
+
+/** \brief Classes of LAS 1.4 (ASPRS) that linelet gives. */
+constexpr std::uint8_t wire_class = 14;
+constexpr std::uint8_t pylon_class = 15; ///< transmission tower; poles as well
+
+/** \brief A hanging wire: a catenary in a plane that wind may have swung out.
+ *
+ * With d the horizontal unit vector of \ref azimuth, r the one to its right and phi the
+ * \ref swing,
+ *
+ *     p(s) = lowest + s d + a (cosh(s / a) - 1) (cos(phi) z + sin(phi) r),
+ *
+ * s from \ref from to \ref to. The lowest point may lie outside of the span. */
+struct Catenary {
+  Point lowest = Point::Zero(); ///< vertex of the curve
+  double a = 1000;    ///< horizontal tension over weight per length, metres; > 0
+  double azimuth = 0; ///< degrees clockwise from +y (north), [0, 360)
+  double swing = 0; ///< degrees out of the vertical, to the right positive; 0: no wind
+  double from = 0;  ///< s of the front end, metres
+  double to = 0;    ///< s of the back end, > from
+
+  /** \brief The point at \a s, metres along the azimuth from the lowest point. */
+  Point
+  at(double s) const;
+
+  /** \brief s of the point of the curve beside \a p (same place along the azimuth). */
+  double
+  along(const Point& p) const;
+
+  /** \brief Distance of \a p from the curve in the plane across it, metres. */
+  double
+  distance(const Point& p) const;
+
+  /** \brief Vertices from front to back, straight pieces at most \a deviation off the
+   * curve. */
+  Points
+  polyline(double deviation = 0.005) const;
+};
+
+/** \brief The closest approach of something to a wire from below or beside. */
+struct Clearance {
+  double distance =
+      std::numeric_limits<double>::quiet_NaN(); ///< metres; NaN: none near
+  Point wire = Point::Zero();                   ///< place on the wire
+  Point other = Point::Zero(); ///< place on the ground, or the vegetation point
+
+  /** \brief Whether anything was near enough to be measured. */
+  bool
+  known() const
+  {
+    return distance == distance;
+  }
+};
+
+/** \brief One wire (or bundle) in one span: the vector that is asked for. */
+struct Wire {
+  int id = 0;      ///< place in PowerLineNetwork::wires + 1; 0 stands for no wire
+  int span = 0;    ///< id of its span
+  int circuit = 0; ///< id of its line (chain of spans)
+  int number = 0;  ///< 1, 2, ... across the span, from left to right, then downwards;
+                   ///< stays with a conductor from span to span where that can be told
+  Catenary curve;
+  Point front = Point::Zero(),
+        back = Point::Zero();              ///< end points, = curve at its ends
+  int front_support = 0, back_support = 0; ///< ids of the supports there; 0: none seen
+  int conductors = 1; ///< wires this vector stands for: 2 and more for a tight bundle
+  std::size_t points = 0; ///< cloud points that it explains
+  double rms = 0;         ///< of their distances to the curve, metres
+  double length = 0;      ///< along the curve, metres
+  double span_length = 0; ///< horizontal distance of the end points, metres
+  double sag = 0;         ///< largest vertical distance from the chord, metres
+  double largest_gap = 0; ///< longest stretch without a point, metres
+  Clearance ground;       ///< lowest vertical clearance to the terrain
+  Clearance vegetation;  ///< smallest distance to a point off ground that is no part of
+                         ///< the line (trees, bushes, houses)
+  double confidence = 1; ///< [0, 1]
+  std::string reason;    ///< why the confidence is low; empty where it is not
+};
+
+/** \brief All wires between two neighbouring supports. */
+struct Span {
+  int id = 0;                           ///< place in PowerLineNetwork::spans + 1
+  int circuit = 0;                      ///< id of its line
+  int number = 0;                       ///< 1, 2, ... along the line
+  int from_support = 0, to_support = 0; ///< ids; 0: none seen (edge of the data, say)
+  std::vector<int> wires;               ///< ids, by wire number
+  double length = 0;                    ///< mean horizontal length of its wires, metres
+  double azimuth = 0; ///< degrees clockwise from +y, in the direction of the line
+};
+
+/** \brief A pylon or pole. */
+struct Support {
+  enum class Kind {
+    Pylon, ///< a tower: wider than a pole
+    Pole   ///< all points within half a metre or so of one axis
+  };
+  int id = 0; ///< place in PowerLineNetwork::supports + 1
+  Kind kind = Kind::Pylon;
+  Point base = Point::Zero(); ///< on the ground
+  Point top = Point::Zero();  ///< straight above, as high as its highest point
+  double height = 0;          ///< top - base, metres
+  std::size_t points = 0; ///< cloud points given to it; 0: inferred from wires alone
+  double confidence = 1;  ///< [0, 1]
+};
+
+/** \brief A line: spans that follow each other from support to support. */
+struct Circuit {
+  int id = 0;                ///< place in PowerLineNetwork::circuits + 1
+  std::vector<int> spans;    ///< ids, in order
+  std::vector<int> supports; ///< ids, in order, one more than spans; 0: none seen
+};
+
+/** \brief Time that a stage took. */
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+};
+
+/** \brief What \ref extractPowerLines found, in the coordinates of the points it got.
+ */
+struct PowerLineNetwork {
+  std::vector<Wire> wires;
+  std::vector<Span> spans;
+  std::vector<Support> supports;
+  std::vector<Circuit> circuits;
+
+  /// \name One entry a point, in input order
+  /// @{
+  std::vector<std::uint8_t> classes; ///< 14 wire, 15 pylon or pole, else as given (0)
+  std::vector<std::int32_t> wire_id; ///< 0: none
+  std::vector<std::int32_t> span_id; ///< 0: none
+  std::vector<float> wire_distance;  ///< to its wire, metres; NaN: none
+  /// @}
+
+  Ground ground;                 ///< terrain, for profiles and clearances
+  std::vector<StageTime> stages; ///< in order
+};
+
+} // namespace linelet::powerline

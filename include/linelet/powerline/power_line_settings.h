@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace linelet::powerline {
+
+/** \brief How to look for power lines. Lengths in metres. */
+struct PowerLineSettings {
+  bool use_classes =
+      false;            ///< take the terrain from points of class 2, where they exist
+  double clearance = 5; ///< vegetation nearer than this is reported as a hazard
+  double max_gap = 50; ///< no wire is carried on across a longer stretch without points
+  double min_height = 3;  ///< wires hang higher above the terrain than this
+  double min_length = 10; ///< a shorter wire is not reported
+  unsigned threads = 0;   ///< 0: all
+};
+
+/** \brief Names and meaning of the settings (see apps/options.h). */
+template <class Visit>
+void
+describe(PowerLineSettings& s, Visit&& visit)
+{
+  visit("use-classes",
+        s.use_classes,
+        "terrain from points of class 2 where there are any");
+  visit("clearance", s.clearance, "smallest clearance that is in order, metres");
+  visit("max-gap", s.max_gap, "never carry a wire on across a longer gap, metres");
+  visit("min-height", s.min_height, "wires hang higher above ground than this, metres");
+  visit("min-length", s.min_length, "shortest wire to report, metres");
+}
+
+} // namespace linelet::powerline
