@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <linelet/tensor/neighbourhood_tensor.h>
+
+namespace linelet {
+
+/** \brief Eigenvalues l1 <= l2 <= l3 and orthonormal eigenvectors of a tensor. */
+struct EigenSystem {
+  Eigen::Vector3d values;  ///< ascending; not negative
+  Eigen::Matrix3d vectors; ///< columns e1, e2, e3
+
+  /** \brief e3, the direction of the largest extent. */
+  Eigen::Vector3d
+  major() const
+  {
+    return vectors.col(2);
+  }
+
+  /** \brief e1, the direction of the smallest extent. */
+  Eigen::Vector3d
+  normal() const
+  {
+    return vectors.col(0);
+  }
+};
+
+/** \brief The eigen-system of a positive semidefinite tensor.
+ *
+ * Iterative (QL), since the closed form loses the small eigenvalues of wire-like
+ * tensors: relative error 6e-12 where the closed form has 3e-9 in double and more than
+ * 100 % in float. Negative eigenvalues, which are rounding, are set to 0. The component
+ * of largest magnitude of every eigenvector is positive, the first of equals counts:
+ * equal tensors give equal vectors, whoever computes them.
+ * \return NaN throughout where the tensor is not finite */
+EigenSystem
+eigenAnalysis(const SymmetricTensor& tensor);
+
+} // namespace linelet
