@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/support/monitor.h>
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief What may be set of the refined reconstruction; 0 lets it choose. */
+struct RefinedSettings {
+  unsigned max_iterations = 0; ///< steps of one trace from its start point; 0: no limit
+                               ///< beside the number of points
+  unsigned start_points = 0; ///< traces begun per connected part of the cloud; 0: until
+                             ///< every point that looks like a curve is explained
+  double distance_cutoff =
+      0;                ///< widest gap that is bridged, in the unit of the points;
+                        ///< 0: an eighth of the length, where directions agree
+  unsigned threads = 0; ///< threads; 0: all
+};
+
+template <class Visit>
+void
+describe(RefinedSettings& settings, Visit&& visit)
+{
+  visit("max-iterations", settings.max_iterations, "steps of one trace; 0: no limit");
+  visit("start-points", settings.start_points, "traces begun; 0: as many as needed");
+  visit("distance-cutoff",
+        settings.distance_cutoff,
+        "widest gap that is bridged, in the unit of the points; 0: chosen");
+  visit("threads", settings.threads, "threads; 0: all");
+}
+
+/** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the
+ * geometry.
+ *
+ * Every connected part of the cloud is worked on by itself. Ridges of its smoothed
+ * density are traced at several bandwidths; each result is refitted as a mixture of
+ * noisy polylines and uniform outliers by expectation maximisation under a bending
+ * prior with heavy tails, and the Bayesian information criterion picks the best. All
+ * lengths follow from the spacing of the points, so the result moves, turns and scales
+ * with the input; it does not depend on the number of threads. \param[in] points any
+ * points; those with a coordinate that is not finite are left out \param[in] settings
+ * see \ref RefinedSettings \param[in] monitor hears of every part of the cloud that is
+ * done; may be null \return curves with the number of points that each vertex explains;
+ * none where the cloud holds no curve \throws std::invalid_argument for a negative or
+ * NaN cutoff \throws Cancelled when \a monitor says so */
+CurveNetwork
+reconstructRefined(const Points& points,
+                   const RefinedSettings& settings = {},
+                   Monitor* monitor = nullptr);
+
+} // namespace linelet
