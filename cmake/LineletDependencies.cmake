@@ -8,6 +8,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(PCL 1.13 REQUIRED COMPONENTS common octree kdtree search)
 find_package(Boost 1.74 REQUIRED)
 find_package(HWY REQUIRED CONFIG)
+find_package(nanoflann 1.4 REQUIRED CONFIG) # headers that only our sources include
 if(LINELET_WITH_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <linelet/features/point_types.h>
+#include <linelet/search/neighbour_search.h>
+#include <linelet/support/monitor.h>
+#include <linelet/support/names.h>
+#include <linelet/support/points.h>
+#include <linelet/tensor/centroid.h>
+#include <linelet/tensor/weighting.h>
+
+namespace linelet {
+
+/** \brief What finds the neighbours. All engines give the same neighbours. */
+enum class Engine {
+  Auto, ///< Grid for radii, Tree for the k nearest
+  Tree, ///< a kd-tree
+  Grid  ///< a uniform grid
+};
+
+template <>
+struct Names<Engine> {
+  static constexpr std::string_view kind = "engine";
+  static constexpr std::array<std::pair<Engine, std::string_view>, 3> table = {{
+      {Engine::Auto, "auto"},
+      {Engine::Tree, "tree"},
+      {Engine::Grid, "grid"},
+  }};
+};
+
+/** \brief What a neighbourhood is and how its points count. */
+struct TensorSettings {
+  double radius = 0;
+  unsigned k = 0;
+  Weighting weighting = Kernel::FermiDirac1;
+  Centroid centroid = Centroid::QueryPoint;
+  Weighting centroid_weighting = Kernel::QuadraticInverse;
+  Engine engine = Engine::Auto;
+  unsigned threads = 0; ///< 0: all; the result is the same for any number
+};
+
+template <class Visit>
+void
+describe(TensorSettings& s, Visit&& visit)
+{
+  visit("radius", s.radius, "radius of every neighbourhood, unit of the cloud");
+  visit("knn", s.k, "number of nearest points that make a neighbourhood, instead");
+  visit("weight", s.weighting, "weighting of the tensor");
+  visit("centroid", s.centroid, "point of reference");
+  visit("centroid-weight", s.centroid_weighting, "weighting of weighted centroids");
+  visit("engine", s.engine, "what finds the neighbours");
+}
+
+/** \brief Sizes of neighbourhoods point by point, instead of TensorSettings::radius and
+ * TensorSettings::k. One of the two may be given, with an entry for every query. */
+struct NeighbourhoodSizes {
+  std::vector<double> radii;    ///< a point without a positive finite radius gets NaN
+  std::vector<unsigned> counts; ///< numbers of nearest points; 0: the point gets NaN
+
+  bool
+  empty() const
+  {
+    return radii.empty() && counts.empty();
+  }
+};
+
+/** \brief Checks that exactly one size of neighbourhood is said, and that it makes
+ * sense. \param[in] queries number of query points \throws std::invalid_argument with
+ * the value and what is expected */
+void
+validate(const TensorSettings& settings,
+         const NeighbourhoodSizes& sizes,
+         std::size_t queries);
+
+/** \brief The engine that \ref estimateTensors runs: what Engine::Auto stands for. */
+Engine
+chosenEngine(const TensorSettings& settings, const NeighbourhoodSizes& sizes = {});
+
+/** \brief The record of one neighbourhood: centroid, tensor, eigen-analysis and shape
+ * factors, all in double. Every engine is this, or is tested against it.
+ * \param[in] offsets neighbours relative to the query point
+ * \param[in] radius of the neighbourhood, 0 where all neighbours lie at the query point
+ */
+PointDistributionTensor
+tensorOf(const Points& offsets, double radius, const TensorSettings& settings);
+
+/** \brief The record of a point of which nothing is known, with the number of
+ * neighbours that were found. */
+PointDistributionTensor
+unknownTensor(std::uint32_t neighbors);
+
+/** \brief The neighbourhood tensor of every query point (SPEC: Ritter et al. 2012).
+ * \param[in] surface the points that neighbourhoods are made of
+ * \param[in] queries points around which they are made; a query that is not finite gets
+ * NaN
+ * \param[in] settings with a radius or k, or neither if \a sizes says them point by
+ * point \return one record a query, in order \throws std::invalid_argument see \ref
+ * validate \throws Cancelled */
+std::vector<PointDistributionTensor>
+estimateTensors(const Points& surface,
+                const Points& queries,
+                const TensorSettings& settings,
+                const NeighbourhoodSizes& sizes = {},
+                Monitor* monitor = nullptr);
+
+/** \brief The same with neighbours from \a search over \a surface; the engine of
+ * \a settings has no say. */
+std::vector<PointDistributionTensor>
+estimateTensors(const NeighbourSearch& search,
+                const Points& surface,
+                const Points& queries,
+                const TensorSettings& settings,
+                const NeighbourhoodSizes& sizes = {},
+                Monitor* monitor = nullptr);
+
+} // namespace linelet

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/search/grid_search.h>
+
+#include <algorithm>
+
+namespace linelet {
+
+void
+GridSearch::within(const Point& query, double radius, Indices& found) const
+{
+  found.clear();
+  grid_.forEachWithin(query, radius, [&](Index i, double) { found.push_back(i); });
+  std::sort(found.begin(), found.end());
+}
+
+double
+GridSearch::nearest(const Point& query, std::size_t count, Indices& found) const
+{
+  found = grid_.nearestK(query, count);
+  if (found.empty())
+    return 0;
+  const double farthest = (points_[found.back()] - query).norm();
+  std::sort(found.begin(), found.end());
+  return farthest;
+}
+
+} // namespace linelet
