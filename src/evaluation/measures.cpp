@@ -1,4 +1,178 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <linelet/evaluation/measures.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <linelet/evaluation/segment_tree.h>
+
+namespace linelet::evaluation {
+
+namespace {
+
+constexpr double most_samples = 2e6; // of a network
+
+/** \brief Sum, number and largest of the distances from samples to a curve network. */
+struct Directed {
+  double sum = 0, squared_max = 0;
+  std::size_t count = 0;
+};
+
+/** \brief Distances from samples of \a curves, \a step apart, to \a target. */
+Directed
+distances(const CurveNetwork& curves, const SegmentTree& target, double step)
+{
+  Directed result;
+  std::size_t hint = SegmentTree::none;
+  const auto add = [&](const Point& sample) {
+    const SegmentTree::Nearest found = target.nearest(sample, hint);
+    hint = found.segment;
+    result.sum += std::sqrt(found.squared_distance);
+    result.squared_max = std::max(result.squared_max, found.squared_distance);
+    ++result.count;
+  };
+  for (const Curve& curve : curves.curves) {
+    const std::size_t vertices = curve.points.size();
+    if (vertices == 0)
+      continue;
+    const double total = length(curve);
+    const auto pieces = static_cast<std::size_t>(std::ceil(total / step));
+    const double spacing =
+        total / static_cast<double>(std::max<std::size_t>(pieces, 1));
+    std::size_t next = 0; // sample to place
+    double passed = 0;    // length before edge i
+    for (std::size_t i = 0; vertices > 1 && i + (curve.closed ? 0 : 1) < vertices;
+         ++i) {
+      const Point& a = curve.points[i];
+      const Point& b = curve.points[(i + 1) % vertices];
+      const double edge = (b - a).norm();
+      for (; next < pieces && static_cast<double>(next) * spacing < passed + edge;
+           ++next)
+        add(a + (b - a) * ((static_cast<double>(next) * spacing - passed) / edge));
+      passed += edge;
+    }
+    if (!curve.closed || pieces == 0)
+      add(curve.points.back());
+  }
+  return result;
+}
+
+/** \brief Length of the union of intervals. */
+double
+unionLength(std::vector<std::pair<double, double>>& intervals)
+{
+  std::sort(intervals.begin(), intervals.end());
+  double sum = 0, end = -std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : intervals) {
+    if (to > end)
+      sum += to - std::max(from, end);
+    end = std::max(end, to);
+  }
+  return sum;
+}
+
+/** \brief Length of the truth that \a reconstruction covers. */
+double
+coveredLength(const CurveNetwork& reconstruction,
+              const CurveNetwork& truth,
+              const SegmentTree& tree,
+              double reach)
+{
+  std::vector<double> lengths;
+  for (const Curve& curve : truth.curves)
+    lengths.push_back(length(curve));
+  std::vector<std::vector<std::pair<double, double>>> covered(truth.curves.size());
+
+  struct Foot {
+    std::size_t curve = SegmentTree::none; // none: out of reach
+    double arc = 0;
+  };
+  std::size_t hint = SegmentTree::none;
+  const auto project = [&](const Point& vertex) {
+    const SegmentTree::Nearest found = tree.nearest(vertex, hint);
+    hint = found.segment;
+    if (!(found.squared_distance <= reach * reach))
+      return Foot{};
+    const SegmentTree::Segment& s = tree.segments()[found.segment];
+    return Foot{s.curve, s.arc + found.parameter * (s.b - s.a).norm()};
+  };
+  for (const Curve& curve : reconstruction.curves) {
+    const std::size_t vertices = curve.points.size();
+    if (vertices < 2)
+      continue;
+    Foot last = project(curve.points[0]);
+    for (std::size_t i = 1; i < vertices + (curve.closed ? 1 : 0); ++i) {
+      const Foot foot = project(curve.points[i % vertices]);
+      if (foot.curve != SegmentTree::none && foot.curve == last.curve) {
+        auto& intervals = covered[foot.curve];
+        const auto [from, to] = std::minmax(last.arc, foot.arc);
+        const double total = lengths[foot.curve];
+        if (truth.curves[foot.curve].closed && to - from > total / 2) {
+          intervals.emplace_back(0, from);
+          intervals.emplace_back(to, total);
+        }
+        else
+          intervals.emplace_back(from, to);
+      }
+      last = foot;
+    }
+  }
+  double sum = 0;
+  for (auto& intervals : covered)
+    sum += unionLength(intervals);
+  return sum;
+}
+
+void
+check(const CurveNetwork& network, const char* which)
+{
+  for (const Curve& curve : network.curves)
+    for (const Point& vertex : curve.points)
+      if (!vertex.allFinite())
+        throw std::invalid_argument(std::string("evaluate: the ") + which +
+                                    " has a vertex that is not finite");
+}
+
+} // namespace
+
+Measures
+measure(const CurveNetwork& reconstruction,
+        const CurveNetwork& truth,
+        const MeasureSettings& settings)
+{
+  check(reconstruction, "reconstruction");
+  check(truth, "truth");
+  if (!(settings.step > 0) || !(settings.reach >= 0))
+    throw std::invalid_argument(
+        "evaluate: step must be positive and reach must not be negative");
+  const double true_length = length(truth), found_length = length(reconstruction);
+  if (!(true_length > 0))
+    throw std::invalid_argument("evaluate: the truth holds no curve with a length");
+
+  const SegmentTree truth_tree(truth), found_tree(reconstruction);
+  Measures result;
+  result.e_len = found_length / true_length;
+  if (found_tree.segments().empty()) {
+    result.e_h = result.e_v = std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
+  const double step =
+      std::max(settings.step, std::max(true_length, found_length) / most_samples);
+  const Directed there = distances(truth, found_tree, step);
+  const Directed back = distances(reconstruction, truth_tree, step);
+  result.e_h = std::sqrt(std::max(there.squared_max, back.squared_max));
+  result.e_v = (there.sum + back.sum) / static_cast<double>(there.count + back.count);
+  result.e_com =
+      coveredLength(reconstruction, truth, truth_tree, settings.reach) / true_length;
+  result.success = result.e_len >= 0.9 && result.e_len <= 1.2 && result.e_com >= 0.95 &&
+                   result.e_com <= 1.05 && result.e_v <= settings.max_mean_distance;
+  return result;
+}
+
+} // namespace linelet::evaluation
