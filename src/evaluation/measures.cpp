@@ -90,17 +90,39 @@ coveredLength(const CurveNetwork& reconstruction,
   std::vector<std::vector<std::pair<double, double>>> covered(truth.curves.size());
 
   struct Foot {
+    Point vertex;
     std::size_t curve = SegmentTree::none; // none: out of reach
-    double arc = 0;
+    double arc = 0, distance = 0;
+  };
+  const auto footAt = [&](const Point& vertex, const SegmentTree::Nearest& found) {
+    const double distance = std::sqrt(found.squared_distance);
+    if (!(distance <= reach))
+      return Foot{vertex};
+    const SegmentTree::Segment& s = tree.segments()[found.segment];
+    return Foot{
+        vertex, s.curve, s.arc + found.parameter * (s.b - s.a).norm(), distance};
   };
   std::size_t hint = SegmentTree::none;
   const auto project = [&](const Point& vertex) {
     const SegmentTree::Nearest found = tree.nearest(vertex, hint);
     hint = found.segment;
-    if (!(found.squared_distance <= reach * reach))
-      return Foot{};
-    const SegmentTree::Segment& s = tree.segments()[found.segment];
-    return Foot{s.curve, s.arc + found.parameter * (s.b - s.a).norm()};
+    return footAt(vertex, found);
+  };
+  // Where curves of the truth meet, a vertex is equally near to several of them.
+  const auto onCurveOf = [&](const Foot& foot, const Foot& other) {
+    const Foot moved = footAt(foot.vertex, tree.nearestOn(other.curve, foot.vertex));
+    return moved.curve != SegmentTree::none && moved.distance < foot.distance + 1e-9
+               ? moved
+               : foot;
+  };
+  const auto cover = [&](std::size_t curve, double begin, double end) {
+    const auto [low, high] = std::minmax(begin, end);
+    if (truth.curves[curve].closed && high - low > lengths[curve] / 2) {
+      covered[curve].emplace_back(0, low);
+      covered[curve].emplace_back(high, lengths[curve]);
+    }
+    else
+      covered[curve].emplace_back(low, high);
   };
   for (const Curve& curve : reconstruction.curves) {
     const std::size_t vertices = curve.points.size();
@@ -109,16 +131,14 @@ coveredLength(const CurveNetwork& reconstruction,
     Foot last = project(curve.points[0]);
     for (std::size_t i = 1; i < vertices + (curve.closed ? 1 : 0); ++i) {
       const Foot foot = project(curve.points[i % vertices]);
-      if (foot.curve != SegmentTree::none && foot.curve == last.curve) {
-        auto& intervals = covered[foot.curve];
-        const auto [from, to] = std::minmax(last.arc, foot.arc);
-        const double total = lengths[foot.curve];
-        if (truth.curves[foot.curve].closed && to - from > total / 2) {
-          intervals.emplace_back(0, from);
-          intervals.emplace_back(to, total);
-        }
-        else
-          intervals.emplace_back(from, to);
+      if (foot.curve != SegmentTree::none && last.curve != SegmentTree::none) {
+        Foot from = last, to = foot;
+        if (from.curve != to.curve)
+          to = onCurveOf(foot, last);
+        if (from.curve != to.curve)
+          from = onCurveOf(last, foot);
+        if (from.curve == to.curve)
+          cover(from.curve, from.arc, to.arc);
       }
       last = foot;
     }

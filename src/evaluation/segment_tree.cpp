@@ -96,4 +96,16 @@ SegmentTree::nearest(const Point& query, std::size_t hint) const
   return best;
 }
 
+SegmentTree::Nearest
+SegmentTree::nearestOn(std::size_t curve, const Point& query) const
+{
+  // The segments of a curve stand together, in the order of the curves.
+  const auto before = [](const Segment& s, std::size_t c) { return s.curve < c; };
+  auto s = std::lower_bound(segments_.begin(), segments_.end(), curve, before);
+  Nearest best;
+  for (; s != segments_.end() && s->curve == curve; ++s)
+    test(query, static_cast<std::size_t>(s - segments_.begin()), best);
+  return best;
+}
+
 } // namespace linelet::evaluation

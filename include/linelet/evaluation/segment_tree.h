@@ -47,6 +47,10 @@ public:
   Nearest
   nearest(const Point& query, std::size_t hint = none) const;
 
+  /** \brief The nearest point of the curve at place \a curve of the network. */
+  Nearest
+  nearestOn(std::size_t curve, const Point& query) const;
+
 private:
   struct Box {
     Point low = Point::Constant(std::numeric_limits<double>::infinity());
