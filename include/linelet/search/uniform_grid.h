@@ -48,6 +48,17 @@ public:
     });
   }
 
+  /** \brief Calls visit(offset from the query, squared distance) for every point within
+   * \a radius of \a query, in the order of \ref forEachWithin. */
+  template <class Visit>
+  void
+  forEachOffsetWithin(const Point& query, double radius, Visit&& visit) const
+  {
+    forEachSlot(query, radius, [&](std::size_t slot, double squared) {
+      visit(Point(points_[slot] - query), squared);
+    });
+  }
+
   /** \brief Indices of the points within \a radius of \a query, in grid order. */
   Indices
   within(const Point& query, double radius) const;

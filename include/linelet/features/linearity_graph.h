@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <linelet/support/names.h>
+
+namespace linelet {
+
+/** \brief How the terms of a maximum's score O_m are put together. */
+enum class ScaleScore {
+  Product, ///< (1 - k/K) CL_j + A_j/A - delta/2 (Ritter, Schiffner, Harders 2021, eq.
+           ///< 9)
+  Sum      ///< (CL_j - k/K) + A_j/A - delta/2
+};
+
+template <>
+struct Names<ScaleScore> {
+  static constexpr std::string_view kind = "scale score";
+  static constexpr std::array<std::pair<ScaleScore, std::string_view>, 2> table = {
+      {{ScaleScore::Product, "product"}, {ScaleScore::Sum, "sum"}}};
+};
+
+/** \brief The variable over which the areas A and A_j under the graph are taken. */
+enum class GraphIntegral {
+  Scales,    ///< plain sum over the scales
+  LogRadius, ///< integral over ln r (trapezoids)
+  Radius     ///< integral over r (trapezoids), in units of length
+};
+
+template <>
+struct Names<GraphIntegral> {
+  static constexpr std::string_view kind = "graph integral";
+  static constexpr std::array<std::pair<GraphIntegral, std::string_view>, 3> table = {
+      {{GraphIntegral::Scales, "scales"},
+       {GraphIntegral::LogRadius, "log-radius"},
+       {GraphIntegral::Radius, "radius"}}};
+};
+
+/** \brief How a linearity graph is read. */
+struct LinearityGraphSettings {
+  ScaleScore score = ScaleScore::Product;
+  GraphIntegral integral = GraphIntegral::Scales;
+  /// Smallest neighbourhood whose scale may become the optimal one; the point itself
+  /// counts, so that 7 is what the scale unit D holds in the median.
+  unsigned min_neighbors = 7;
+};
+
+template <class Visit>
+void
+describe(LinearityGraphSettings& s, Visit&& visit)
+{
+  visit("scale-score", s.score, "how the score of a local maximum is put together");
+  visit("graph-integral", s.integral, "variable of the area under the linearity graph");
+  visit("min-neighbors",
+        s.min_neighbors,
+        "smallest neighbourhood of an optimal scale, the point itself included");
+}
+
+/** \brief A local maximum of a linearity graph. Scales count from 0. */
+struct GraphMaximum {
+  std::size_t scale;    ///< k_j; on a plateau its first scale with enough neighbours
+  std::size_t left;     ///< j-: nearest local minimum below, or where the graph begins
+  std::size_t right;    ///< j+: nearest local minimum above, or where the graph ends
+  double area_fraction; ///< A_j / A, held to [0, 1]
+  double delta;         ///< CL_j - max(CL_j-, CL_j+)
+  double score;         ///< O_m
+};
+
+/** \brief What the linearity graph of one point tells (SPEC of the method: Ritter,
+ * Schiffner, Harders 2021, section 5). */
+struct LinearityGraph {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::vector<GraphMaximum> maxima; ///< by scale; scales with enough neighbours only
+  std::vector<std::size_t> minima;  ///< by scale; a plateau is named by its last scale
+  double area = 0;                  ///< A, NaN where no scale is defined
+  double largest = 0;               ///< CL_max, NaN where no scale is defined
+  std::size_t best = none;          ///< place in \ref maxima of the best score
+  double blend = 0;                 ///< mu in [0.05, 0.95], NaN without a maximum
+
+  /** \brief The optimal scale, or \ref none. */
+  std::size_t
+  scale() const
+  {
+    return best == none ? none : maxima[best].scale;
+  }
+};
+
+/** \brief Linearities closer than this count as equal: rounding makes no extrema. */
+constexpr double flat_linearity = 1e-6;
+
+/** \brief Reads a linearity graph CL(k).
+ *
+ * Rules, where the papers are silent:
+ *  - A scale whose linearity is NaN is not defined: the graph consists of the others.
+ *  - A run of equal values (within \ref flat_linearity) is one extremum. It is a
+ * minimum if the graph is higher on both sides (its ends are none), a maximum if it is
+ * lower on every side that exists; so a flat graph and a graph of one scale are maxima.
+ *  - Maxima are sought where the neighbourhood has settings.min_neighbors points, on
+ * the part of the graph from the first such scale on; j- does not reach below it.
+ *  - A runs from the first defined scale to the end of the last local minimum, else to
+ *    the end of the graph. Where it is 0 the fraction A_j/A is 1.
+ *  - Of equal scores the smaller scale wins.
+ *
+ * \param[in] linearity CL at each scale, NaN where not defined
+ * \param[in] neighbors points in the neighbourhood at each scale, the point itself
+ * included; not falling
+ * \param[in] radii radius of each scale, rising
+ * \throws std::invalid_argument unless the three are of the same length */
+LinearityGraph
+readLinearityGraph(const std::vector<double>& linearity,
+                   const std::vector<std::uint32_t>& neighbors,
+                   const std::vector<double>& radii,
+                   const LinearityGraphSettings& settings = {});
+
+} // namespace linelet

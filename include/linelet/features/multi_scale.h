@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <linelet/features/linearity_graph.h>
+#include <linelet/features/multi_scale_radii.h>
+#include <linelet/features/multi_scale_types.h>
+#include <linelet/support/monitor.h>
+#include <linelet/support/points.h>
+#include <linelet/tensor/centroid.h>
+#include <linelet/tensor/weighting.h>
+
+namespace linelet {
+
+/** \brief Parameters of the multi-scale shape feature. */
+struct MultiScaleSettings {
+  Weighting weighting; ///< w_T of the tensor
+  Centroid centroid = Centroid::QueryPoint;
+  Weighting centroid_weighting = Kernel::QuadraticInverse; ///< w_C
+  RadiusGrowth growth = RadiusGrowth::Exponential;
+  double max_radius = 0;     ///< unit of the points; 0: 60 D
+  std::vector<double> radii; ///< rising; if given, they stand in place of the ladder
+  /// Stop rule: the largest radius is the first at which the shape factors of no point
+  /// differ by this much from those at the radius before. Only for the mean and median
+  /// centroids, where they converge. 0: no such rule.
+  double stop_change = 0;
+  double scale_unit = 0;             ///< D; 0: measured on the points
+  unsigned scale_unit_sample = 1024; ///< points that D is measured at; 0: all
+  unsigned scale_unit_seed = 1;
+  LinearityGraphSettings graph; ///< how the optimal scale is chosen
+  unsigned threads = 0;         ///< 0: all
+};
+
+template <class Visit>
+void
+describe(MultiScaleSettings& s, Visit&& visit)
+{
+  visit("weight", s.weighting, "weighting kernel of the tensor");
+  visit("centroid", s.centroid, "point of reference of the tensor");
+  visit("centroid-weight", s.centroid_weighting, "kernel of the weighted centroids");
+  visit("growth", s.growth, "how the radii grow from the scale unit D");
+  visit("max-radius", s.max_radius, "largest radius, unit of the file; 0: 60 D");
+  visit("radii", s.radii, "radii, rising, in place of growth and largest radius");
+  visit("stop-change",
+        s.stop_change,
+        "let the largest radius be the first at which no shape factor of any point "
+        "changes by this much any more (mean and median centroids); 0: off");
+  visit("scale-unit", s.scale_unit, "scale unit D; 0: measured");
+  visit("scale-unit-sample", s.scale_unit_sample, "points D is measured at; 0: all");
+  visit("scale-unit-seed", s.scale_unit_seed, "seed of that sample");
+  describe(s.graph, visit);
+}
+
+/** \brief The multi-scale shape feature of a set of points. */
+struct MultiScaleShapes {
+  double scale_unit = 0;     ///< D; NaN where the points have none (see scaleUnit)
+  std::vector<double> radii; ///< of the scales, rising
+  std::vector<MultiScaleShape> shapes; ///< one a query
+};
+
+/** \brief Receives the graphs of every query, in the order of the queries and never
+ * from two threads at once. The graph is valid during the call. */
+using ShapeGraphSink = std::function<void(std::size_t query, const ShapeGraph& graph)>;
+
+/** \brief Radii that \a settings ask for on \a surface, the stop rule applied.
+ * \return with scale_unit and radii set, without shapes
+ * \throws std::invalid_argument where a parameter is out of range, or D is needed and
+ * the points have none */
+MultiScaleShapes
+multiScaleRadii(const Points& surface,
+                const MultiScaleSettings& settings,
+                Monitor* monitor = nullptr);
+
+/** \brief The multi-scale shape feature (Ritter, Schiffner, Harders 2021): the shape of
+ * the neighbourhood of every query at a ladder of radii, and the scale that serves the
+ * reconstruction of curves best.
+ *
+ * One search at the largest radius serves all scales. The tensor at radius r is that of
+ * the points with d <= r; scales with fewer than two neighbours away from the query are
+ * not defined. Nothing is kept per scale: who wants the graphs takes them from \a sink
+ * as they come. The same for every number of threads.
+ *
+ * \param[in] surface points among which neighbours are sought; those with a coordinate
+ * that is not finite are left out
+ * \param[in] queries where the feature is wanted; NaN for one that is not finite. A
+ * query that is to count as its own neighbour belongs to \a surface as well
+ * \throws std::invalid_argument as \ref multiScaleRadii; Cancelled */
+MultiScaleShapes
+multiScaleShapes(const Points& surface,
+                 const Points& queries,
+                 const MultiScaleSettings& settings = {},
+                 const ShapeGraphSink& sink = {},
+                 Monitor* monitor = nullptr);
+
+} // namespace linelet

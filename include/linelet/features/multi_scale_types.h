@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace linelet {
+
+/** \brief What the shapes of a point's neighbourhood over many scales come to.
+ *
+ * Everything that cannot be known is NaN (scale: -1): all of it where no scale has two
+ * neighbours beside the point; the shape at the optimal scale, its radius, blend and
+ * direction where no scale has enough neighbours to be chosen. */
+struct MultiScaleShape {
+  static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+  float linearity = nan;      ///< CL at the optimal scale, [0, 1]
+  float planarity = nan;      ///< CP at the optimal scale, [0, 1]
+  float sphericity = nan;     ///< CS at the optimal scale, [0, 1]
+  float optimal_radius = nan; ///< radius of the optimal scale, unit of the input
+  float blend = nan;          ///< mu, how far to trust the eigenvector, [0.05, 0.95]
+  float linearity_sum = nan;  ///< A, area under the linearity graph
+  float linearity_max = nan;  ///< CL_max, the largest linearity of all scales
+  float min_sphericity = nan; ///< the smallest sphericity of all scales
+  float major_x = nan;        ///< e3 at the optimal scale, a unit vector whose
+  float major_y = nan;        ///< component of largest magnitude is positive
+  float major_z = nan;
+  std::uint32_t neighbors = 0; ///< in the neighbourhood of the optimal scale, the
+                               ///< point itself included; 0 where there is none
+  std::uint32_t first_neighbors =
+      0;                   ///< N1: neighbours beside the point in the smallest
+                           ///< scale that has any; 0 where there is none
+  std::int32_t scale = -1; ///< the optimal scale, counted from 0
+};
+
+/** \brief The shape of one neighbourhood: a point of the graphs CL, CP, CS. */
+struct ScaleShape {
+  static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+  float linearity =
+      nan; ///< NaN where the scale is not defined: fewer than 2 neighbours
+  float planarity = nan; ///< away from the point, or all weights 0
+  float sphericity = nan;
+  float major_x = nan; ///< e3
+  float major_y = nan;
+  float major_z = nan;
+  std::uint32_t neighbors = 0; ///< the point itself included
+};
+
+/** \brief The graphs of one point: a shape at every radius, small to large. */
+using ShapeGraph = std::vector<ScaleShape>;
+
+} // namespace linelet

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <linelet/features/multi_scale.h>
+#include <linelet/tensor/neighbourhood_tensor.h>
+#include <linelet/tensor/shape_factors.h>
+
+namespace linelet {
+
+/** \brief Tensors and shape factors of one neighbourhood at every radius, from one list
+ * of neighbours. Holds buffers: make one a thread and use it for many points. */
+class ScaleSweep {
+public:
+  /** \param[in] radii rising
+   * \param[in] settings weighting and centroid are used */
+  ScaleSweep(const std::vector<double>& radii, const MultiScaleSettings& settings);
+
+  /** \brief Begins a new neighbourhood. */
+  void
+  clear();
+
+  /** \brief Adds a neighbour within the largest radius, in any order.
+   * \param[in] offset from the query point
+   * \param[in] squared its squared length as the search computed it */
+  void
+  add(const Point& offset, double squared);
+
+  /** \brief Computes all that follows. */
+  void
+  run();
+
+  /** \brief CL at each scale, NaN where not defined. */
+  const std::vector<double>&
+  linearity() const
+  {
+    return linearity_;
+  }
+
+  /** \brief All three factors at each scale. */
+  const std::vector<ShapeFactors>&
+  factors() const
+  {
+    return factors_;
+  }
+
+  /** \brief Neighbours at each scale, the query point included. */
+  const std::vector<std::uint32_t>&
+  neighbors() const
+  {
+    return neighbors_;
+  }
+
+  /** \brief Neighbours at each scale that lie away from the query point. */
+  const std::vector<std::uint32_t>&
+  neighborsBeside() const
+  {
+    return beside_;
+  }
+
+  /** \brief The tensor at each scale; NaN where not defined. */
+  const std::vector<SymmetricTensor>&
+  tensors() const
+  {
+    return tensors_;
+  }
+
+private:
+  void
+  sortByScale();
+
+  void
+  prefixMoments();
+
+  void
+  weightedTensors();
+
+  std::vector<double> radii_, squared_radii_;
+  Weighting weighting_, centroid_weighting_;
+  Centroid centroid_;
+
+  Points arrived_, sorted_; // neighbours as added, and by rising scale
+  std::vector<double> squared_, distance_;
+  std::vector<std::uint16_t> scale_; // smallest scale of each neighbour as added
+
+  std::vector<double> linearity_, farthest_;
+  std::vector<ShapeFactors> factors_;
+  std::vector<std::uint32_t> neighbors_, beside_;
+  std::vector<SymmetricTensor> tensors_;
+};
+
+} // namespace linelet
