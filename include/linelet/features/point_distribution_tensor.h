@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <pcl/features/feature.h>
+#include <pcl/memory.h>
+#include <pcl/point_types.h>
+
+#include <linelet/features/register_point_distribution_tensor.h>
+#include <linelet/features/tensor_estimation.h>
+
+namespace linelet {
+
+/** \brief The neighbourhood tensor of every point of a cloud, with its eigen-analysis
+ * and shape factors: \ref estimateTensors in a PCL chain.
+ *
+ * Exactly one size of neighbourhood must be set: setRadiusSearch, setKSearch, \ref
+ * setRadii or \ref setCounts. Points with d <= radius belong to a neighbourhood, d
+ * computed in double, the query point included where it is part of the surface.
+ *
+ * Neighbours come from the search given by setSearchMethod (any of them; PCL hands a
+ * cloud to its search only when the pointer changes, so never alter a cloud in place),
+ * else from a built-in grid or kd-tree; all find the same neighbours and give the same
+ * result.
+ *
+ * Output has one record a query, in order. Where a tensor cannot be known all floats of
+ * the record are NaN and is_dense is false; `neighbors` is always what was found. As
+ * everywhere in PCL only the header of the cloud is carried over. compute gives an
+ * empty output, with a message through PCL_ERROR, if there is no input, no finite point
+ * in the surface, an index beyond the cloud, or a size of neighbourhood that is not
+ * positive and finite.
+ *
+ * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal; for
+ * any other type define PCL_NO_PRECOMPILE before the first include and link lz4 (FLANN
+ * needs it), or include impl/point_distribution_tensor.hpp. */
+template <typename PointInT>
+class PointDistributionTensorEstimation
+    : public pcl::Feature<PointInT, PointDistributionTensor> {
+  using Base = pcl::Feature<PointInT, PointDistributionTensor>;
+
+public:
+  using Ptr = pcl::shared_ptr<PointDistributionTensorEstimation>;
+  using ConstPtr = pcl::shared_ptr<const PointDistributionTensorEstimation>;
+  using PointCloudOut = typename Base::PointCloudOut;
+
+  PointDistributionTensorEstimation();
+
+  /** \brief A radius for every point of the input cloud (indices do not change which);
+   * points without a positive finite radius get NaN. Empty: none. */
+  void
+  setRadii(std::vector<double> radii)
+  {
+    sizes_.radii = std::move(radii);
+  }
+  const std::vector<double>&
+  getRadii() const
+  {
+    return sizes_.radii;
+  }
+
+  /** \brief A number of nearest points for every point of the input cloud; 0 gives NaN.
+   * Empty: none. */
+  void
+  setCounts(std::vector<unsigned> counts)
+  {
+    sizes_.counts = std::move(counts);
+  }
+  const std::vector<unsigned>&
+  getCounts() const
+  {
+    return sizes_.counts;
+  }
+
+  /** \brief w_T, fermi-dirac-1 if not set. */
+  void
+  setWeighting(const Weighting& weighting)
+  {
+    settings_.weighting = weighting;
+  }
+  const Weighting&
+  getWeighting() const
+  {
+    return settings_.weighting;
+  }
+
+  /** \brief The point of reference, the query point if not set. */
+  void
+  setCentroid(Centroid centroid)
+  {
+    settings_.centroid = centroid;
+  }
+  Centroid
+  getCentroid() const
+  {
+    return settings_.centroid;
+  }
+
+  /** \brief w_C of the weighted centroids, quadratic-inverse if not set. */
+  void
+  setCentroidWeighting(const Weighting& weighting)
+  {
+    settings_.centroid_weighting = weighting;
+  }
+  const Weighting&
+  getCentroidWeighting() const
+  {
+    return settings_.centroid_weighting;
+  }
+
+  /** \brief 0: what OpenMP offers. The result is the same for any number. */
+  void
+  setNumberOfThreads(unsigned nr_threads = 0)
+  {
+    settings_.threads = nr_threads;
+  }
+  unsigned
+  getNumberOfThreads() const
+  {
+    return settings_.threads;
+  }
+
+  /** \brief Auto: the search given by setSearchMethod, else what suits. Tree and Grid
+   * leave that search aside. */
+  void
+  setEngine(Engine engine)
+  {
+    settings_.engine = engine;
+  }
+  Engine
+  getEngine() const
+  {
+    return settings_.engine;
+  }
+
+protected:
+  using Base::fake_surface_;
+  using Base::feature_name_;
+  using Base::getClassName;
+  using Base::indices_;
+  using Base::input_;
+  using Base::k_;
+  using Base::search_parameter_;
+  using Base::search_radius_;
+  using Base::surface_;
+  using Base::tree_;
+
+  bool
+  initCompute() override;
+
+private:
+  void
+  computeFeature(PointCloudOut& output) override;
+
+  bool
+  refuse(const char* reason);
+
+  /** \brief The sizes of the queries. */
+  NeighbourhoodSizes
+  querySizes() const;
+
+  TensorSettings settings_;
+  NeighbourhoodSizes sizes_; // of all points of the input
+};
+
+extern template class PointDistributionTensorEstimation<pcl::PointXYZ>;
+extern template class PointDistributionTensorEstimation<pcl::PointXYZI>;
+extern template class PointDistributionTensorEstimation<pcl::PointXYZRGB>;
+extern template class PointDistributionTensorEstimation<pcl::PointNormal>;
+extern template class PointDistributionTensorEstimation<pcl::PointXYZINormal>;
+
+} // namespace linelet
+
+#ifdef PCL_NO_PRECOMPILE
+#include <linelet/features/impl/point_distribution_tensor.hpp>
+#endif
