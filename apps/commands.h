@@ -21,6 +21,10 @@ runInfo(const std::vector<std::string>& arguments);
 int
 runConvert(const std::vector<std::string>& arguments);
 
+/** \brief `generate corridor`: gets the arguments behind that name. */
+int
+runGenerateCorridor(const std::vector<std::string>& arguments);
+
 /** \brief All commands, in the order of `linelet --help`. */
 const std::vector<Command>&
 commands();

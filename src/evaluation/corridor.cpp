@@ -124,11 +124,11 @@ clipWires(CorridorScan& scan,
 void
 toWorld(CorridorScan& scan, const CorridorSettings& settings, corridor::Random& random)
 {
-  const double heading = random.uniform(0, 2 * 3.14159265358979323846);
+  const double heading = random.uniform(0, 2 * corridor::pi);
   const double c = std::cos(heading), s = std::sin(heading);
-  scan.shift = Point(565000 + 10.0 * random.integer(0, 2000),
-                     5930000 + 10.0 * random.integer(0, 2000),
-                     5.0 * random.integer(2, 60));
+  scan.shift.x() = 565000 + 10.0 * random.integer(0, 2000);
+  scan.shift.y() = 5930000 + 10.0 * random.integer(0, 2000);
+  scan.shift.z() = 5.0 * random.integer(2, 60);
   const auto turn = [&](Point& p) {
     const double x = p.x() - 0.5 * settings.length, y = p.y();
     p.x() = c * x - s * y;

@@ -22,7 +22,7 @@ addWire(Scene& scene,
   // Where the lowest point lies: sinh of the middle follows from the rise.
   const double middle = a * std::asinh(rise / (2 * a * std::sinh(span / (2 * a))));
   const double lowest = 0.5 * span - middle;
-  const double phi = hanging.wind * 3.14159265358979323846 / 180;
+  const double phi = hanging.wind * pi / 180;
   const Point right((to.y() - from.y()) / span, (from.x() - to.x()) / span, 0);
   const auto at = [&](double s) -> Point {
     const double t = s / span;

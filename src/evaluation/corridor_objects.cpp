@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "corridor_scene.h"
 
 namespace linelet::evaluation::corridor {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** A house's own frame: u along the ridge, v across. */
 struct Plot {
@@ -173,9 +173,8 @@ addTree(Scene& scene, const Point& base, double height, Random& random)
     const double t = (i + 0.5) / parts, tall = (height - leafless) / parts;
     const double r = conifer ? wide * (1.15 - t) : wide * random.uniform(0.7, 1);
     const double aside = conifer ? 0 : 0.45 * wide;
-    scene.crowns.push_back({base + Point(random.uniform(-aside, aside),
-                                         random.uniform(-aside, aside),
-                                         leafless + t * (height - leafless)),
+    const double dx = random.uniform(-aside, aside), dy = random.uniform(-aside, aside);
+    scene.crowns.push_back({base + Point(dx, dy, leafless + t * (height - leafless)),
                             Point(r, r, conifer ? 0.7 * tall : 0.5 * tall + 0.2 * r),
                             random.uniform(0.7, 1.6)});
   }
@@ -214,7 +213,8 @@ addObjects(Scene& scene, const CorridorSettings& settings, Random& random)
     for (int attempt = 0; attempt < attempts; ++attempt) {
       // The jib runs along the line: across it would be in the wires.
       const Point p = anywhere();
-      const double turn = random.integer(0, 1) * pi + random.uniform(-0.15, 0.15);
+      const double sense = random.integer(0, 1) * pi;
+      const double turn = sense + random.uniform(-0.15, 0.15);
       bool clear = true;
       for (double s = -12; s <= 40; s += 4)
         clear = clear && scene.lowestWire(p.x() + s * std::cos(turn),

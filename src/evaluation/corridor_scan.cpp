@@ -10,7 +10,6 @@ namespace linelet::evaluation::corridor {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double gain = 22; ///< signal over the detection threshold at reflectivity 1
 constexpr double dead_zone = 0.5; ///< two returns of a pulse are further apart, metres
 constexpr int most_returns = 5;
@@ -57,7 +56,9 @@ public:
       for (std::size_t i = 0; i < pulses; ++i) {
         const double y = -reach + spacing * (static_cast<double>(i) + 0.5) + sway;
         const double jitter = 0.1 * spacing;
-        const Point target(x + random_.normal(jitter), y + random_.normal(jitter), 0);
+        Point target(x, y, 0);
+        target.x() += random_.normal(jitter);
+        target.y() += random_.normal(jitter);
         Ray ray;
         ray.origin = Point(x - settings_.altitude * std::tan(flight.tilt),
                            flight.y,

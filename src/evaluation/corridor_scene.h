@@ -9,13 +9,16 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
 
 #include <linelet/evaluation/corridor.h>
 
 namespace linelet::evaluation::corridor {
 
-/** \brief Random numbers that are the same on every machine. */
+constexpr double pi = 3.14159265358979323846;
+
+/** \brief Random numbers that are the same on every machine, as long as no expression
+ * draws two of them in an order that the language leaves open. */
 class Random {
 public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -23,7 +26,7 @@ public:
   double
   uniform(double low, double high)
   {
-    return boost::random::uniform_real_distribution<double>(low, high)(engine_);
+    return low + (high - low) * boost::random::uniform_01<double>()(engine_);
   }
 
   double

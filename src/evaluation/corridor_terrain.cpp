@@ -9,10 +9,6 @@
 
 namespace linelet::evaluation::corridor {
 
-namespace {
-constexpr double pi = 3.14159265358979323846;
-}
-
 Terrain::Terrain(Random& random, double relief)
     : slope_x_(relief / 400 * random.uniform(-0.5, 0.5)),
       slope_y_(relief / 400 * random.uniform(-0.5, 0.5))

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <linelet/evaluation/corridor.h>
+#include <linelet/io/point_file.h>
+#include <linelet/io/vector_file.h>
+
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+namespace {
+
+/** ETRS89 / UTM zone 32N, EPSG:25832. It stands here as text so that the same scene is
+ * the same file with every version of GDAL. */
+constexpr const char* utm_32 =
+    R"(PROJCS["ETRS89 / UTM zone 32N",GEOGCS["ETRS89",)"
+    R"(DATUM["European_Terrestrial_Reference_System_1989",)"
+    R"(SPHEROID["GRS 1980",6378137,298.257222101,AUTHORITY["EPSG","7019"]],)"
+    R"(AUTHORITY["EPSG","6258"]],PRIMEM["Greenwich",0,AUTHORITY["EPSG","8901"]],)"
+    R"(UNIT["degree",0.0174532925199433,AUTHORITY["EPSG","9122"]],)"
+    R"(AUTHORITY["EPSG","4258"]],PROJECTION["Transverse_Mercator"],)"
+    R"(PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",9],)"
+    R"(PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],)"
+    R"(PARAMETER["false_northing",0],UNIT["metre",1,AUTHORITY["EPSG","9001"]],)"
+    R"(AXIS["Easting",EAST],AXIS["Northing",NORTH],AUTHORITY["EPSG","25832"]])";
+
+io::Cloud
+toCloud(evaluation::CorridorScan& scan)
+{
+  io::Cloud cloud;
+  cloud.shift = scan.shift;
+  cloud.points = std::move(scan.points);
+  cloud.wkt = utm_32;
+  cloud.set({"intensity", std::move(scan.intensity), ""});
+  cloud.set({"return_number", std::move(scan.return_number), ""});
+  cloud.set({"number_of_returns", std::move(scan.number_of_returns), ""});
+  cloud.set({"classification", std::move(scan.classification), ""});
+  cloud.set({"scan_angle", std::move(scan.scan_angle), ""});
+  cloud.set({"point_source_id", std::move(scan.strip), ""});
+  cloud.set({"gps_time", std::move(scan.gps_time), ""});
+  return cloud;
+}
+
+CurveNetwork
+toNetwork(const std::vector<evaluation::CorridorWire>& wires)
+{
+  CurveNetwork network;
+  for (const evaluation::CorridorWire& wire : wires) {
+    Curve curve;
+    curve.points = wire.points;
+    network.curves.push_back(std::move(curve));
+  }
+  return network;
+}
+
+} // namespace
+
+int
+runGenerateCorridor(const std::vector<std::string>& arguments)
+{
+  Frame frame(
+      "generate corridor",
+      "Simulates an airborne scan of a power line corridor: terrain, trees, "
+      "houses, cranes, fences, a high-voltage line and pole lines below it. The "
+      "classes in the file are the truth (14 wire, 15 pylon or pole).");
+  evaluation::CorridorSettings settings;
+  std::string output, truth;
+  frame.app.add_option("OUTPUT", output, "point file to write (.las)")->required();
+  frame.app.add_option(
+      "--truth", truth, "file for the true wires, one polyline a span");
+  addOptions(frame.app, settings);
+  frame.parse(arguments);
+
+  evaluation::CorridorScan scan =
+      evaluation::simulateCorridor(settings, &frame.monitor);
+  std::map<int, std::size_t> classes;
+  for (const std::uint8_t c : scan.classification)
+    ++classes[c];
+  const CurveNetwork network = toNetwork(scan.wires);
+  const io::Cloud cloud = toCloud(scan);
+  std::vector<std::string> warnings;
+  io::writeCloud(output, cloud, &warnings, &frame.monitor);
+  if (!truth.empty())
+    io::writeCurves(truth, network, cloud.shift, cloud.wkt);
+  frame.warn(warnings);
+
+  std::printf("%s: %zu points, %zu of them on %zu wires of %.0f m\n",
+              output.c_str(),
+              cloud.points.size(),
+              classes[14],
+              network.curves.size(),
+              length(network));
+  frame.summary["points"] = cloud.points.size();
+  frame.summary["wires"] = network.curves.size();
+  frame.summary["wire_length"] = length(network);
+  for (const auto& [name, count] : classes)
+    frame.summary["classes"][std::to_string(name)] = count;
+  return frame.finish();
+}
+
+} // namespace linelet::apps
