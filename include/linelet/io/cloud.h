@@ -15,7 +15,8 @@
 
 namespace linelet::io {
 
-/** \brief The values of one attribute, one a point, in the type they had in the file. */
+/** \brief The values of one attribute, one a point, in the type they had in the file.
+ */
 using Values = std::variant<std::vector<std::int8_t>,
                             std::vector<std::uint8_t>,
                             std::vector<std::int16_t>,
@@ -26,6 +27,14 @@ using Values = std::variant<std::vector<std::int8_t>,
                             std::vector<std::uint64_t>,
                             std::vector<float>,
                             std::vector<double>>;
+
+/** \brief Number of values. */
+std::size_t
+size(const Values& values);
+
+/** \brief int8, uint8, ... uint64, float32 or float64. */
+std::string_view
+typeName(const Values& values);
 
 /** \brief A named attribute of every point.
  *
@@ -68,5 +77,10 @@ struct Cloud {
 /** \brief The value of \a column at point \a i, as a double. */
 double
 valueAt(const Column& column, std::size_t i);
+
+/** \brief Name of the reference system that \a wkt describes; empty where it is unknown
+ * or cannot be understood. */
+std::string
+referenceName(const std::string& wkt);
 
 } // namespace linelet::io

@@ -31,12 +31,13 @@ struct VectorLayer {
   std::vector<VectorFeature> features; ///< all with the same attribute names and types
 };
 
-/** \brief Writes layers with their attributes as .geojson, .gpkg or .dxf (through GDAL,
- * 3D, full precision; GeoJSON in the given reference system with its `crs` member).
- * An existing file is replaced. GeoJSON holds all layers in one collection, each feature
- * with a property `layer`.
- * \param[in] wkt reference system, empty: unknown
- * \throws FileError */
+/** \brief Writes layers as .geojson, .gpkg or .dxf: 3D, in full precision, in the given
+ * reference system. An existing file is replaced; the same input gives the same bytes.
+ *
+ * GeoJSON holds all layers in one collection, each feature with a property `layer`, and
+ * names the reference system in its `crs` member. DXF holds no attributes; each layer
+ * is a layer of the drawing. \param[in] wkt reference system, empty: unknown \throws
+ * FileError */
 void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <linelet/io/point_file.h>
+
+namespace linelet::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Descriptor {
+  int number;
+  ~Descriptor() { ::close(number); }
+};
+
+[[noreturn]] void
+cannotRead(const std::string& path)
+{
+  throw FileError(path + ": cannot be read (" + std::strerror(errno) +
+                  "); check the path and its permissions");
+}
+
+bool
+isSpecial(const std::string& path)
+{
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
+         !S_ISDIR(status.st_mode);
+}
+
+/** \a path, or what it points to where it is a symbolic link. */
+fs::path
+placeOf(const std::string& path)
+{
+  std::error_code error;
+  if (fs::is_symlink(path, error))
+    return fs::weakly_canonical(path, error);
+  return path;
+}
+
+} // namespace
+
+MappedFile::MappedFile(const std::string& path)
+{
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  struct stat status {};
+  if (file.number < 0 || ::fstat(file.number, &status) != 0)
+    cannotRead(path);
+  if (S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    cannotRead(path);
+  }
+  if (!S_ISREG(status.st_mode)) {
+    char buffer[65536];
+    ssize_t got = 0;
+    while ((got = ::read(file.number, buffer, sizeof buffer)) > 0)
+      owned_.append(buffer, static_cast<std::size_t>(got));
+    if (got < 0)
+      cannotRead(path);
+    bytes_ = owned_;
+    return;
+  }
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0)
+    return;
+  void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number, 0);
+  if (mapped == MAP_FAILED)
+    cannotRead(path);
+  mapped_ = mapped;
+  ::madvise(mapped_, size, MADV_SEQUENTIAL);
+  bytes_ = {static_cast<const char*>(mapped_), size};
+}
+
+MappedFile::~MappedFile()
+{
+  if (mapped_ != nullptr)
+    ::munmap(mapped_, bytes_.size());
+}
+
+std::string
+cannotWrite(const std::string& path, int error)
+{
+  return path + ": cannot be written (" +
+         (error != 0 ? std::strerror(error) : "unknown reason") +
+         "); check that the folder exists, may be written and has room";
+}
+
+std::string
+stagingPath(const std::string& path)
+{
+  if (isSpecial(path))
+    return path;
+  fs::path place = placeOf(path);
+  const std::string name = place.filename().string();
+  place.replace_filename(".part-" + std::to_string(::getpid()) + "-" + name);
+  return place.string();
+}
+
+void
+publish(const std::string& staged, const std::string& path)
+{
+  if (staged == path)
+    return;
+  std::error_code error;
+  fs::rename(staged, placeOf(path), error);
+  if (error) {
+    std::error_code ignored;
+    fs::remove(staged, ignored);
+    throw FileError(cannotWrite(path, error.value()));
+  }
+}
+
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), staged_(stagingPath(path))
+{
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw FileError(cannotWrite(path, EISDIR));
+  file_ = std::fopen(staged_.c_str(), "wb");
+  if (file_ == nullptr)
+    throw FileError(cannotWrite(path, errno));
+}
+
+OutputFile::~OutputFile()
+{
+  if (file_ == nullptr)
+    return;
+  std::fclose(file_);
+  if (staged_ != path_)
+    std::remove(staged_.c_str());
+}
+
+void
+OutputFile::write(std::string_view bytes)
+{
+  if (!bytes.empty() &&
+      std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+    fail();
+}
+
+void
+OutputFile::commit()
+{
+  if (std::fflush(file_) != 0)
+    fail();
+  std::fclose(file_);
+  file_ = nullptr;
+  publish(staged_, path_);
+}
+
+void
+OutputFile::fail()
+{
+  const int error = errno;
+  throw FileError(cannotWrite(path_, error));
+}
+
+std::string
+endingOf(const std::string& path)
+{
+  std::string ending = fs::path(path).extension().string();
+  std::transform(
+      ending.begin(), ending.end(), ending.begin(), [](unsigned char letter) {
+        return static_cast<char>(std::tolower(letter));
+      });
+  return ending;
+}
+
+} // namespace linelet::io

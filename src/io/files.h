@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace linelet::io {
+
+/** \brief A file in memory, read-only: mapped where it is a regular file. */
+class MappedFile {
+public:
+  /** \throws FileError */
+  explicit MappedFile(const std::string& path);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile&
+  operator=(const MappedFile&) = delete;
+
+  std::string_view
+  bytes() const
+  {
+    return bytes_;
+  }
+
+private:
+  std::string_view bytes_;
+  std::string owned_; ///< content of what cannot be mapped (pipes)
+  void* mapped_ = nullptr;
+};
+
+/** \brief Where the content of \a path is written until it is whole: a name beside it,
+ * or \a path itself where that is a device or a pipe. */
+std::string
+stagingPath(const std::string& path);
+
+/** \brief Puts the finished \a staged in the place of \a path. \throws FileError */
+void
+publish(const std::string& staged, const std::string& path);
+
+/** \brief A file under construction. Nothing stands at its path before \ref commit. */
+class OutputFile {
+public:
+  /** \throws FileError */
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile&
+  operator=(const OutputFile&) = delete;
+
+  /** \throws FileError */
+  void
+  write(std::string_view bytes);
+
+  /** \brief The file is whole: put it in its place. \throws FileError */
+  void
+  commit();
+
+private:
+  [[noreturn]] void
+  fail();
+
+  std::string path_, staged_;
+  std::FILE* file_ = nullptr;
+};
+
+/** \brief The sentence for a file that cannot be written, from errno. */
+std::string
+cannotWrite(const std::string& path, int error);
+
+/** \brief The ending of \a path in lower case, with its dot. */
+std::string
+endingOf(const std::string& path);
+
+} // namespace linelet::io

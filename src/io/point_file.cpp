@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/io/point_file.h>
+
+#include <array>
+
+#include "files.h"
+#include "readers.h"
+#include "writers.h"
+
+namespace linelet::io {
+
+namespace {
+
+struct Format {
+  const char* ending;
+  Cloud (*read)(const Source& source);
+  void (*write)(const Target& target, const Cloud& cloud);
+};
+
+constexpr std::array<Format, 1> formats = {{{".las", readLas, writeLas}}};
+
+const Format&
+formatOf(const std::string& path)
+{
+  const std::string ending = endingOf(path);
+  for (const Format& format : formats)
+    if (ending == format.ending)
+      return format;
+  if (ending == ".laz")
+    throw FileError(
+        path + ": LAZ is compressed LAS, which linelet neither reads nor writes; "
+               "decompress it first, for example with `laszip -i in.laz -o out.las` "
+               "or `pdal translate in.laz out.las`");
+  throw FileError(path + ": the ending '" + ending +
+                  "' names no format; use .las, .pcd, .ply, .xyz, .txt, .csv or .obj");
+}
+
+} // namespace
+
+Cloud
+readCloud(const std::string& path,
+          const ReadOptions& options,
+          std::vector<std::string>* warnings,
+          Monitor* monitor)
+{
+  const Format& format = formatOf(path);
+  const MappedFile file(path);
+  if (monitor != nullptr)
+    monitor->begin("reading", 0);
+  return format.read({path, file.bytes(), options, warnings, monitor});
+}
+
+void
+writeCloud(const std::string& path,
+           const Cloud& cloud,
+           std::vector<std::string>* warnings,
+           Monitor* monitor)
+{
+  const Format& format = formatOf(path);
+  if (monitor != nullptr)
+    monitor->begin("writing", cloud.points.size());
+  format.write({path, warnings, monitor}, cloud);
+}
+
+} // namespace linelet::io

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <boost/endian/conversion.hpp>
+
+#include <linelet/io/point_file.h>
+
+namespace linelet::io {
+
+/** \brief The bytes of a file, and whom to tell about them.
+ *
+ * Readers work on memory: a mapped file, or what a fuzzer made up. */
+struct Source {
+  std::string name; ///< path, for messages
+  std::string_view bytes;
+  ReadOptions options;
+  std::vector<std::string>* warnings = nullptr;
+  Monitor* monitor = nullptr;
+  bool references = true; ///< whether to look up reference systems (in PROJ's tables)
+
+  /** \throws FileError "NAME: WHAT" */
+  [[noreturn]] void
+  fail(const std::string& what) const
+  {
+    throw FileError(name + ": " + what);
+  }
+
+  /** \brief Something is missing at the end: an error, or with `lenient` a warning. */
+  void
+  endsEarly(const std::string& what) const
+  {
+    if (!options.lenient)
+      fail(what + "; --lenient reads what is whole");
+    warn(what);
+  }
+
+  void
+  warn(const std::string& what) const
+  {
+    if (warnings != nullptr)
+      warnings->push_back(name + ": " + what);
+  }
+
+  /** \brief Tells the monitor of \a steps more points. \throws Cancelled */
+  void
+  advance(std::size_t steps) const
+  {
+    if (monitor == nullptr)
+      return;
+    monitor->advance(steps);
+    if (monitor->cancelled())
+      throw Cancelled();
+  }
+};
+
+/** \brief Value at \a at in the byte order of the file. */
+template <class T, boost::endian::order Order = boost::endian::order::little>
+T
+load(const char* at)
+{
+  return boost::endian::endian_load<T, sizeof(T), Order>(
+      reinterpret_cast<const unsigned char*>(at));
+}
+
+template <class T, boost::endian::order Order = boost::endian::order::little>
+void
+store(char* at, T value)
+{
+  boost::endian::endian_store<T, sizeof(T), Order>(reinterpret_cast<unsigned char*>(at),
+                                                   value);
+}
+
+/** \brief \a text as a name: valid UTF-8 without control characters, trimmed. */
+std::string
+cleanName(std::string_view text);
+
+/** \brief Number of points between two looks at the monitor. */
+constexpr std::size_t block_points = 8192;
+
+} // namespace linelet::io
