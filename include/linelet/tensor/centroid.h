@@ -38,12 +38,13 @@ struct Names<Centroid> {
  * Best called with coordinates relative to the query point (which is then zero): that
  * is what keeps the last digits of a cloud far from the origin.
  *
- * The medians are found from the mean by Weiszfeld's iteration with the treatment of
- * iterates that hit a neighbour of Vardi and Zhang (2000). For the weighted median the
- * weights w(|p_i - x| / radius) are those at the iterate x. For a weighting that falls
- * with distance this descends, step by step, to the nearest local minimum of sum_i
- * rho(|p_i - x|) with rho' = w: the global minimum of sum_i w |p_i - x| itself would
- * lie at infinity for the default weighting, where all weights vanish.
+ * The medians are found from the mean on by Weiszfeld's steps with the treatment of
+ * iterates that hit a neighbour of Vardi and Zhang (2000), helped by Newton's steps
+ * where the former creep, as they do along a wire. For the weighted median the weights
+ * w(|p_i - x| / radius) are those at the iterate x. For a weighting that falls with
+ * distance this descends, step by step, to the nearest local minimum of sum_i rho(|p_i
+ * - x|) with rho' = w: the global minimum of sum_i w |p_i - x| itself would lie at
+ * infinity for the default weighting, where all weights vanish.
  *
  * \param[in] type which point of reference
  * \param[in] neighbours coordinates of the neighbours, finite
