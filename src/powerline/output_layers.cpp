@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstdint>
+#include <utility>
+
+#include <linelet/powerline/output_files.h>
+
+namespace linelet::powerline {
+
+namespace {
+
+io::Value
+whole(std::size_t value)
+{
+  return static_cast<std::int64_t>(value);
+}
+
+io::Value
+whole(int value)
+{
+  return static_cast<std::int64_t>(value);
+}
+
+io::VectorFeature
+wireFeature(const Wire& wire,
+            const Span& span,
+            const Point& shift,
+            const OutputOptions& options)
+{
+  io::VectorFeature feature;
+  feature.vertices = wire.curve.polyline();
+  for (Point& p : feature.vertices)
+    p += shift;
+  const Point lowest = wire.curve.lowest + shift;
+  feature.attributes = {
+      {"wire_id", whole(wire.id)},
+      {"span_id", whole(wire.span)},
+      {"circuit", whole(wire.circuit)},
+      {"span_number", whole(span.number)},
+      {"wire_number", whole(wire.number)},
+      {"conductors", whole(wire.conductors)},
+      {"from_pylon", whole(wire.front_support)},
+      {"to_pylon", whole(wire.back_support)},
+      {"length", wire.length},
+      {"span_length", wire.span_length},
+      {"sag", wire.sag},
+      {"catenary_a", wire.curve.a},
+      {"azimuth", wire.curve.azimuth},
+      {"swing", wire.curve.swing},
+      {"lowest_x", lowest.x()},
+      {"lowest_y", lowest.y()},
+      {"lowest_z", lowest.z()},
+      {"ground_clearance", wire.ground.distance},
+      {"vegetation_clearance", wire.vegetation.distance},
+      {"below_clearance", whole(belowClearance(wire, options.clearance) ? 1 : 0)},
+      {"points", whole(wire.points)},
+      {"rms", wire.rms},
+      {"largest_gap", wire.largest_gap},
+      {"confidence", wire.confidence},
+      {"reason", wire.reason}};
+  return feature;
+}
+
+io::VectorFeature
+supportFeature(const Support& support, const Point& shift)
+{
+  io::VectorFeature feature;
+  feature.vertices = {support.base + shift};
+  const bool pole = support.kind == Support::Kind::Pole;
+  feature.attributes = {{"pylon_id", whole(support.id)},
+                        {"kind", std::string(pole ? "pole" : "pylon")},
+                        {"height", support.height},
+                        {"top_z", support.top.z() + shift.z()},
+                        {"points", whole(support.points)},
+                        {"confidence", support.confidence}};
+  return feature;
+}
+
+} // namespace
+
+bool
+belowClearance(const Wire& wire, double limit)
+{
+  // Unknown clearances are NaN, which is not below anything.
+  return wire.ground.distance < limit || wire.vegetation.distance < limit;
+}
+
+std::vector<io::VectorLayer>
+powerLineLayers(const PowerLineNetwork& network,
+                const Point& shift,
+                const OutputOptions& options)
+{
+  io::VectorLayer wires{"wires", io::VectorLayer::Kind::Lines, {}};
+  for (const Wire& wire : network.wires) {
+    const bool known =
+        wire.span > 0 && static_cast<std::size_t>(wire.span) <= network.spans.size();
+    const Span none;
+    const Span& span =
+        known ? network.spans[static_cast<std::size_t>(wire.span) - 1] : none;
+    wires.features.push_back(wireFeature(wire, span, shift, options));
+  }
+  io::VectorLayer pylons{"pylons", io::VectorLayer::Kind::Points, {}};
+  for (const Support& support : network.supports)
+    pylons.features.push_back(supportFeature(support, shift));
+  return {std::move(wires), std::move(pylons)};
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include "report_page.h"
+
+namespace linelet::powerline::report {
+
+namespace {
+
+constexpr double widest = 1060, highest = 760; ///< pixels
+
+/** Where the plan lies and how large it is drawn. */
+struct Frame {
+  Point low = Point::Constant(1e300), high = Point::Constant(-1e300);
+  double scale = 1; ///< pixels a metre
+
+  void
+  take(const Point& p)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+
+  double
+  x(const Point& p) const
+  {
+    return (p.x() - low.x()) * scale;
+  }
+
+  double
+  y(const Point& p) const
+  {
+    return (high.y() - p.y()) * scale;
+  }
+
+  double
+  width() const
+  {
+    return (high.x() - low.x()) * scale;
+  }
+
+  double
+  height() const
+  {
+    return (high.y() - low.y()) * scale;
+  }
+};
+
+bool
+finite(const Point& p)
+{
+  return p.allFinite();
+}
+
+/** All of the line and, of the cloud, what lies within reach of it. */
+Frame
+frameOf(const Content& content)
+{
+  Frame cloud, line;
+  for (const Point& p : content.cloud.points)
+    if (finite(p))
+      cloud.take(p);
+  for (const Wire& wire : content.network.wires) {
+    line.take(wire.front);
+    line.take(wire.back);
+  }
+  for (const Support& support : content.network.supports)
+    line.take(support.base);
+  Frame frame = cloud;
+  if (line.low.x() <= line.high.x()) {
+    const Point reach = Point::Constant(60), rim = Point::Constant(8);
+    frame.low = cloud.low.cwiseMax(line.low - reach).cwiseMin(line.low - rim);
+    frame.high = cloud.high.cwiseMin(line.high + reach).cwiseMax(line.high + rim);
+  }
+  const Point size = frame.high - frame.low;
+  frame.scale =
+      std::min(widest / std::max(size.x(), 1.0), highest / std::max(size.y(), 1.0));
+  return frame;
+}
+
+/** Height above ground of the highest point of every cell, as a picture. */
+void
+addPicture(Markup& page, const Content& content, const Frame& frame)
+{
+  const Point size = frame.high - frame.low;
+  const double cell = std::max(0.75, std::max(size.x(), size.y()) / 500);
+  const auto columns = static_cast<std::size_t>(std::ceil(size.x() / cell));
+  const auto rows = static_cast<std::size_t>(std::ceil(size.y() / cell));
+  if (columns == 0 || rows == 0)
+    return;
+  // 0: no point; 1 to 24: every metre above ground, from sand to dark green.
+  std::vector<std::array<std::uint8_t, 3>> palette = {{255, 255, 255}};
+  for (int i = 0; i < 24; ++i) {
+    const double t = std::sqrt(i / 23.0);
+    const auto mix = [&](double from, double to) {
+      return static_cast<std::uint8_t>(from + t * (to - from));
+    };
+    palette.push_back({mix(240, 120), mix(236, 150), mix(226, 125)});
+  }
+  std::vector<std::uint8_t> pixels(columns * rows, 0);
+  const auto& network = content.network;
+  for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
+    const Point& p = content.cloud.points[i];
+    if (!finite(p) || network.classes[i] == wire_class ||
+        network.classes[i] == pylon_class)
+      continue;
+    const double column = (p.x() - frame.low.x()) / cell;
+    const double row = (frame.high.y() - p.y()) / cell;
+    if (column < 0 || row < 0 || column >= static_cast<double>(columns) ||
+        row >= static_cast<double>(rows))
+      continue;
+    const double above = p.z() - network.ground.heightAt(p.x(), p.y());
+    const auto shade =
+        static_cast<std::uint8_t>(1 + std::clamp(above > 0 ? above : 0, 0.0, 23.0));
+    std::uint8_t& pixel = pixels[static_cast<std::size_t>(row) * columns +
+                                 static_cast<std::size_t>(column)];
+    pixel = std::max(pixel, shade);
+  }
+  page << "<image x=\"0\" y=\"0\" width=\""
+       << static_cast<double>(columns) * cell * frame.scale << "\" height=\""
+       << static_cast<double>(rows) * cell * frame.scale
+       << "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64,"
+       << pngBase64(columns, rows, pixels, palette) << "\"/>\n";
+}
+
+void
+addWires(Markup& page, const Content& content, const Frame& frame)
+{
+  for (const Wire& wire : content.network.wires) {
+    const bool bad = belowClearance(wire, content.options.clearance);
+    page << "<path class=\"wire\" stroke=\"" << wireColour(wire.number) << "\" d=\"M";
+    for (const Point& p : {wire.front, wire.back})
+      page << frame.x(p) << " " << frame.y(p) << " ";
+    page << "\"><title>wire " << wire.number << ", span " << wire.span
+         << "</title></path>\n";
+    if (!bad)
+      continue;
+    const Clearance& worst = wire.vegetation.distance < content.options.clearance
+                                 ? wire.vegetation
+                                 : wire.ground;
+    page << "<circle class=\"hazard\" cx=\"" << frame.x(worst.wire) << "\" cy=\""
+         << frame.y(worst.wire) << "\" r=\"6\"/>\n";
+  }
+}
+
+void
+addNames(Markup& page, const Content& content, const Frame& frame)
+{
+  for (const Span& span : content.network.spans) {
+    Point middle = Point::Zero();
+    for (const int id : span.wires)
+      middle += 0.5 * (content.wire(id).front + content.wire(id).back) /
+                static_cast<double>(span.wires.size());
+    if (!span.wires.empty())
+      page << "<text class=\"name\" x=\"" << frame.x(middle) << "\" y=\""
+           << frame.y(middle) - 7 << "\"><a href=\"#span" << span.id << "\">" << span.id
+           << "</a></text>\n";
+  }
+  for (const Support& support : content.network.supports) {
+    const double x = frame.x(support.base), y = frame.y(support.base);
+    if (support.kind == Support::Kind::Pole)
+      page << "<circle class=\"support\" cx=\"" << x << "\" cy=\"" << y
+           << "\" r=\"3\"/>";
+    else
+      page << "<rect class=\"support\" x=\"" << x - 4.5 << "\" y=\"" << y - 4.5
+           << "\" width=\"9\" height=\"9\"/>";
+    page << "<text class=\"small\" x=\"" << x + 8 << "\" y=\"" << y + 12 << "\">"
+         << content.supportName(support.id) << "</text>\n";
+  }
+}
+
+void
+addScaleAndNorth(Markup& page, const Frame& frame)
+{
+  const double metres = roundStep(frame.width() / frame.scale, 5);
+  const double length = metres * frame.scale, y = frame.height() + 24;
+  page << "<path class=\"ink\" d=\"M1 " << y - 5 << " v5 h" << length << " v-5\"/>"
+       << "<text x=\"" << length + 8 << "\" y=\"" << y + 1 << "\">" << number(metres, 0)
+       << " m</text>\n";
+  const double x = frame.width() - 16;
+  page << "<path class=\"north\" d=\"M" << x << " " << y - 16
+       << " l6 20 l-6 -5 l-6 5 z\"/>"
+       << "<text x=\"" << x - 22 << "\" y=\"" << y + 1 << "\">N</text>\n";
+}
+
+} // namespace
+
+void
+addPlan(Markup& page, const Content& content)
+{
+  const Frame frame = frameOf(content);
+  if (frame.low.x() > frame.high.x())
+    return; // no point, no wire
+  const double width = std::max(frame.width(), 240.0);
+  page << "<svg class=\"plan\" viewBox=\"-2 -2 " << width + 4 << " "
+       << frame.height() + 36 << "\" style=\"max-width:" << width + 4
+       << "px\" role=\"img\" aria-label=\"Plan\">\n";
+  addPicture(page, content, frame);
+  addWires(page, content, frame);
+  addNames(page, content, frame);
+  addScaleAndNorth(page, frame);
+  page << "</svg>\n";
+}
+
+} // namespace linelet::powerline::report
