@@ -91,6 +91,11 @@ struct Wire {
   std::string reason;    ///< why the confidence is low; empty where it is not
 };
 
+/** \brief Vertices of \a wire from its front to its back point, which wires that meet
+ * at a support share exactly. */
+Points
+polyline(const Wire& wire, double deviation = 0.005);
+
 /** \brief All wires between two neighbouring supports. */
 struct Span {
   int id = 0;                           ///< place in PowerLineNetwork::spans + 1

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include "powerline/evidence.h"
+#include "powerline/merge.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double bundle_width = 0.7; // metres between conductors of one bundle
+constexpr double least_cover = 0.5;  // of the bins of a conductor in its own right
+constexpr double complete = 0.8;     // part of its neighbour's length
+
+/** The conductor that hangs like \a whole, shifted to where \a part was seen. */
+bool
+completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& result)
+{
+  const Points& points = growth.candidates().points;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  for (const Index i : part.members)
+    shift += whole.residual(points[i], whole.along(points[i]));
+  shift /= static_cast<double>(part.members.size());
+  result.model = whole;
+  result.model.t[0] += shift[0];
+  result.model.z[0] += shift[1];
+  if (!growth.collect(result, 0.2))
+    return false;
+  const SpanModel& m = result.model;
+  if (m.length() < complete * whole.length())
+    return false;
+  const int bins = static_cast<int>(std::ceil(m.length() / bin_length));
+  int occupied = 0;
+  for (int k = 0; k < bins; ++k)
+    if (growth.look(m, m.begin + k * bin_length, m.begin + (k + 1) * bin_length, 0.2)
+            .tube > 0)
+      ++occupied;
+  return occupied >= least_cover * bins;
+}
+
+} // namespace
+
+std::vector<Strand>
+sortBundles(Growth& growth,
+            std::vector<Piece> pieces,
+            const PowerLineSettings& settings)
+{
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.model.length() > b.model.length();
+  });
+  std::vector<Strand> wires;
+  for (Piece& piece : pieces) {
+    Strand* neighbour = nullptr;
+    double nearest = bundle_width;
+    for (Strand& wire : wires) {
+      const Parallel parallel = compare(piece.model, wire.piece.model);
+      if (parallel.overlap < 0.7 * piece.model.length() || parallel.distance > nearest)
+        continue;
+      nearest = parallel.distance;
+      neighbour = &wire;
+    }
+    if (neighbour == nullptr) {
+      wires.push_back({std::move(piece), {}});
+      continue;
+    }
+    const SpanModel& whole = neighbour->piece.model;
+    if (piece.model.length() >= complete * whole.length()) {
+      wires.push_back({std::move(piece), {}});
+      continue;
+    }
+    growth.claim(piece, Growth::nobody);
+    Piece conductor;
+    if (completed(growth, piece, whole, conductor) &&
+        weigh(growth, conductor, settings).accepted) {
+      growth.claim(conductor, 0);
+      wires.push_back({std::move(conductor), {}});
+      continue;
+    }
+    growth.claim(piece, 0);
+    neighbour->companions.push_back(std::move(piece));
+  }
+  return wires;
+}
+
+} // namespace linelet::powerline

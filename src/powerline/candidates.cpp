@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Eigenvalues>
+
+#include <linelet/support/threads.h>
+
+namespace linelet::powerline {
+
+namespace {
+
+struct Scale {
+  double radius;
+  double linearity;
+  std::size_t least_points;
+};
+
+// Without the smallest scale, wires a metre apart merge; without the largest, sparse
+// ones are lost.
+constexpr std::array<Scale, 4> scales = {
+    {{1, 0.85, 5}, {2, 0.93, 5}, {4, 0.975, 5}, {8, 0.995, 6}}};
+constexpr double voxel = 0.5;        // one seed, or one point of the coarse cloud, each
+constexpr double steepest = 0.55;    // of a wire's direction, as sine
+constexpr double round_enough = 0.5; // sphericity that ends the search for a line
+
+struct VoxelRun {
+  Indices order;                   // candidates, voxel by voxel
+  std::vector<std::size_t> begins; // one entry more than voxels
+};
+
+VoxelRun
+sortIntoVoxels(const Points& points)
+{
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  for (const Point& p : points)
+    low = low.cwiseMin(p);
+  std::vector<std::pair<std::uint64_t, Index>> keys(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point cell = ((points[i] - low) / voxel).array().floor();
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      key = key << 21 | (static_cast<std::uint64_t>(cell[axis]) & 0x1FFFFF);
+    keys[i] = {key, static_cast<Index>(i)};
+  }
+  std::sort(keys.begin(), keys.end());
+  VoxelRun run;
+  run.order.reserve(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i == 0 || keys[i].first != keys[i - 1].first)
+      run.begins.push_back(i);
+    run.order.push_back(keys[i].second);
+  }
+  run.begins.push_back(keys.size());
+  return run;
+}
+
+struct Shape {
+  std::size_t count = 0;
+  double linearity = 0, sphericity = 0;
+  Point direction = Point::UnitX();
+};
+
+Shape
+shapeAround(const UniformGrid& grid,
+            const Points& points,
+            const Point& centre,
+            double radius)
+{
+  Shape shape;
+  Point sum = Point::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  grid.forEachWithin(centre, radius, [&](Index i, double) {
+    const Point v = points[i] - centre;
+    sum += v;
+    squares.noalias() += v * v.transpose();
+    ++shape.count;
+  });
+  if (shape.count < 3)
+    return shape;
+  const double n = static_cast<double>(shape.count);
+  const Eigen::Matrix3d spread = squares / n - sum * sum.transpose() / (n * n);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(spread);
+  const Point values = solver.eigenvalues().cwiseMax(0);
+  if (!(values.sum() > 0))
+    return shape;
+  shape.linearity = (values[2] - values[1]) / values.sum();
+  shape.sphericity = 3 * values[0] / values.sum();
+  shape.direction = solver.eigenvectors().col(2);
+  return shape;
+}
+
+} // namespace
+
+Candidates
+findCandidates(const Points& points, const Ground& ground, double min_height)
+{
+  Points above;
+  Indices input;
+  std::vector<float> height;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double h = points[i].z() - ground.heightAt(points[i].x(), points[i].y());
+    if (!(h > min_height) || !points[i].allFinite())
+      continue;
+    above.push_back(points[i]);
+    input.push_back(static_cast<Index>(i));
+    height.push_back(static_cast<float>(h));
+  }
+  UniformGrid grid(above, 1);
+  return {std::move(above), std::move(input), std::move(height), std::move(grid)};
+}
+
+std::vector<Seed>
+findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor)
+{
+  const VoxelRun voxels = sortIntoVoxels(candidates.points);
+  const std::size_t count = voxels.begins.size() - 1;
+  Points coarse(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    Point sum = Point::Zero();
+    for (std::size_t i = voxels.begins[v]; i < voxels.begins[v + 1]; ++i)
+      sum += candidates.points[voxels.order[i]];
+    coarse[v] = sum / static_cast<double>(voxels.begins[v + 1] - voxels.begins[v]);
+  }
+  const UniformGrid coarse_grid(coarse, 2);
+  if (monitor != nullptr)
+    monitor->begin("seeds", count);
+
+  std::vector<Seed> best(count);
+  std::atomic<bool> stop{false};
+  const auto blocks = static_cast<std::ptrdiff_t>((count + 4095) / 4096);
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
+  for (std::ptrdiff_t block = 0; block < blocks; ++block) {
+    if (stop || (monitor != nullptr && monitor->cancelled())) {
+      stop = true;
+      continue;
+    }
+    const std::size_t first = static_cast<std::size_t>(block) * 4096;
+    const std::size_t last = std::min(count, first + 4096);
+    for (std::size_t v = first; v < last; ++v) {
+      const Index c = voxels.order[voxels.begins[v]];
+      best[v] = {c, 0, 0, Point::Zero()};
+      for (const Scale& scale : scales) {
+        const bool fine = scale.radius <= 2;
+        const Shape shape = shapeAround(fine ? candidates.grid : coarse_grid,
+                                        fine ? candidates.points : coarse,
+                                        candidates.points[c],
+                                        scale.radius);
+        if (shape.count >= 12 && shape.sphericity > round_enough)
+          break;
+        if (shape.count < scale.least_points || shape.linearity < scale.linearity ||
+            std::abs(shape.direction.z()) > steepest ||
+            shape.linearity <= best[v].linearity)
+          continue;
+        best[v] = {c,
+                   static_cast<float>(shape.linearity),
+                   static_cast<float>(scale.radius),
+                   shape.direction};
+      }
+    }
+    if (monitor != nullptr)
+      monitor->advance(last - first);
+  }
+  if (stop)
+    throw Cancelled();
+  best.erase(std::remove_if(best.begin(),
+                            best.end(),
+                            [](const Seed& seed) { return seed.linearity <= 0; }),
+             best.end());
+  std::sort(best.begin(), best.end(), [](const Seed& a, const Seed& b) {
+    return a.linearity != b.linearity ? a.linearity > b.linearity
+                                      : a.candidate < b.candidate;
+  });
+  return best;
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/powerline/ground.h>
+#include <linelet/powerline/power_line_settings.h>
+#include <linelet/search/uniform_grid.h>
+#include <linelet/support/monitor.h>
+#include <linelet/support/points.h>
+
+namespace linelet::powerline {
+
+/** \brief The points that stand above ground, where every later stage looks. */
+struct Candidates {
+  Points points;
+  Indices input;             ///< index of each in the input
+  std::vector<float> height; ///< above ground, metres
+  UniformGrid grid;
+};
+
+/** \brief Points higher above \a ground than \a min_height, in input order. */
+Candidates
+findCandidates(const Points& points, const Ground& ground, double min_height);
+
+/** \brief A place where a wire may be, with its direction. */
+struct Seed {
+  Index candidate;
+  float linearity;
+  float radius;    ///< of the neighbourhood that showed it, metres
+  Point direction; ///< unit length
+};
+
+/** \brief Candidates whose neighbourhood at one of several radii (1, 2, 4, 8 m) is a
+ * nearly horizontal line, best first. One a voxel of half a metre is tried. */
+std::vector<Seed>
+findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor);
+
+} // namespace linelet::powerline

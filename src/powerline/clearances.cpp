@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include <linelet/support/threads.h>
+
+#include "powerline/describe.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double sample_step = 1;    // metres along a wire
+constexpr double farthest = 30;      // metres, vegetation beyond is of no interest
+constexpr double company_radius = 1; // metres
+constexpr std::size_t company = 3;   // points around, else it is a bird or noise
+constexpr double support_zone = 6;   // metres around supports, where fittings hang
+
+} // namespace
+
+void
+measureClearances(PowerLineNetwork& network,
+                  const Candidates& candidates,
+                  const PowerLineSettings& settings)
+{
+  Points others;
+  for (std::size_t k = 0; k < candidates.points.size(); ++k) {
+    const std::uint8_t c = network.classes[candidates.input[k]];
+    if (network.wire_id[candidates.input[k]] == 0 && c != pylon_class)
+      others.push_back(candidates.points[k]);
+  }
+  const UniformGrid grid(others, 2);
+  const double reach = std::max(farthest, 2 * settings.clearance);
+  const auto count = static_cast<std::ptrdiff_t>(network.wires.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings.threads))
+  for (std::ptrdiff_t w = 0; w < count; ++w) {
+    Wire& wire = network.wires[static_cast<std::size_t>(w)];
+    const Catenary& c = wire.curve;
+    const int steps =
+        std::max(1, static_cast<int>(std::ceil((c.to - c.from) / sample_step)));
+    for (int k = 0; k <= steps; ++k) {
+      const double s = c.from + (c.to - c.from) * k / steps;
+      const Point p = c.at(s);
+      const double terrain = network.ground.heightAt(p.x(), p.y());
+      if (!(p.z() - terrain >= wire.ground.distance)) {
+        wire.ground = {p.z() - terrain, p, {p.x(), p.y(), terrain}};
+      }
+      if ((wire.front_support != 0 && s - c.from < support_zone) ||
+          (wire.back_support != 0 && c.to - s < support_zone))
+        continue;
+      // What is farther than the best so far does not matter.
+      const double limit = wire.vegetation.known() ? wire.vegetation.distance : reach;
+      const Index near = grid.nearest(p, limit);
+      if (near == UniformGrid::none ||
+          grid.countWithin(others[near], company_radius) <= company)
+        continue;
+      wire.vegetation = {(others[near] - p).norm(), p, others[near]};
+    }
+  }
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/powerline/power_line_network.h>
+#include <linelet/powerline/power_line_settings.h>
+
+#include "powerline/evidence.h"
+#include "powerline/towers.h"
+
+namespace linelet::powerline {
+
+/** \brief Fits the catenary of every wire and fills in what describes it: end points,
+ * points, rms, lengths, sag, largest gap, supports, confidence. Ids follow the order of
+ * \a wires; spans and numbers come with \ref numberWires. */
+std::vector<Wire>
+describeWires(const std::vector<Hanging>& wires,
+              Growth& growth,
+              const PowerLineSettings& settings);
+
+/** \brief Gathers wires into spans and spans into lines, numbers everything, and puts
+ * wires and spans of \a network in order (line, span, wire).
+ * \return for every wire of \a hanging its id */
+std::vector<int>
+numberWires(PowerLineNetwork& network,
+            const std::vector<Hanging>& hanging,
+            const std::vector<Tower>& towers);
+
+/** \brief Gives every point its class, wire and span. */
+void
+labelPoints(PowerLineNetwork& network,
+            const Points& points,
+            const std::vector<Hanging>& hanging,
+            const std::vector<int>& ids,
+            const std::vector<Tower>& towers,
+            const Candidates& candidates);
+
+/** \brief Measures the clearances of every wire. Vegetation is what stands above
+ * ground, has company, and is neither wire nor support. */
+void
+measureClearances(PowerLineNetwork& network,
+                  const Candidates& candidates,
+                  const PowerLineSettings& settings);
+
+} // namespace linelet::powerline

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/describe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include <linelet/support/threads.h>
+
+#include "powerline/fit_catenary.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double plain_gap = 8; // metres without a point that are nothing unusual
+
+std::string
+metres(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+void
+lower(Wire& wire, double factor, const std::string& why)
+{
+  wire.confidence *= std::clamp(factor, 0.1, 1.0);
+  if (factor < 0.9)
+    wire.reason += (wire.reason.empty() ? "" : "; ") + why;
+}
+
+void
+judge(Wire& wire, const Evidence& evidence, double max_gap)
+{
+  const double density = static_cast<double>(wire.points) / std::max(1.0, wire.length);
+  lower(wire, 0.4 + 0.6 * density, metres(density) + " points per metre");
+  if (wire.largest_gap > plain_gap)
+    lower(wire,
+          1 - 0.6 * (wire.largest_gap - plain_gap) / std::max(1.0, max_gap),
+          "gap of " + metres(wire.largest_gap) + " m");
+  const double covered =
+      static_cast<double>(evidence.occupied) / std::max(1, evidence.bins);
+  lower(wire, 0.3 + covered, "points on " + metres(100 * covered) + " % of its length");
+  lower(wire, 1 - (wire.rms - 0.1) * 4, "points scatter by " + metres(wire.rms) + " m");
+  const double clean =
+      static_cast<double>(evidence.clean) / std::max(1, evidence.occupied);
+  lower(wire, 0.35 + 0.75 * clean, "other things close around");
+  lower(wire, 0.6 + 0.4 * wire.length / 25, "only " + metres(wire.length) + " m long");
+  if (wire.front_support == 0 && wire.back_support == 0)
+    lower(wire, 0.85, "no support seen");
+}
+
+void
+measure(Wire& wire, const Hanging& hanging, const Points& points)
+{
+  const Catenary& c = wire.curve;
+  std::vector<double> places = {c.from, c.to};
+  double squares = 0;
+  for (const Index i : hanging.strand.piece.members) {
+    places.push_back(std::clamp(c.along(points[i]), c.from, c.to));
+    squares += std::pow(c.distance(points[i]), 2);
+  }
+  wire.points = hanging.strand.piece.members.size();
+  wire.rms =
+      std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, wire.points)));
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 1; i < places.size(); ++i)
+    wire.largest_gap = std::max(wire.largest_gap, places[i] - places[i - 1]);
+  wire.length = 0;
+  const Points vertices = polyline(wire);
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+    wire.length += (vertices[i] - vertices[i - 1]).norm();
+  const Point chord = wire.back - wire.front;
+  wire.span_length = chord.head<2>().norm();
+  for (int k = 1; k < 64; ++k) {
+    const double part = k / 64.0;
+    const double height = wire.front.z() + part * chord.z();
+    wire.sag = std::max(wire.sag, height - c.at(c.from + part * (c.to - c.from)).z());
+  }
+}
+
+} // namespace
+
+std::vector<Wire>
+describeWires(const std::vector<Hanging>& wires,
+              Growth& growth,
+              const PowerLineSettings& settings)
+{
+  const Points& points = growth.candidates().points;
+  std::vector<Wire> result(wires.size());
+  const auto count = static_cast<std::ptrdiff_t>(wires.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings.threads))
+  for (std::ptrdiff_t w = 0; w < count; ++w) {
+    const Hanging& hanging = wires[static_cast<std::size_t>(w)];
+    Wire& wire = result[static_cast<std::size_t>(w)];
+    Points fixed;
+    for (const End& end : hanging.ends)
+      if (end.fixed)
+        fixed.push_back(end.place);
+    Catenary& c = wire.curve;
+    c = fitCatenary(hanging.model(), points, hanging.strand.piece.members, fixed);
+    if (hanging.ends[0].fixed)
+      c.from = c.along(hanging.ends[0].place);
+    if (hanging.ends[1].fixed)
+      c.to = c.along(hanging.ends[1].place);
+    wire.front = hanging.ends[0].fixed ? hanging.ends[0].place : c.at(c.from);
+    wire.back = hanging.ends[1].fixed ? hanging.ends[1].place : c.at(c.to);
+    wire.front_support = hanging.ends[0].support + 1;
+    wire.back_support = hanging.ends[1].support + 1;
+    wire.conductors = 1 + (hanging.strand.companions.empty() ? 0 : 1);
+    measure(wire, hanging, points);
+  }
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    // Its own points count as free while a wire is weighed.
+    const Piece& piece = wires[w].strand.piece;
+    growth.claim(piece, Growth::nobody);
+    judge(result[w], weigh(growth, piece, settings), settings.max_gap);
+    growth.claim(piece, 0);
+  }
+  return result;
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double largest_rms = 0.16; // metres
+constexpr double steepest_end = 0.6;
+constexpr double least_height = 4;   // metres, mean
+constexpr double hump = 0.10;        // metres of negative sag that noise may cause
+constexpr double clean_length = 6;   // metres that must be clean at least
+constexpr double clean_part = 0.5;   // of the occupied bins
+constexpr double least_cover = 0.35; // of the bins
+constexpr double crowd = 0.35;       // moat points a tube point in a clean bin
+constexpr std::size_t least_points = 8;
+
+} // namespace
+
+Evidence
+weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& settings)
+{
+  Evidence e;
+  const SpanModel& m = piece.model;
+  const Candidates& candidates = growth.candidates();
+  if (piece.members.size() < least_points || m.length() < settings.min_length)
+    return e;
+  double squares = 0;
+  for (const Index i : piece.members) {
+    squares += std::pow(m.distance(candidates.points[i]), 2);
+    e.height += static_cast<double>(candidates.height[i]);
+  }
+  const double n = static_cast<double>(piece.members.size());
+  e.rms = std::sqrt(squares / n);
+  e.height /= n;
+  e.slope = std::max(std::abs(SpanModel::slope(m.z, m.begin)),
+                     std::abs(SpanModel::slope(m.z, m.end)));
+  e.sag = m.z[2] * m.length() * m.length() / 4;
+  e.bins = static_cast<int>(std::ceil(m.length() / bin_length));
+  const double step = m.length() / e.bins;
+  for (int k = 0; k < e.bins; ++k) {
+    const Bin bin =
+        growth.look(m, m.begin + k * step, m.begin + (k + 1) * step, m.tolerance);
+    if (bin.tube == 0)
+      continue;
+    ++e.occupied;
+    if (static_cast<double>(bin.moat) <= crowd * static_cast<double>(bin.tube))
+      ++e.clean;
+  }
+  e.accepted = e.rms <= largest_rms && e.slope <= steepest_end && e.sag >= -hump &&
+               e.height >= least_height && e.occupied >= least_cover * e.bins &&
+               e.clean >= clean_part * e.occupied &&
+               e.clean * bin_length >= clean_length;
+  return e;
+}
+
+std::vector<Piece>
+growAll(Growth& growth,
+        const std::vector<Seed>& seeds,
+        const PowerLineSettings& settings,
+        Monitor* monitor)
+{
+  std::vector<Piece> wires;
+  // Wires that failed because others, not yet claimed, were too near get a second
+  // chance.
+  for (int round = 0; round < 2; ++round) {
+    std::vector<char> tried(growth.candidates().points.size(), 0);
+    const std::size_t before = wires.size();
+    if (monitor != nullptr)
+      monitor->begin("wires", seeds.size());
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+      if (monitor != nullptr && k % 256 == 255) {
+        monitor->advance(256);
+        if (monitor->cancelled())
+          throw Cancelled();
+      }
+      if (tried[seeds[k].candidate] != 0)
+        continue;
+      tried[seeds[k].candidate] = 1;
+      for (Piece& piece : growth.grow(seeds[k])) {
+        if (weigh(growth, piece, settings).accepted) {
+          growth.claim(piece, static_cast<int>(wires.size()));
+          wires.push_back(std::move(piece));
+        }
+        else
+          for (const Index i : piece.members)
+            tried[i] = 1;
+      }
+    }
+    if (wires.size() == before)
+      break;
+  }
+  return wires;
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "powerline/growth.h"
+
+namespace linelet::powerline {
+
+/** \brief What speaks for a piece being a wire. */
+struct Evidence {
+  int bins = 0;     ///< of 2 m, begin to end
+  int occupied = 0; ///< with points of the wire
+  int clean = 0;    ///< occupied, and next to nothing right around the wire
+  double rms = 0;   ///< of the members, metres
+  double sag = 0;   ///< of the model between its ends, metres; negative: bulges upwards
+  double slope = 0; ///< steepest, at the ends
+  double height = 0; ///< mean of the members above ground, metres
+  bool accepted = false;
+};
+
+/** \brief Weighs \a piece. Roof edges, crane booms and branches have company all along
+ * themselves; a wire hangs alone, or beside others at a distance. */
+Evidence
+weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& settings);
+
+/** \brief All accepted wires that grow from \a seeds, their points claimed in \a growth
+ * (owner: place in the result). */
+std::vector<Piece>
+growAll(Growth& growth,
+        const std::vector<Seed>& seeds,
+        const PowerLineSettings& settings,
+        Monitor* monitor);
+
+} // namespace linelet::powerline

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/powerline/extract_power_lines.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "powerline/describe.h"
+#include "powerline/find_ground.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+void
+require(bool in_order, const char* name, double value, const char* range)
+{
+  if (!in_order)
+    throw std::invalid_argument(std::string("extractPowerLines: ") + name + " is " +
+                                std::to_string(value) + ", it must be " + range);
+}
+
+void
+check(const PowerLineSettings& s)
+{
+  require(
+      std::isfinite(s.clearance) && s.clearance >= 0, "clearance", s.clearance, ">= 0");
+  require(std::isfinite(s.max_gap) && s.max_gap >= 2, "max-gap", s.max_gap, ">= 2");
+  require(std::isfinite(s.min_height) && s.min_height >= 0.5,
+          "min-height",
+          s.min_height,
+          ">= 0.5");
+  require(std::isfinite(s.min_length) && s.min_length >= 5,
+          "min-length",
+          s.min_length,
+          ">= 5");
+}
+
+/** Names the stages to the monitor and keeps their times. */
+class Stages {
+public:
+  Stages(PowerLineNetwork& network, Monitor* monitor)
+      : network_(network), monitor_(monitor)
+  {
+  }
+
+  ~Stages() { finish(); }
+
+  void
+  begin(const char* stage)
+  {
+    finish();
+    if (monitor_ != nullptr) {
+      if (monitor_->cancelled())
+        throw Cancelled();
+      monitor_->begin(stage, 0);
+    }
+    network_.stages.push_back({stage, 0});
+    begun_ = Clock::now();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void
+  finish()
+  {
+    if (!network_.stages.empty())
+      network_.stages.back().seconds +=
+          std::chrono::duration<double>(Clock::now() - begun_).count();
+  }
+
+  PowerLineNetwork& network_;
+  Monitor* monitor_;
+  Clock::time_point begun_;
+};
+
+} // namespace
+
+PowerLineNetwork
+extractPowerLines(const Points& points,
+                  const std::vector<std::uint8_t>& classes,
+                  const PowerLineSettings& settings,
+                  Monitor* monitor)
+{
+  check(settings);
+  if (!classes.empty() && classes.size() != points.size())
+    throw std::invalid_argument("extractPowerLines: " + std::to_string(classes.size()) +
+                                " classes for " + std::to_string(points.size()) +
+                                " points, there must be one each or none");
+  PowerLineNetwork network;
+  network.classes = classes;
+  network.classes.resize(points.size(), 0);
+  network.wire_id.assign(points.size(), 0);
+  network.span_id.assign(points.size(), 0);
+  network.wire_distance.assign(points.size(), std::numeric_limits<float>::quiet_NaN());
+  {
+    Stages stages(network, monitor);
+    stages.begin("ground");
+    network.ground = findGround(points, classes, settings.use_classes);
+    stages.begin("index");
+    const Candidates candidates =
+        findCandidates(points, network.ground, settings.min_height);
+    stages.begin("seeds");
+    const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
+    stages.begin("wires");
+    Growth growth(candidates, settings);
+    std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
+    stages.begin("bundles");
+    mergePieces(growth, pieces, settings);
+    std::vector<Hanging> hanging;
+    for (Strand& strand : sortBundles(growth, std::move(pieces), settings))
+      hanging.push_back({std::move(strand), {}});
+    stages.begin("supports");
+    matchEnds(hanging);
+    std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);
+    stages.begin("catenaries");
+    network.wires = describeWires(hanging, growth, settings);
+    const std::vector<int> ids = numberWires(network, hanging, towers);
+    stages.begin("labels");
+    labelPoints(network, points, hanging, ids, towers, candidates);
+    stages.begin("clearances");
+    measureClearances(network, candidates, settings);
+  }
+  return network;
+}
+
+PowerLineNetwork
+extractPowerLines(const io::Cloud& cloud,
+                  const PowerLineSettings& settings,
+                  Monitor* monitor)
+{
+  std::vector<std::uint8_t> classes;
+  if (const io::Column* column = cloud.find("classification")) {
+    classes.resize(cloud.points.size());
+    for (std::size_t i = 0; i < classes.size(); ++i)
+      classes[i] = static_cast<std::uint8_t>(io::valueAt(*column, i));
+  }
+  return extractPowerLines(cloud.points, classes, settings, monitor);
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/find_ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double cell_size = 2;
+constexpr int largest_radius = 12;    // cells: lowers buildings up to 50 m wide
+constexpr double terrain_slope = 0.5; // steepest rise that an opening must leave alone
+constexpr double step = 0.3;          // height noise, metres
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+struct Raster {
+  Ground ground;
+
+  std::size_t
+  cellOf(const Point& p) const
+  {
+    const auto place = [](double offset, double cell, int count) {
+      return static_cast<std::size_t>(
+          std::clamp(std::floor(offset / cell + 0.5), 0.0, count - 1.0));
+    };
+    return place(p.y() - ground.y, ground.cell, ground.rows) *
+               static_cast<std::size_t>(ground.columns) +
+           place(p.x() - ground.x, ground.cell, ground.columns);
+  }
+};
+
+Raster
+emptyRaster(const Points& points)
+{
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  std::size_t count = 0;
+  for (const Point& p : points)
+    if (p.allFinite()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+      ++count;
+    }
+  Raster raster;
+  if (count == 0)
+    return raster;
+  Ground& g = raster.ground;
+  // A stray point far away must not blow the raster up.
+  const double most = 4.0 * static_cast<double>(count) + 1e6;
+  for (g.cell = cell_size;; g.cell *= 2) {
+    const double columns = std::floor((high.x() - low.x()) / g.cell) + 1;
+    const double rows = std::floor((high.y() - low.y()) / g.cell) + 1;
+    if (columns * rows > most)
+      continue;
+    g.columns = static_cast<int>(columns);
+    g.rows = static_cast<int>(rows);
+    break;
+  }
+  g.x = low.x() + g.cell / 2;
+  g.y = low.y() + g.cell / 2;
+  g.heights.assign(
+      static_cast<std::size_t>(g.columns) * static_cast<std::size_t>(g.rows), unknown);
+  return raster;
+}
+
+// Lifts cells far below all but one of their neighbours: multipath returns.
+void
+repairPits(std::vector<float>& heights, int columns, int rows)
+{
+  const std::vector<float> old = heights;
+  const auto at = [columns](int c, int r) {
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(c);
+  };
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      std::array<float, 24> around;
+      std::size_t count = 0;
+      for (int y = std::max(0, r - 2); y <= std::min(rows - 1, r + 2); ++y)
+        for (int x = std::max(0, c - 2); x <= std::min(columns - 1, c + 2); ++x)
+          if (x != c || y != r)
+            around[count++] = old[at(x, y)];
+      if (count < 5)
+        continue;
+      std::nth_element(around.begin(), around.begin() + 3, around.begin() + count);
+      if (old[at(c, r)] < around[3] - 2.5F)
+        heights[at(c, r)] = around[3];
+    }
+}
+
+// Sliding minimum (or maximum, by sign) along one line of cells, any radius, O(length).
+void
+slide(
+    const float* in, float* out, int count, std::size_t stride, int radius, float sign)
+{
+  std::vector<int> queue(static_cast<std::size_t>(count));
+  std::size_t head = 0, tail = 0;
+  const auto value = [&](int i) {
+    return sign * in[static_cast<std::size_t>(i) * stride];
+  };
+  for (int i = 0, next = 0; i < count; ++i) {
+    for (; next < count && next <= i + radius; ++next) {
+      while (tail > head && value(queue[tail - 1]) >= value(next))
+        --tail;
+      queue[tail++] = next;
+    }
+    while (queue[head] < i - radius)
+      ++head;
+    out[static_cast<std::size_t>(i) * stride] = sign * value(queue[head]);
+  }
+}
+
+std::vector<float>
+filtered(
+    const std::vector<float>& raster, int columns, int rows, int radius, float sign)
+{
+  std::vector<float> half(raster.size()), out(raster.size());
+  const auto width = static_cast<std::size_t>(columns);
+  for (int r = 0; r < rows; ++r) {
+    const std::size_t begin = static_cast<std::size_t>(r) * width;
+    slide(&raster[begin], &half[begin], columns, 1, radius, sign);
+  }
+  for (std::size_t c = 0; c < width; ++c)
+    slide(&half[c], &out[c], rows, width, radius, sign);
+  return out;
+}
+
+// The mean height of the points beside the surface: cells' minima lie too low on
+// slopes.
+void
+refine(Raster& raster, const Points& points)
+{
+  Ground& g = raster.ground;
+  std::vector<float> sum(g.heights.size(), 0.0F);
+  std::vector<std::uint32_t> count(g.heights.size(), 0);
+  for (const Point& p : points) {
+    if (!p.allFinite())
+      continue;
+    const double dx = std::abs(g.heightAt(p.x() + g.cell / 2, p.y()) -
+                               g.heightAt(p.x() - g.cell / 2, p.y()));
+    const double dy = std::abs(g.heightAt(p.x(), p.y() + g.cell / 2) -
+                               g.heightAt(p.x(), p.y() - g.cell / 2));
+    const double above = p.z() - g.heightAt(p.x(), p.y());
+    if (std::abs(above) > step + dx + dy)
+      continue;
+    const std::size_t cell = raster.cellOf(p);
+    sum[cell] += static_cast<float>(p.z()) - g.heights[cell];
+    ++count[cell];
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    if (count[i] > 0)
+      g.heights[i] += sum[i] / static_cast<float>(count[i]);
+}
+
+} // namespace
+
+std::vector<float>
+openRaster(const std::vector<float>& raster, int columns, int rows, int radius)
+{
+  return filtered(
+      filtered(raster, columns, rows, radius, 1), columns, rows, radius, -1);
+}
+
+void
+fillHoles(std::vector<float>& raster, int columns, int rows)
+{
+  if (std::none_of(
+          raster.begin(), raster.end(), [](float v) { return std::isnan(v); }) ||
+      std::all_of(raster.begin(), raster.end(), [](float v) { return std::isnan(v); }))
+    return;
+  const int half_columns = (columns + 1) / 2, half_rows = (rows + 1) / 2;
+  const auto width = static_cast<std::size_t>(columns);
+  const auto half_width = static_cast<std::size_t>(half_columns);
+  std::vector<float> coarse(half_width * static_cast<std::size_t>(half_rows), 0.0F);
+  std::vector<int> count(coarse.size(), 0);
+  for (std::size_t i = 0; i < raster.size(); ++i)
+    if (!std::isnan(raster[i])) {
+      const std::size_t c = (i / width / 2) * half_width + i % width / 2;
+      coarse[c] += raster[i];
+      ++count[c];
+    }
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    coarse[i] = count[i] > 0 ? coarse[i] / static_cast<float>(count[i]) : unknown;
+  fillHoles(coarse, half_columns, half_rows);
+  Ground surface;
+  surface.cell = 2;
+  surface.x = surface.y = 0.5;
+  surface.columns = half_columns;
+  surface.rows = half_rows;
+  surface.heights = std::move(coarse);
+  for (std::size_t i = 0; i < raster.size(); ++i)
+    if (std::isnan(raster[i]))
+      raster[i] = static_cast<float>(surface.heightAt(static_cast<double>(i % width),
+                                                      static_cast<double>(i / width)));
+}
+
+Ground
+findGround(const Points& points,
+           const std::vector<std::uint8_t>& classes,
+           bool use_classes)
+{
+  Raster raster = emptyRaster(points);
+  Ground& g = raster.ground;
+  if (g.heights.empty())
+    return g;
+
+  if (use_classes && std::count(classes.begin(), classes.end(), 2) >= 3) {
+    Points terrain;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (classes[i] == 2 && points[i].allFinite())
+        terrain.push_back(points[i]);
+    for (const Point& p : terrain) {
+      float& height = g.heights[raster.cellOf(p)];
+      height = std::fmin(height, static_cast<float>(p.z()));
+    }
+    fillHoles(g.heights, g.columns, g.rows);
+    refine(raster, terrain);
+    return g;
+  }
+
+  for (const Point& p : points)
+    if (p.allFinite()) {
+      float& height = g.heights[raster.cellOf(p)];
+      height = std::fmin(height, static_cast<float>(p.z()));
+    }
+  fillHoles(g.heights, g.columns, g.rows);
+  repairPits(g.heights, g.columns, g.rows);
+  std::vector<float> surface = g.heights;
+  for (int radius = 1; radius <= largest_radius; ++radius) {
+    const std::vector<float> opened = openRaster(surface, g.columns, g.rows, radius);
+    // A ridge of the steepest terrain loses this much more than at the radius before.
+    const float limit = static_cast<float>(step + terrain_slope * g.cell);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      if (surface[i] > opened[i] + limit) {
+        surface[i] = opened[i];
+        g.heights[i] = unknown;
+      }
+  }
+  fillHoles(g.heights, g.columns, g.rows);
+  refine(raster, points);
+  return g;
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <linelet/powerline/ground.h>
+#include <linelet/support/points.h>
+
+namespace linelet::powerline {
+
+/** \brief Terrain under a cloud.
+ *
+ * Lowest points of 2 m cells, lonely low outliers lifted, then a progressive
+ * morphological filter (Zhang et al. 2003): openings of growing size lower what stands
+ * out from its surroundings by more than terrain can. What was lowered is filled from
+ * the terrain around, and the raster refined to the mean height of the points next to
+ * it. \param[in] classes empty, or one a point \param[in] use_classes take points of
+ * class 2 for the terrain, where there are any */
+Ground
+findGround(const Points& points,
+           const std::vector<std::uint8_t>& classes,
+           bool use_classes);
+
+/** \brief Fills the cells of a raster that are NaN from those around, smoothly (by
+ * averages over ever larger cells). Leaves a raster without any value as it is. */
+void
+fillHoles(std::vector<float>& raster, int columns, int rows);
+
+/** \brief Opening (erosion, then dilation) with a square of 2 \a radius + 1 cells. */
+std::vector<float>
+openRaster(const std::vector<float>& raster, int columns, int rows, int radius);
+
+} // namespace linelet::powerline

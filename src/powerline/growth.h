@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <linelet/powerline/power_line_settings.h>
+
+#include "powerline/candidates.h"
+#include "powerline/span_model.h"
+
+namespace linelet::powerline {
+
+/** \brief A wire in the making: a model and the candidates that it explains. */
+struct Piece {
+  SpanModel model;
+  Indices members; ///< candidates
+};
+
+/** \brief What stands around one bin of a wire. */
+struct Bin {
+  std::size_t tube = 0; ///< points within the tolerance
+  std::size_t moat = 0; ///< points beyond it, up to twice the tolerance
+  std::size_t ring = 0; ///< points from the tolerance to \ref ring_radius
+};
+
+constexpr double bin_length = 2; ///< metres
+constexpr double ring_radius =
+    0.8; ///< metres, of the surroundings a bin is compared with
+
+/** \brief Grows wires from seeds and keeps book of who owns which candidate. */
+class Growth {
+public:
+  static constexpr int nobody = -1;
+
+  Growth(const Candidates& candidates, const PowerLineSettings& settings);
+
+  /** \brief Grows a wire from \a seed to both sides; its parts between supports.
+   * Nothing is claimed. Empty where nothing grows. */
+  std::vector<Piece>
+  grow(const Seed& seed) const;
+
+  /** \brief Extends \a piece at both ends, not beyond \a low and \a high.
+   * \param[in] lock shift it to the strongest of the wires around once it is long
+   * enough to tell them apart \return false when nothing of it is left */
+  bool
+  extend(Piece& piece,
+         double low = -std::numeric_limits<double>::infinity(),
+         double high = std::numeric_limits<double>::infinity(),
+         bool lock = false) const;
+
+  /** \brief Takes as members the free points within \a reach of the model, begin to
+   * end, and fits again. False when too few are left. */
+  bool
+  collect(Piece& piece, double reach) const;
+
+  /** \brief Counts around the stretch [\a from, \a to] of \a model; the free points of
+   * the tube go to \a members unless null. Points of \a self count as free. */
+  Bin
+  look(const SpanModel& model,
+       double from,
+       double to,
+       double tolerance,
+       Indices* members = nullptr) const;
+
+  /** \brief Makes \a owner the owner of all members of \a piece. */
+  void
+  claim(const Piece& piece, int owner);
+
+  int
+  owner(Index candidate) const
+  {
+    return owner_[candidate];
+  }
+
+  const Candidates&
+  candidates() const
+  {
+    return candidates_;
+  }
+
+private:
+  bool
+  advance(Piece& piece, int side, double limit, double& gap) const;
+
+  bool
+  lockOnStrongestWire(Piece& piece) const;
+
+  const Candidates& candidates_;
+  const PowerLineSettings& settings_;
+  std::vector<int> owner_;
+};
+
+/** \brief Where \a piece hangs on a support on its way: the heights are explained much
+ * better by two parabolas that meet in a downward kink. Ascending. */
+std::vector<double>
+findKinks(const Piece& piece, const Points& points);
+
+} // namespace linelet::powerline

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "powerline/merge.h"
+
+namespace linelet::powerline {
+
+/** \brief One end of a wire: where it is fixed, and to whom. */
+struct End {
+  Point place = Point::Zero(); ///< attachment point, or the last place with points
+  int partner = -1;            ///< wire that goes on beyond the support, -1: none seen
+  int partner_side = 0;        ///< its end there: 0 begin, 1 end
+  int support = -1;            ///< place in the list of supports, -1: none seen
+  bool fixed = false;          ///< place is an attachment point
+};
+
+/** \brief A wire with its two ends (0 begin, 1 end of its model). */
+struct Hanging {
+  Strand strand;
+  std::array<End, 2> ends;
+
+  const SpanModel&
+  model() const
+  {
+    return strand.piece.model;
+  }
+
+  double
+  edge(int side) const
+  {
+    return side == 0 ? model().begin : model().end;
+  }
+
+  /** \brief Horizontal unit vector out of the wire at one end. */
+  Eigen::Vector2d
+  outward(int side) const
+  {
+    return side == 0 ? Eigen::Vector2d(-model().direction) : model().direction;
+  }
+};
+
+/** \brief A horizontal line that attachment points of one support lie near: the
+ * crossarm. */
+struct Crossarm {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  Eigen::Vector2d along =
+      Eigen::Vector2d::UnitX(); ///< direction of the line, unit length
+  double turn = 0;    ///< tangent of the crossarm's angle to the perpendicular of along
+  double spread = -1; ///< standard deviation of attachment points off it; < 0: unknown
+};
+
+/** \brief Where two wires meet that face each other: their closest approach, near their
+ * ends and near the crossarm if one is known. */
+struct Meeting {
+  double a = 0, b = 0; ///< place along each model
+  double gap = 0;      ///< distance there, metres
+  Point place = Point::Zero();
+};
+
+Meeting
+meet(const Hanging& a,
+     int side_a,
+     const Hanging& b,
+     int side_b,
+     const Crossarm& arm = {});
+
+/** \brief Makes partners of ends that face each other across a support, best first. */
+void
+matchEnds(std::vector<Hanging>& wires);
+
+} // namespace linelet::powerline

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "powerline/evidence.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double least_cosine = 0.99;   // of the angle between parts of a wire
+constexpr double wide_cut = 2;          // metres, first fit of two parts
+constexpr double explained_part = 0.85; // of the points of each part
+constexpr double largest_overlap =
+    0.3; // of the shorter part, unless they are one anyway
+
+double
+rmsOf(const SpanModel& model, const Points& points, const Indices& members)
+{
+  double squares = 0;
+  for (const Index i : members)
+    squares += std::pow(model.distance(points[i]), 2);
+  return std::sqrt(squares /
+                   static_cast<double>(std::max<std::size_t>(1, members.size())));
+}
+
+double
+explained(const SpanModel& model, const Points& points, const Indices& members)
+{
+  const auto count = std::count_if(members.begin(), members.end(), [&](Index i) {
+    return model.distance(points[i]) <= 1.25 * model.tolerance;
+  });
+  return static_cast<double>(count) / static_cast<double>(members.size());
+}
+
+/** Gap between two pieces along the first, negative where they overlap. */
+double
+gapBetween(const SpanModel& a, const SpanModel& b)
+{
+  const double from = a.along(b.at(b.begin)), to = a.along(b.at(b.end));
+  return std::max(std::min(from, to) - a.end, a.begin - std::max(from, to));
+}
+
+bool
+join(
+    const Piece& a, const Piece& b, const Points& points, double max_gap, Piece& joined)
+{
+  const Piece& longer = a.model.length() >= b.model.length() ? a : b;
+  const Piece& shorter = &longer == &a ? b : a;
+  const SpanModel& l = longer.model;
+  const SpanModel& s = shorter.model;
+  if (std::abs(l.direction.dot(s.direction)) < least_cosine)
+    return false;
+  const double gap = gapBetween(l, s);
+  if (gap > std::min(max_gap, l.length() + s.length()) ||
+      gap < -largest_overlap * s.length() - 1)
+    return false;
+  const double near_end = std::min(l.distance(s.at(s.begin)), l.distance(s.at(s.end)));
+  if (near_end > wide_cut)
+    return false;
+
+  joined.model = l;
+  joined.members = longer.members;
+  joined.members.insert(
+      joined.members.end(), shorter.members.begin(), shorter.members.end());
+  SpanModel& m = joined.model;
+  if (!fit(m, points, joined.members, wide_cut) ||
+      !fit(m, points, joined.members, 0.6) || !fit(m, points, joined.members))
+    return false;
+  const double from = m.along(s.at(s.begin)), to = m.along(s.at(s.end));
+  m.begin = std::min({l.begin, from, to});
+  m.end = std::max({l.end, from, to});
+  if (m.z[2] * m.length() * m.length() / 4 < -0.1 ||
+      explained(m, points, longer.members) < explained_part ||
+      explained(m, points, shorter.members) < explained_part)
+    return false;
+  const double apart =
+      std::max(rmsOf(l, points, longer.members), rmsOf(s, points, shorter.members));
+  return rmsOf(m, points, joined.members) <= std::max(0.06, 1.3 * apart) &&
+         findKinks(joined, points).empty();
+}
+
+} // namespace
+
+Parallel
+compare(const SpanModel& a, const SpanModel& b)
+{
+  Parallel result;
+  if (std::abs(a.direction.dot(b.direction)) < least_cosine)
+    return result;
+  const double from = a.along(b.at(b.begin)), to = a.along(b.at(b.end));
+  const double low = std::max(a.begin, std::min(from, to));
+  const double high = std::min(a.end, std::max(from, to));
+  if (high <= low)
+    return result;
+  result.overlap = high - low;
+  const int steps = 5;
+  for (int k = 0; k < steps; ++k)
+    result.distance += b.distance(a.at(low + (k + 0.5) / steps * (high - low))) / steps;
+  return result;
+}
+
+void
+mergePieces(Growth& growth,
+            std::vector<Piece>& pieces,
+            const PowerLineSettings& settings)
+{
+  const Points& points = growth.candidates().points;
+  for (bool changed = true; changed;) {
+    changed = false;
+    // Left to right, so that only neighbours in x are compared.
+    const auto leftmost = [](const Piece& p) {
+      return std::min(p.model.at(p.model.begin).x(), p.model.at(p.model.end).x());
+    };
+    const auto rightmost = [](const Piece& p) {
+      return std::max(p.model.at(p.model.begin).x(), p.model.at(p.model.end).x());
+    };
+    std::stable_sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
+      return leftmost(a) < leftmost(b);
+    });
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (pieces[i].members.empty())
+        continue;
+      for (std::size_t k = i + 1; k < pieces.size(); ++k) {
+        if (pieces[k].members.empty())
+          continue;
+        if (leftmost(pieces[k]) > rightmost(pieces[i]) + settings.max_gap)
+          break;
+        Piece joined;
+        if (!join(pieces[i], pieces[k], points, settings.max_gap, joined))
+          continue;
+        growth.claim(pieces[i], Growth::nobody);
+        growth.claim(pieces[k], Growth::nobody);
+        joined.model = joined.model.reframed();
+        if (!growth.collect(joined, joined.model.tolerance) || !growth.extend(joined)) {
+          growth.claim(pieces[i], 0);
+          growth.claim(pieces[k], 0);
+          continue;
+        }
+        growth.claim(joined, 0);
+        pieces[i] = std::move(joined);
+        pieces[k].members.clear();
+        changed = true;
+      }
+    }
+    pieces.erase(std::remove_if(pieces.begin(),
+                                pieces.end(),
+                                [](const Piece& p) { return p.members.empty(); }),
+                 pieces.end());
+  }
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include <linelet/support/points.h>
+
+namespace linelet::powerline {
+
+/** \brief The head of a catenary near the lowest point: a parabola in its own frame.
+ *
+ * s runs along a horizontal direction, t to the left of it, z up:
+ * t = t0 + t1 s + t2 s^2 (wind blows the wire out), z = z0 + z1 s + z2 s^2. */
+struct SpanModel {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< unit length
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  Eigen::Vector3d z = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of z, for unit noise
+  double begin = 0, end = 0;                            ///< stretch that points support
+  double sigma = 0.1;      ///< robust scale of the residuals, metres
+  double tolerance = 0.25; ///< largest distance of a point that belongs to the wire
+
+  static double
+  value(const Eigen::Vector3d& c, double s)
+  {
+    return c[0] + s * (c[1] + s * c[2]);
+  }
+
+  static double
+  slope(const Eigen::Vector3d& c, double s)
+  {
+    return c[1] + 2 * c[2] * s;
+  }
+
+  double
+  along(const Point& p) const
+  {
+    return direction.dot(p.head<2>() - origin);
+  }
+
+  /** \brief Deviation of \a p from the wire to the left and upwards, across it. */
+  Eigen::Vector2d
+  residual(const Point& p, double s) const
+  {
+    const Eigen::Vector2d offset = p.head<2>() - origin;
+    const double left = direction.x() * offset.y() - direction.y() * offset.x();
+    const double rise = slope(z, s);
+    return {left - value(t, s), (p.z() - value(z, s)) / std::sqrt(1 + rise * rise)};
+  }
+
+  double
+  distance(const Point& p) const
+  {
+    return residual(p, along(p)).norm();
+  }
+
+  Point
+  at(double s) const
+  {
+    const double left = value(t, s);
+    return {origin.x() + s * direction.x() - left * direction.y(),
+            origin.y() + s * direction.y() + left * direction.x(),
+            value(z, s)};
+  }
+
+  double
+  length() const
+  {
+    return end - begin;
+  }
+
+  /** \brief Standard deviation of the predicted height at \a s. */
+  double
+  uncertainty(double s) const
+  {
+    const Eigen::Vector3d x(1, s, s * s);
+    return sigma * std::sqrt(std::max(0.0, x.dot(covariance * x)));
+  }
+
+  /** \brief The same curve in a frame turned along the wire, its origin in the middle.
+   */
+  SpanModel
+  reframed() const;
+};
+
+/** \brief Fits \a model to points with robust weights (Tukey's biweight, cut \a cut).
+ *
+ * Priors keep short wires sane: t2 is nearly 0 (a loose one lets a fit swap between the
+ * wires of a bundle), z2 is that of usual sags. Updates coefficients, covariance, sigma
+ * and tolerance, not begin and end.
+ * \return false when fewer than 3 points carry weight */
+bool
+fit(SpanModel& model, const Points& points, const Indices& members, double cut = 0.3);
+
+} // namespace linelet::powerline

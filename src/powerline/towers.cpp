@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/towers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+#include <Eigen/Dense>
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double side_by_side = 14; // metres between neighbouring wires of one support
+constexpr double level_with = 6;    // metres along the line between their ends
+constexpr double least_cosine = 0.98;
+constexpr double margin = 6;         // metres around the attachment points
+constexpr double farthest_carry = 8; // metres to the crossarm, without a partner
+constexpr double plan_cell = 32;     // metres
+
+struct Groups {
+  std::vector<std::size_t> parent;
+
+  explicit Groups(std::size_t count) : parent(count)
+  {
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+  }
+
+  std::size_t
+  root(std::size_t i)
+  {
+    while (parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  }
+
+  void
+  unite(std::size_t a, std::size_t b)
+  {
+    a = root(a);
+    b = root(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+};
+
+End&
+endOf(std::vector<Hanging>& wires, std::pair<int, int> id)
+{
+  return wires[static_cast<std::size_t>(id.first)]
+      .ends[static_cast<std::size_t>(id.second)];
+}
+
+const End&
+endOf(const std::vector<Hanging>& wires, std::pair<int, int> id)
+{
+  return wires[static_cast<std::size_t>(id.first)]
+      .ends[static_cast<std::size_t>(id.second)];
+}
+
+std::vector<Tower>
+clusterEnds(const std::vector<Hanging>& wires)
+{
+  Groups groups(2 * wires.size());
+  std::vector<std::size_t> order(2 * wires.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t e) -> const Point& {
+    return wires[e / 2].ends[e % 2].place;
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tuple(place(a).x(), a) < std::tuple(place(b).x(), b);
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t a = order[i];
+    const End& end = wires[a / 2].ends[a % 2];
+    if (end.partner >= 0)
+      groups.unite(a,
+                   2 * static_cast<std::size_t>(end.partner) +
+                       static_cast<std::size_t>(end.partner_side));
+    const Eigen::Vector2d out = wires[a / 2].outward(static_cast<int>(a % 2));
+    for (std::size_t k = i + 1;
+         k < order.size() && place(order[k]).x() <= place(a).x() + side_by_side;
+         ++k) {
+      const std::size_t b = order[k];
+      const Eigen::Vector2d offset = (place(b) - place(a)).head<2>();
+      if (a / 2 != b / 2 && offset.norm() <= side_by_side &&
+          std::abs(out.dot(offset)) <= level_with &&
+          out.dot(wires[b / 2].outward(static_cast<int>(b % 2))) >= least_cosine)
+        groups.unite(a, b);
+    }
+  }
+  std::vector<Tower> towers;
+  std::vector<int> tower_of(order.size(), -1);
+  for (std::size_t e = 0; e < order.size(); ++e) {
+    int& tower = tower_of[groups.root(e)];
+    if (tower < 0) {
+      tower = static_cast<int>(towers.size());
+      towers.emplace_back();
+    }
+    towers[static_cast<std::size_t>(tower)].ends.emplace_back(static_cast<int>(e / 2),
+                                                              static_cast<int>(e % 2));
+  }
+  return towers;
+}
+
+// The candidates that no wire owns near each tower.
+std::vector<Indices>
+pointsNear(const std::vector<Tower>& towers, const Growth& growth)
+{
+  const auto cellOf = [](double x, double y) {
+    const auto part = [](double v) {
+      return static_cast<std::uint64_t>(
+          static_cast<std::int64_t>(std::floor(v / plan_cell)) & 0xFFFFFFFF);
+    };
+    return part(x) << 32 | part(y);
+  };
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells;
+  for (std::size_t t = 0; t < towers.size(); ++t) {
+    const double r = towers[t].reach + margin;
+    const Eigen::Vector2d& c = towers[t].arm.centre;
+    for (double x = std::floor((c.x() - r) / plan_cell); x <= (c.x() + r) / plan_cell;
+         ++x)
+      for (double y = std::floor((c.y() - r) / plan_cell); y <= (c.y() + r) / plan_cell;
+           ++y)
+        cells[cellOf(x * plan_cell, y * plan_cell)].push_back(t);
+  }
+  std::vector<Indices> near(towers.size());
+  const Points& points = growth.candidates().points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto cell = cells.find(cellOf(points[i].x(), points[i].y()));
+    if (cell == cells.end() || growth.owner(static_cast<Index>(i)) != Growth::nobody)
+      continue;
+    for (const std::size_t t : cell->second)
+      if ((points[i].head<2>() - towers[t].arm.centre).norm() <=
+          towers[t].reach + margin)
+        near[t].push_back(static_cast<Index>(i));
+  }
+  return near;
+}
+
+// Direction of the line at the support, centre and size from the attachment points.
+void
+orient(Tower& tower, const std::vector<Hanging>& wires)
+{
+  const auto outward = [&](std::pair<int, int> id) {
+    return wires[static_cast<std::size_t>(id.first)].outward(id.second);
+  };
+  const Eigen::Vector2d first = outward(tower.ends.front());
+  Eigen::Vector2d there = Eigen::Vector2d::Zero(), back = there;
+  bool fixed = false;
+  tower.lowest_arm = std::numeric_limits<double>::infinity();
+  tower.top = -tower.lowest_arm;
+  for (const auto& id : tower.ends) {
+    const Eigen::Vector2d out = outward(id);
+    (out.dot(first) >= 0 ? there : back) += out;
+    fixed = fixed || endOf(wires, id).fixed;
+  }
+  const auto unit = [](const Eigen::Vector2d& v) -> Eigen::Vector2d {
+    return v.norm() > 0 ? Eigen::Vector2d(v.normalized()) : v;
+  };
+  tower.arm.along = unit(unit(there) - unit(back));
+  const Eigen::Vector2d across(-tower.arm.along.y(), tower.arm.along.x());
+  double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0, count = 0;
+  for (const auto& id : tower.ends) {
+    const End& end = endOf(wires, id);
+    tower.lowest_arm = std::min(tower.lowest_arm, end.place.z());
+    tower.top = std::max(tower.top, end.place.z());
+    if (fixed && !end.fixed)
+      continue;
+    low = std::min(low, across.dot(end.place.head<2>()));
+    high = std::max(high, across.dot(end.place.head<2>()));
+    sum += tower.arm.along.dot(end.place.head<2>());
+    count += 1;
+  }
+  tower.arm.centre = sum / count * tower.arm.along + (low + high) / 2 * across;
+  tower.reach = (high - low) / 2;
+}
+
+// Brings the ends of a tower to its crossarm.
+void
+settle(const Tower& tower, std::vector<Hanging>& wires, double max_gap)
+{
+  const Crossarm& arm = tower.arm;
+  const Eigen::Vector2d across(-arm.along.y(), arm.along.x());
+  const Eigen::Vector2d level = arm.along - arm.turn * across;
+  for (const auto& id : tower.ends) {
+    Hanging& wire = wires[static_cast<std::size_t>(id.first)];
+    End& end = wire.ends[static_cast<std::size_t>(id.second)];
+    if (end.partner >= 0) {
+      const Hanging& other = wires[static_cast<std::size_t>(end.partner)];
+      // Once for both, in the same order, so that they share the point exactly.
+      if (id.first < end.partner) {
+        const Meeting m = meet(wire, id.second, other, end.partner_side, arm);
+        end.place = m.place;
+        endOf(wires, {end.partner, end.partner_side}).place = m.place;
+      }
+      continue;
+    }
+    if (arm.spread < 0)
+      continue;
+    const SpanModel& model = wire.model();
+    const double last = wire.edge(id.second);
+    const Point place = model.at(last);
+    const Eigen::Vector2d forward = (model.at(last + 1) - place).head<2>();
+    const double rate = level.dot(forward);
+    if (std::abs(rate) < 0.3)
+      continue;
+    const double carry = -level.dot(place.head<2>() - arm.centre) / rate;
+    const double onwards = id.second == 0 ? -carry : carry;
+    if (onwards > std::min(farthest_carry, max_gap) || onwards < -farthest_carry / 2)
+      continue;
+    end.place = model.at(last + carry);
+    end.fixed = true;
+  }
+}
+
+} // namespace
+
+void
+fitCrossarm(Tower& tower, const std::vector<Hanging>& wires)
+{
+  Crossarm& arm = tower.arm;
+  const Eigen::Vector2d across(-arm.along.y(), arm.along.x());
+  std::vector<Eigen::Vector2d> places;
+  for (const auto& id : tower.ends)
+    if (endOf(wires, id).partner >= 0) {
+      const Eigen::Vector2d offset = endOf(wires, id).place.head<2>() - arm.centre;
+      places.emplace_back(across.dot(offset), arm.along.dot(offset));
+    }
+  if (places.size() < 2)
+    return;
+  Eigen::Vector2d line(0, 0); // place along the line of the crossarm: line0 + line1 u
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+    normal(1, 1) = 20; // the crossarm is about square to the line
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    double total = 0, squares = 0;
+    for (const Eigen::Vector2d& p : places) {
+      const Eigen::Vector2d x(1, p[0]);
+      const double off = p[1] - line.dot(x);
+      const double w = 1 / (1 + off * off / 0.25);
+      normal += w * x * x.transpose();
+      right += w * p[1] * x;
+      squares += w * off * off;
+      total += w;
+    }
+    line = normal.ldlt().solve(right);
+    arm.spread = std::clamp(std::sqrt(squares / total), 0.15, 1.0);
+  }
+  arm.centre += line[0] * arm.along;
+  arm.turn = line[1];
+}
+
+std::vector<Tower>
+buildTowers(std::vector<Hanging>& wires,
+            const Growth& growth,
+            const Ground& ground,
+            const PowerLineSettings& settings)
+{
+  std::vector<Tower> towers = clusterEnds(wires);
+  for (Tower& tower : towers) {
+    orient(tower, wires);
+    fitCrossarm(tower, wires);
+  }
+  const std::vector<Indices> near = pointsNear(towers, growth);
+  std::vector<Tower> kept;
+  for (std::size_t t = 0; t < towers.size(); ++t) {
+    Tower& tower = towers[t];
+    tower.base = ground.heightAt(tower.arm.centre.x(), tower.arm.centre.y());
+    findStructure(tower, growth.candidates().points, near[t]);
+    const bool joined = std::any_of(tower.ends.begin(), tower.ends.end(), [&](auto id) {
+      return endOf(wires, id).partner >= 0;
+    });
+    if (!joined && !tower.seen)
+      continue;
+    if (tower.arm.spread < 0)
+      tower.arm.spread = tower.pole ? 0.5 : 1;
+    settle(tower, wires, settings.max_gap);
+    for (const auto& id : tower.ends)
+      endOf(wires, id).support = static_cast<int>(kept.size());
+    kept.push_back(std::move(tower));
+  }
+  return kept;
+}
+
+} // namespace linelet::powerline
