@@ -33,9 +33,10 @@ namespace linelet {
  * in the surface, an index beyond the cloud, or a size of neighbourhood that is not
  * positive and finite.
  *
- * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal; for
- * any other type define PCL_NO_PRECOMPILE before the first include and link lz4 (FLANN
- * needs it), or include impl/point_distribution_tensor.hpp. */
+ * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
+ * any other type define PCL_NO_PRECOMPILE before the first include, which brings in
+ * impl/point_distribution_tensor.hpp and PCL's own templates, and link lz4, which the
+ * latter need. */
 template <typename PointInT>
 class PointDistributionTensorEstimation
     : public pcl::Feature<PointInT, PointDistributionTensor> {
@@ -149,6 +150,14 @@ protected:
 
   bool
   initCompute() override;
+
+  /** \brief The records of the queries; another engine overrides this. What it throws
+   * as std::exception becomes a message and unknown records. */
+  virtual std::vector<PointDistributionTensor>
+  estimate(const Points& surface,
+           const Points& queries,
+           const TensorSettings& settings,
+           const NeighbourhoodSizes& sizes);
 
 private:
   void
