@@ -9,6 +9,10 @@ const std::vector<Command>&
 commands()
 {
   static const std::vector<Command> all = {
+      {"curves", "reconstruct curves from a point cloud", runCurves},
+      {"generate", "make test clouds with known curves, or a corridor scene", runGenerate},
+      {"evaluate", "compare curves with the true ones", runEvaluate},
+      {"benchmark", "reconstruct noisy test geometries by the thousand", runBenchmark},
   };
   return all;
 }

@@ -25,6 +25,15 @@ runConvert(const std::vector<std::string>& arguments);
 int
 runGenerateCorridor(const std::vector<std::string>& arguments);
 
+int
+runCurves(const std::vector<std::string>& arguments);
+int
+runGenerate(const std::vector<std::string>& arguments);
+int
+runEvaluate(const std::vector<std::string>& arguments);
+int
+runBenchmark(const std::vector<std::string>& arguments);
+
 /** \brief All commands, in the order of `linelet --help`. */
 const std::vector<Command>&
 commands();

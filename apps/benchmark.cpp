@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <linelet/curves/reconstruct_curves.h>
+#include <linelet/evaluation/benchmark.h>
+#include <linelet/evaluation/benchmark_grid.h>
+
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+namespace {
+
+using evaluation::BenchmarkRow;
+using evaluation::BenchmarkRun;
+
+std::vector<evaluation::Geometry>
+geometriesOf(const std::vector<std::string>& names)
+{
+  std::vector<evaluation::Geometry> geometries;
+  for (const std::string& name : names)
+    if (name == "benchmark" || name == "held-out") {
+      const auto& group = name == "benchmark" ? evaluation::benchmarkGeometries()
+                                              : evaluation::heldOutGeometries();
+      geometries.insert(geometries.end(), group.begin(), group.end());
+    }
+    else
+      geometries.push_back(fromName<evaluation::Geometry>(name));
+  return geometries;
+}
+
+std::vector<BenchmarkRun>
+runsOf(const std::vector<evaluation::Geometry>& geometries,
+       std::size_t sample,
+       std::uint64_t seed,
+       bool clean)
+{
+  std::vector<BenchmarkRun> runs;
+  const evaluation::BenchmarkGrid grid(geometries);
+  if (clean) {
+    for (const evaluation::Geometry geometry : geometries)
+      for (const std::size_t points : {128, 256, 512}) {
+        BenchmarkRun run;
+        run.geometry = geometry;
+        run.sampling.points = points;
+        runs.push_back(run);
+      }
+    return runs;
+  }
+  for (const std::size_t index : grid.stratifiedSample(sample, seed))
+    runs.push_back(grid.at(index));
+  return runs;
+}
+
+/** \brief The file of rows: what it holds already, and where new ones go. */
+class RowFile {
+public:
+  /** \param[in] path empty: no file */
+  explicit RowFile(const std::string& path) : path_(path)
+  {
+    if (path.empty())
+      return;
+    if (std::ifstream in(path); in && in.peek() != std::ifstream::traits_type::eof()) {
+      try {
+        old_ = evaluation::readCsv(in);
+      }
+      catch (const std::runtime_error& error) {
+        throw std::runtime_error(path + ": " + error.what() + "; name another file");
+      }
+    }
+    // Written anew beside it: a line that was cut off is lost, the file never.
+    const std::string fresh = path + ".part";
+    out_.open(fresh);
+    out_ << evaluation::benchmark_csv_header << '\n';
+    for (const BenchmarkRow& row : old_)
+      evaluation::writeCsv(out_, row);
+    check();
+    std::filesystem::rename(fresh, path);
+  }
+
+  const std::vector<BenchmarkRow>&
+  old() const
+  {
+    return old_;
+  }
+
+  void
+  add(const BenchmarkRow& row)
+  {
+    if (path_.empty())
+      return;
+    evaluation::writeCsv(out_, row);
+    check();
+  }
+
+private:
+  void
+  check()
+  {
+    if (!out_.flush())
+      throw std::runtime_error(path_ + ": cannot be written; check that the folder "
+                                       "exists and has room");
+  }
+
+  std::string path_;
+  std::ofstream out_;
+  std::vector<BenchmarkRow> old_;
+};
+
+} // namespace
+
+int
+runBenchmark(const std::vector<std::string>& arguments)
+{
+  Frame frame(
+      "benchmark",
+      "Reconstructs noisy test geometries over a grid of noises (127,050 runs) "
+      "or a sample of it, every run in one thread, several at a time. Rows that "
+      "stand in --out already are kept and not run again.");
+  ReconstructionSettings settings;
+  std::size_t sample = 2000;
+  std::uint64_t seed = 1;
+  bool clean = false, all = false;
+  std::string out, label;
+  std::vector<std::string> names = {"benchmark"};
+  auto& app = frame.app;
+  app.add_option("--sample", sample, "runs, drawn evenly from the grid");
+  app.add_flag("--all", all, "the whole grid");
+  app.add_option("--seed", seed, "which runs are drawn");
+  app.add_flag("--clean", clean, "only noise-free runs with 128, 256 and 512 points");
+  app.add_option("--geometries",
+                 names,
+                 "names, or benchmark (the ten), or held-out (those that nothing is "
+                 "tuned on)")
+      ->delimiter(',');
+  app.add_option("--out", out, "file of rows (.csv), one a run");
+  app.add_option("--label", label, "name of the method in the rows; empty: the preset");
+  addOptions(app, settings);
+  frame.parse(arguments);
+  settings.threads = 1;
+  const std::string method =
+      label.empty() ? std::string(nameOf(settings.preset)) : label;
+
+  const std::vector<BenchmarkRun> wanted =
+      runsOf(geometriesOf(names), all ? 0 : sample, seed, clean);
+  RowFile file(out);
+  std::set<std::string> wanted_keys, done_keys;
+  for (const BenchmarkRun& run : wanted)
+    wanted_keys.insert(evaluation::keyOf(method, run));
+  std::vector<BenchmarkRow> rows;
+  for (const BenchmarkRow& row : file.old()) {
+    const std::string key = evaluation::keyOf(row.method, row.run);
+    if (wanted_keys.count(key) > 0 && done_keys.insert(key).second)
+      rows.push_back(row);
+  }
+  std::vector<BenchmarkRun> missing;
+  for (const BenchmarkRun& run : wanted)
+    if (done_keys.count(evaluation::keyOf(method, run)) == 0)
+      missing.push_back(run);
+
+  evaluation::runBenchmark(
+      method,
+      missing,
+      [&](const Points& points, Monitor* monitor) {
+        return reconstructCurves(points, settings, monitor);
+      },
+      [&](const BenchmarkRow& row) {
+        file.add(row);
+        rows.push_back(row);
+      },
+      frame.threads,
+      &frame.monitor);
+
+  std::printf("%s, %zu runs\n%s",
+              method.c_str(),
+              rows.size(),
+              evaluation::summaryTable(rows).c_str());
+  double successes = 0, milliseconds = 0;
+  for (const BenchmarkRow& row : rows) {
+    successes += row.measures.success ? 1 : 0;
+    milliseconds += row.feature_ms + row.reconstruction_ms;
+  }
+  const double count = static_cast<double>(rows.size());
+  frame.summary["method"] = method;
+  frame.summary["runs"] = rows.size();
+  frame.summary["resumed"] = rows.size() - missing.size();
+  frame.summary["success"] = successes / count;
+  frame.summary["mean_ms"] = milliseconds / count;
+  return frame.finish();
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <linelet/curves/reconstruct_curves.h>
+#include <linelet/io/point_file.h>
+#include <linelet/io/vector_file.h>
+
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+namespace {
+
+/** \brief The points of \a cloud whose class is one of \a classes; all if none is
+ * named. */
+Points
+pointsOfClasses(const io::Cloud& cloud,
+                const std::vector<int>& classes,
+                const std::string& file)
+{
+  if (classes.empty())
+    return cloud.points;
+  const io::Column* column = cloud.find("classification");
+  if (column == nullptr)
+    throw std::runtime_error(file +
+                             ": its points have no classes; leave out --classes");
+  Points chosen;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (std::find(classes.begin(),
+                  classes.end(),
+                  static_cast<int>(io::valueAt(*column, i))) != classes.end())
+      chosen.push_back(cloud.points[i]);
+  return chosen;
+}
+
+} // namespace
+
+int
+runCurves(const std::vector<std::string>& arguments)
+{
+  Frame frame(
+      "curves",
+      "Reconstructs the curves that run through a point cloud: wires, edges, "
+      "outlines. Written by ending: .obj .ply .vtk .csv .geojson .gpkg .dxf, in "
+      "the coordinates of the input.");
+  ReconstructionSettings settings;
+  io::ReadOptions reading;
+  std::string input, output;
+  std::vector<int> classes;
+  frame.app.add_option("INPUT", input, "point file")->required();
+  frame.app.add_option("OUTPUT", output, "file for the curves")->required();
+  frame.app
+      .add_option("--classes", classes, "only points of these classes, such as 14,15")
+      ->delimiter(',');
+  frame.app.add_flag(
+      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, settings);
+  frame.parse(arguments);
+  settings.threads = frame.threads;
+
+  std::vector<std::string> warnings;
+  const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  frame.warn(warnings);
+  const Points points = pointsOfClasses(cloud, classes, input);
+  const CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
+  io::writeCurves(output, network, cloud.shift, cloud.wkt);
+
+  const auto closed = static_cast<std::size_t>(
+      std::count_if(network.curves.begin(), network.curves.end(), [](const Curve& c) {
+        return c.closed;
+      }));
+  if (network.curves.empty())
+    frame.warn("no curve found in the " + std::to_string(points.size()) +
+               " points; the output is empty");
+  std::printf(
+      "%s: %zu curves (%zu closed), %zu junctions, length %.6g, from %zu points\n",
+      output.c_str(),
+      network.curves.size(),
+      closed,
+      network.junctions.size(),
+      length(network),
+      points.size());
+  frame.summary["points"] = points.size();
+  frame.summary["curves"] = network.curves.size();
+  frame.summary["closed"] = closed;
+  frame.summary["junctions"] = network.junctions.size();
+  frame.summary["length"] = length(network);
+  return frame.finish();
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <linelet/evaluation/measures.h>
+#include <linelet/io/vector_file.h>
+
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+int
+runEvaluate(const std::vector<std::string>& arguments)
+{
+  Frame frame("evaluate",
+              "How far reconstructed curves are from the true ones: largest distance "
+              "(E_H), mean distance (E_V), length (E_Len) and covered length (E_Com) "
+              "relative to the truth. The defaults suit curves of extent 10.");
+  evaluation::MeasureSettings settings;
+  std::string curves, truth;
+  frame.app.add_option("CURVES", curves, "reconstructed curves (.obj)")->required();
+  frame.app.add_option("TRUTH", truth, "true curves (.obj)")->required();
+  addOptions(frame.app, settings);
+  frame.parse(arguments);
+
+  const evaluation::Measures m =
+      evaluation::measure(io::readCurves(curves), io::readCurves(truth), settings);
+  std::printf("E_H %.6g\nE_V %.6g\nE_Len %.6g\nE_Com %.6g\n%s\n",
+              m.e_h,
+              m.e_v,
+              m.e_len,
+              m.e_com,
+              m.success ? "success" : "no success");
+  frame.summary["e_h"] = m.e_h;
+  frame.summary["e_v"] = m.e_v;
+  frame.summary["e_len"] = m.e_len;
+  frame.summary["e_com"] = m.e_com;
+  frame.summary["success"] = m.success;
+  return frame.finish();
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/curves/streamline_settings.h>
+#include <linelet/support/monitor.h>
+#include <linelet/support/names.h>
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief The methods of curve reconstruction. */
+enum class Preset {
+  Refined,  ///< ridges refitted as noisy polylines; the default
+  Published ///< line-lets as published in 2021, what every gain is measured against
+};
+
+template <>
+struct Names<Preset> {
+  static constexpr std::string_view kind = "preset";
+  static constexpr std::array<std::pair<Preset, std::string_view>, 2> table = {
+      {{Preset::Refined, "refined"}, {Preset::Published, "published"}}};
+};
+
+/** \brief How curves are reconstructed.
+ *
+ * start_points, max_iterations, distance_cutoff and threads serve every preset; the
+ * other parameters are those of Preset::Published. */
+struct ReconstructionSettings : StreamlineSettings {
+  Preset preset = Preset::Refined;
+};
+
+template <class Visit>
+void
+describe(ReconstructionSettings& settings, Visit&& visit)
+{
+  visit("preset", settings.preset, "method");
+  describe(static_cast<StreamlineSettings&>(settings), visit);
+}
+
+/** \brief Curves that run through \a points.
+ * \param[in] points any points; those with a coordinate that is not finite are left out
+ * \return the curves; none where there is no curve to be found
+ * \throws std::invalid_argument for a parameter out of range, Cancelled */
+CurveNetwork
+reconstructCurves(const Points& points,
+                  const ReconstructionSettings& settings = {},
+                  Monitor* monitor = nullptr);
+
+} // namespace linelet

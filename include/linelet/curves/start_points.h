@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <linelet/features/multi_scale_types.h>
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief Start points of line-lets by the score O_s = d N1^0.01 (CL_max A)^4 (Ritter,
+ * Schiffner, Harders 2021, equation 7), d the distance to the nearest start point. */
+class StartPoints {
+public:
+  /** \param[in] points kept by reference
+   * \param[in] shapes features of \a points
+   * \param[in] min_neighbors N1 that a start point needs; where no point has it, 2 */
+  StartPoints(const Points& points,
+              const std::vector<MultiScaleShape>& shapes,
+              unsigned min_neighbors);
+
+  /** \brief The point of the best score, taken: the next score counts the distance to
+   * it. With the first, d is 1. No point is taken twice.
+   * \return its index, or none (see \ref none) where no candidate is left */
+  Index
+  next();
+
+  /** \brief Up to \a count candidates for which \a wanted holds, best score without d
+   * first, no two nearer to each other than \a spacing. They are taken. */
+  Indices
+  spread(std::size_t count, double spacing, const std::function<bool(Index)>& wanted);
+
+  static constexpr Index none = static_cast<Index>(-1);
+
+private:
+  void
+  take(Index point);
+
+  const Points& points_;
+  Indices candidates_;          // by score without d, best first
+  std::vector<double> score_;   // of each candidate, without d
+  std::vector<double> squared_; // of each candidate: distance to the nearest start
+  bool any_ = false;
+};
+
+} // namespace linelet

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/curves/streamline_settings.h>
+#include <linelet/support/monitor.h>
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief Curves by line-lets that follow the multi-scale neighbourhood tensor: the
+ * method of Ritter, Schiffner, Harders 2021.
+ *
+ * Multi-scale features of all points; start points by score; from each a line-let grows
+ * both ways, all of them a step at a time, until its ends leave the points, meet or
+ * cross; open ends are cut back, stumps dropped, the rest joined. The work is bounded
+ * by the number of points, the result independent of the number of threads. \param[in]
+ * points any points; those with a coordinate that is not finite are left out \param[in]
+ * monitor hears of the stages "shape" (the features) and "curves" \return curves; none
+ * where the cloud has no scale (fewer than two places) \throws std::invalid_argument
+ * for a parameter out of range, Cancelled */
+CurveNetwork
+reconstructPublished(const Points& points,
+                     const StreamlineSettings& settings = {},
+                     Monitor* monitor = nullptr);
+
+} // namespace linelet

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief Moving points by the cell of an endless cubic grid they lie in. */
+class VertexHash {
+public:
+  /** \param[in] cell edge of a cell, positive */
+  explicit VertexHash(double cell) : cell_(cell) {}
+
+  void
+  insert(Index vertex, const Point& position)
+  {
+    cells_[key(cellOf(position))].push_back(vertex);
+  }
+
+  /** \brief Takes out \a vertex, which was inserted at \a position. */
+  void
+  erase(Index vertex, const Point& position)
+  {
+    auto& content = cells_[key(cellOf(position))];
+    content.erase(std::find(content.begin(), content.end(), vertex));
+  }
+
+  /** \brief Calls visit(vertex) for every vertex in the cells that a ball touches, and
+   * maybe for some others, once each. */
+  template <class Visit>
+  void
+  forEachNear(const Point& query, double radius, Visit&& visit) const
+  {
+    const Cell low = cellOf(query.array() - radius),
+               high = cellOf(query.array() + radius);
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+          const auto found = cells_.find(key({x, y, z}));
+          if (found != cells_.end())
+            for (const Index vertex : found->second)
+              visit(vertex);
+        }
+  }
+
+private:
+  using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
+
+  Cell
+  cellOf(const Point& p) const
+  {
+    return (p / cell_).array().floor().cast<std::int64_t>();
+  }
+
+  static std::uint64_t
+  key(const Cell& c)
+  {
+    // 21 bits an axis: cells two million apart share a key.
+    constexpr std::uint64_t mask = (1u << 21) - 1;
+    return (static_cast<std::uint64_t>(c[0]) & mask) << 42 |
+           (static_cast<std::uint64_t>(c[1]) & mask) << 21 |
+           (static_cast<std::uint64_t>(c[2]) & mask);
+  }
+
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<Index>> cells_;
+};
+
+} // namespace linelet
