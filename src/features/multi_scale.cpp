@@ -23,6 +23,9 @@ namespace {
 /// Queries between two deliveries of graphs: enough to keep all threads busy.
 constexpr std::size_t block_size = 4096;
 
+/// Queries handed to a thread at once.
+constexpr std::size_t chunk_size = 16;
+
 /// Rows of a quarter of the radius fit a ball well and still hold long runs.
 UniformGrid
 gridFor(const Points& surface, double largest_radius)
@@ -105,13 +108,18 @@ sweepQueries(const UniformGrid& grid,
              const Visit& visit)
 {
   std::atomic<bool> cancelled{false};
+  // No more threads than there are chunks: waking a thread costs more than a few
+  // queries.
+  const int threads = static_cast<int>(
+      std::min((end - begin + chunk_size - 1) / chunk_size,
+               static_cast<std::size_t>(threadCount(settings.threads))));
 #ifdef _OPENMP
-#pragma omp parallel num_threads(threadCount(settings.threads))
+#pragma omp parallel num_threads(std::max(1, threads))
 #endif
   {
     ScaleSweep sweep(radii, settings);
 #ifdef _OPENMP
-#pragma omp for schedule(dynamic, 16)
+#pragma omp for schedule(dynamic, chunk_size)
 #endif
     for (std::ptrdiff_t place = static_cast<std::ptrdiff_t>(begin);
          place < static_cast<std::ptrdiff_t>(end);
