@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <linelet/features/tensor_estimation.h>
+
+namespace linelet {
+
+/** \brief Engine::Grid for radii: \ref estimateTensors at the speed of the machine.
+ *
+ * Points are sorted into blocks about as wide as the radius; the inner loops run over
+ * vectors of candidates, on the best instruction set found at run time. Sums are in
+ * float relative to the query's surroundings and in double beyond them; numbers of
+ * neighbours are exactly those of the other engines, shape factors agree to 1e-4
+ * (median and step: exactly). Time grows with the points, not with their order; memory
+ * beside input and output stays below 64 bytes a point.
+ *
+ * Settings and sizes are those of \ref estimateTensors with a radius, or one a query.
+ * \throws std::invalid_argument, Cancelled as there */
+std::vector<PointDistributionTensor>
+estimateTensorsOnGrid(const Points& surface,
+                      const Points& queries,
+                      const TensorSettings& settings,
+                      const NeighbourhoodSizes& sizes = {},
+                      Monitor* monitor = nullptr);
+
+/** \brief Name of the instruction set that the grid engine runs on here. */
+std::string_view
+gridInstructionSet();
+
+} // namespace linelet

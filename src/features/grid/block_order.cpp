@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "block_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "key_sort.h"
+
+namespace linelet::grid {
+
+BlockFrame::BlockFrame(const Point& low, const Point& high, double edge)
+    : low_(low.array() - edge), edge_(edge), inverse_edge_(1 / edge)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    counts_[axis] = static_cast<std::int64_t>((high[a] - low_[a]) * inverse_edge_) + 2;
+    while ((std::int64_t{1} << bits_[axis]) < counts_[axis])
+      ++bits_[axis];
+  }
+}
+
+bool
+BlockFrame::fits(const Point& low, const Point& high, double edge)
+{
+  return (high - low).maxCoeff() / edge < most_blocks - 4;
+}
+
+bool
+BlockFrame::locate(const Point& point, Cell& cell) const
+{
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double place = (point[a] - low_[a]) * inverse_edge_;
+    if (!(place >= 0 && place < static_cast<double>(counts_[axis])))
+      return false;
+    cell[axis] = static_cast<std::int64_t>(place);
+  }
+  return true;
+}
+
+BlockFrame::Cell
+BlockFrame::cell(std::uint64_t key) const
+{
+  Cell cell;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cell[axis] =
+        static_cast<std::int64_t>(key & ((std::uint64_t{1} << bits_[axis]) - 1));
+    key >>= bits_[axis];
+  }
+  return cell;
+}
+
+Point
+BlockFrame::center(const Cell& cell) const
+{
+  return low_ + edge_ * Point(static_cast<double>(cell[0]) + 0.5,
+                              static_cast<double>(cell[1]) + 0.5,
+                              static_cast<double>(cell[2]) + 0.5);
+}
+
+std::uint32_t
+BlockFrame::curvePlace(const Point& point, const Cell& cell) const
+{
+  // Morton order of 4 bits an axis.
+  constexpr int curve_bits = 4;
+  std::uint32_t place = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double within =
+        (point[a] - low_[a]) * inverse_edge_ - static_cast<double>(cell[axis]);
+    const auto step = static_cast<std::uint32_t>(
+        std::clamp(within * (1 << curve_bits), 0.0, (1 << curve_bits) - 1.0));
+    for (int bit = 0; bit < curve_bits; ++bit)
+      place |= (step >> bit & 1u) << (3 * bit + static_cast<int>(axis));
+  }
+  return place;
+}
+
+BlockOrder::BlockOrder(const Points& points,
+                       const Indices* chosen,
+                       const BlockFrame& frame,
+                       int threads)
+{
+  std::vector<std::uint64_t> keys;
+  const std::size_t candidates = chosen != nullptr ? chosen->size() : points.size();
+  keys.reserve(candidates);
+  index_.reserve(candidates);
+  BlockFrame::Cell cell;
+  for (std::size_t i = 0; i < candidates; ++i) {
+    const Index index = chosen != nullptr ? (*chosen)[i] : static_cast<Index>(i);
+    if (frame.locate(points[index], cell)) { // false for NaN
+      keys.push_back(frame.key(cell));
+      index_.push_back(index);
+    }
+  }
+  sortByKey(keys, index_, frame.keyBits(), threads);
+
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (i == 0 || keys[i] != keys[i - 1]) {
+      keys_.push_back(keys[i]);
+      begin_.push_back(i);
+    }
+  begin_.push_back(keys.size());
+  std::vector<std::uint64_t>().swap(keys);
+
+  for (std::vector<double>& axis : coordinates_)
+    axis.resize(index_.size() + padding);
+  const auto count = static_cast<std::ptrdiff_t>(blocks());
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<std::uint64_t> places;
+#pragma omp for schedule(dynamic, 64)
+    for (std::ptrdiff_t b = 0; b < count; ++b) {
+      const auto block = static_cast<std::size_t>(b);
+      const BlockFrame::Cell here = frame.cell(keys_[block]);
+      places.clear();
+      for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
+        places.push_back(std::uint64_t{frame.curvePlace(points[index_[slot]], here)}
+                             << 32 |
+                         index_[slot]);
+      std::sort(places.begin(), places.end());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::size_t slot = begin_[block] + i;
+        index_[slot] = static_cast<Index>(places[i] & 0xffffffffu);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          coordinates_[axis][slot] =
+              points[index_[slot]][static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
+}
+
+std::size_t
+BlockOrder::lowerBound(std::uint64_t key) const
+{
+  return static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key) -
+                                  keys_.begin());
+}
+
+double
+BlockOrder::crowding() const
+{
+  double sum = 0;
+  for (std::size_t b = 0; b < blocks(); ++b) {
+    const auto points = static_cast<double>(begin_[b + 1] - begin_[b]);
+    sum += points * points;
+  }
+  return size() > 0 ? sum / static_cast<double>(size()) : 0;
+}
+
+} // namespace linelet::grid

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "block_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "weight_error.h"
+
+namespace linelet::grid {
+
+namespace {
+
+// Queries that share one list of candidates: fewer make shorter lists, more of them.
+constexpr std::size_t last_queries = 8;
+constexpr std::size_t branches = 8;
+
+// Lists leave out, or sum up, what is certain by more than rounding.
+constexpr double margin = 1e-5;
+
+constexpr double float_rounding = 0x1p-24;
+
+Float3
+toFloat(const Point& p)
+{
+  return {
+      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+} // namespace
+
+BlockSweep::BlockSweep(const SweepJob& job)
+    : job_(job),
+      kernels_(sweepKernels()),
+      weight_error_absolute_(weightError(job.settings.weighting).absolute),
+      weight_error_relative_(weightError(job.settings.weighting).relative)
+{
+}
+
+void
+BlockSweep::operator()(std::size_t block)
+{
+  const BlockFrame::Cell cell = job_.frame.cell(job_.queries.key(block));
+  origin_ = job_.frame.center(cell);
+  reach_ = job_.frame.edge() / job_.radius / 2 + 1;
+  first_ = job_.queries.begin(block);
+  const std::size_t count = job_.queries.begin(block + 1) - first_;
+  queries_.resize(count);
+  radii_.assign(count, 1.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    queries_[i] = (job_.queries.point(first_ + i) - origin_) / job_.radius;
+    if (job_.radii != nullptr)
+      radii_[i] = (*job_.radii)[job_.queries.index(first_ + i)] / job_.radius;
+  }
+  found_.assign(count, 0);
+  known_.assign(count, 0);
+  for (std::vector<double>& entries : tensors_)
+    entries.assign(count + PointList::padding, 0.0);
+
+  gather(cell);
+  refine(part(0, count), region_, Moments(), 0);
+  write();
+}
+
+BlockSweep::Part
+BlockSweep::part(std::size_t begin, std::size_t end) const
+{
+  Point low = queries_[begin], high = low;
+  Part p{begin, end, low, 0, radii_[begin], radii_[begin]};
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    low = low.cwiseMin(queries_[i]);
+    high = high.cwiseMax(queries_[i]);
+    p.shortest = std::min(p.shortest, radii_[i]);
+    p.longest = std::max(p.longest, radii_[i]);
+  }
+  // As float: lists are made relative to it in float.
+  p.center = ((low + high) / 2).cast<float>().cast<double>();
+  double size = 0;
+  for (std::size_t i = begin; i < end; ++i)
+    size = std::max(size, (queries_[i] - p.center).squaredNorm());
+  p.size = std::sqrt(size);
+  return p;
+}
+
+void
+BlockSweep::gather(const BlockFrame::Cell& cell)
+{
+  Point low = queries_.front(), high = low;
+  for (const Point& query : queries_) {
+    low = low.cwiseMin(query);
+    high = high.cwiseMax(query);
+  }
+  const Box box{toFloat(low), toFloat(high)};
+  const double longest = *std::max_element(radii_.begin(), radii_.end()) + margin;
+
+  // Blocks that follow each other along x are one run of points.
+  std::array<std::pair<std::size_t, std::size_t>, 9> runs;
+  std::size_t count = 0, points = 0;
+  for (std::int64_t z = std::max<std::int64_t>(cell[2] - 1, 0); z <= cell[2] + 1; ++z)
+    for (std::int64_t y = std::max<std::int64_t>(cell[1] - 1, 0); y <= cell[1] + 1;
+         ++y) {
+      const std::uint64_t last = job_.frame.key({cell[0] + 1, y, z});
+      std::size_t block = job_.surface.lowerBound(
+          job_.frame.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}));
+      const std::size_t begin = job_.surface.begin(block);
+      while (block < job_.surface.blocks() && job_.surface.key(block) <= last)
+        ++block;
+      runs[count] = {begin, job_.surface.begin(block)};
+      points += runs[count].second - begin;
+      ++count;
+    }
+  region_.reserve(points);
+  region_.size = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (runs[i].first < runs[i].second)
+      kernels_.gather({job_.surface.coordinate(0),
+                       job_.surface.coordinate(1),
+                       job_.surface.coordinate(2),
+                       runs[i].first,
+                       runs[i].second,
+                       {origin_.x(), origin_.y(), origin_.z()},
+                       1 / job_.radius},
+                      box,
+                      static_cast<float>(longest * longest),
+                      region_);
+  region_.pad();
+}
+
+void
+BlockSweep::refine(const Part& queries,
+                   const PointList& list,
+                   const Moments& inside,
+                   std::size_t depth)
+{
+  // Only for const do all neighbours count alike for every query.
+  const bool sums = job_.settings.weighting.kernel() == Kernel::Const &&
+                    (job_.settings.centroid == Centroid::QueryPoint ||
+                     job_.settings.centroid == Centroid::Mean);
+  const double near = queries.shortest - queries.size - margin;
+  const double far = queries.longest + queries.size + margin;
+  const Ball ball{toFloat(queries.center),
+                  static_cast<float>(near > 0 ? near * near : -1.0),
+                  static_cast<float>(far * far)};
+  const bool last = queries.end - queries.begin <= last_queries;
+  if (!last && levels_.size() <= depth)
+    levels_.emplace_back();
+  PointList& kept = last ? last_ : levels_[depth];
+  kept.reserve(list.size);
+  Moments here;
+  kernels_.classify(list, ball, last, kept, sums ? &here : nullptr);
+  Moments all = here.relativeTo(-queries.center);
+  all += inside;
+  if (last) {
+    solve(queries, all);
+    return;
+  }
+  const std::size_t count = queries.end - queries.begin;
+  const std::size_t step =
+      std::max((count + branches - 1) / branches, std::min(count, last_queries));
+  for (std::size_t begin = queries.begin; begin < queries.end; begin += step)
+    refine(part(begin, std::min(begin + step, queries.end)), kept, all, depth + 1);
+}
+
+void
+BlockSweep::solve(const Part& queries, const Moments& inside)
+{
+  for (std::size_t query = queries.begin; query < queries.end; ++query)
+    solveOne(queries, query, inside);
+}
+
+void
+BlockSweep::solveOne(const Part& queries, std::size_t query, const Moments& inside)
+{
+  const TensorSettings& settings = job_.settings;
+  Moments t;
+  bool good = false;
+  if (settings.weighting.kernel() == Kernel::Step ||
+      settings.centroid_weighting.kernel() == Kernel::Step ||
+      settings.centroid == Centroid::Median ||
+      settings.centroid == Centroid::WeightedMedian)
+    good = false;
+  else if (settings.weighting.kernel() == Kernel::Const &&
+           settings.centroid != Centroid::WeightedMean)
+    good = constTensor(queries, query, inside, t);
+  else if (settings.centroid == Centroid::QueryPoint)
+    good = weightedTensor(queries, query, t);
+  else
+    good = centredTensor(queries, query, t);
+  known_[query] = good;
+  if (!good)
+    return;
+  const double scale = 1 / t.count;
+  const std::array<double, 6> entries = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
+  for (std::size_t entry = 0; entry < 6; ++entry)
+    tensors_[entry][query] = entries[entry] * scale;
+}
+
+bool
+BlockSweep::constTensor(const Part& queries,
+                        std::size_t query,
+                        const Moments& inside,
+                        Moments& t)
+{
+  const Float3 at = local(query, queries.center);
+  const Band limits = band(queries, query);
+  Moments sums;
+  const Found found = kernels_.constSums(last_, at, limits, sums);
+  if (found.doubtful > 0)
+    for (const Index place : decide(query, at, limits))
+      sums.add(1, {last_.x[place], last_.y[place], last_.z[place]});
+  // From the part to the query, exactly.
+  t = sums.relativeTo(queries_[query] - queries.center);
+  t += inside.relativeTo(queries_[query]);
+  found_[query] = static_cast<std::uint32_t>(t.count);
+  const double spread = t.trace();
+  if (job_.settings.centroid == Centroid::Mean && t.count > 0)
+    t = t.relativeTo(t.first / t.count);
+  return precise(t, spread, found_[query]);
+}
+
+bool
+BlockSweep::weightedTensor(const Part& queries, std::size_t query, Moments& t)
+{
+  const Float3 at = local(query, queries.center);
+  const Band limits = band(queries, query);
+  const double inverse = 1 / (radii_[query] * radii_[query]);
+  const Found found = kernels_.weightedSums(
+      last_, at, limits, job_.settings.weighting, static_cast<float>(inverse), t);
+  std::size_t neighbours = found.certain;
+  if (found.doubtful > 0)
+    for (const Index place : decide(query, at, limits)) {
+      const Point offset(double{last_.x[place]} - double{at[0]},
+                         double{last_.y[place]} - double{at[1]},
+                         double{last_.z[place]} - double{at[2]});
+      t.add(job_.settings.weighting(std::sqrt(offset.squaredNorm() * inverse)), offset);
+      ++neighbours;
+    }
+  found_[query] = static_cast<std::uint32_t>(neighbours);
+  return precise(t, t.trace(), neighbours);
+}
+
+bool
+BlockSweep::centredTensor(const Part& queries, std::size_t query, Moments& t)
+{
+  const Float3 at = local(query, queries.center);
+  const Band limits = band(queries, query);
+  dense_.reserve(last_.size);
+  const Found found = kernels_.neighbours(last_, at, limits, dense_);
+  if (found.doubtful > 0) {
+    for (const Index place : decide(query, at, limits)) {
+      dense_.x[dense_.size] = last_.x[place] - at[0];
+      dense_.y[dense_.size] = last_.y[place] - at[1];
+      dense_.z[dense_.size] = last_.z[place] - at[2];
+      ++dense_.size;
+    }
+    dense_.pad();
+  }
+  found_[query] = static_cast<std::uint32_t>(dense_.size);
+  const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
+  Moments reference;
+  kernels_.momentsAround(dense_,
+                         {0, 0, 0},
+                         job_.settings.centroid == Centroid::WeightedMean
+                             ? job_.settings.centroid_weighting
+                             : Weighting(Kernel::Const),
+                         scale,
+                         reference);
+  if (!(reference.count > 1e-3))
+    return false;
+  const Float3 center = toFloat(reference.first / reference.count);
+  kernels_.momentsAround(dense_, center, job_.settings.weighting, scale, t);
+  return precise(t, t.trace(), dense_.size);
+}
+
+bool
+BlockSweep::isNeighbour(std::size_t query, std::uint32_t slot) const
+{
+  const double radius = job_.radii != nullptr
+                            ? (*job_.radii)[job_.queries.index(first_ + query)]
+                            : job_.radius;
+  return (job_.surface.point(slot) - job_.queries.point(first_ + query))
+             .squaredNorm() <= radius * radius;
+}
+
+const Indices&
+BlockSweep::decide(std::size_t query, const Float3& at, Band band)
+{
+  doubtful_.clear();
+  kernels_.inBand(last_, at, band, doubtful_);
+  const auto out = [&](Index place) { return !isNeighbour(query, last_.id[place]); };
+  doubtful_.erase(std::remove_if(doubtful_.begin(), doubtful_.end(), out),
+                  doubtful_.end());
+  return doubtful_;
+}
+
+Float3
+BlockSweep::local(std::size_t query, const Point& center) const
+{
+  return toFloat(queries_[query] - center);
+}
+
+Band
+BlockSweep::band(const Part& queries, std::size_t query) const
+{
+  // Rounding of a coordinate of the list, of its difference to the center and of that
+  // of the query; each changes the distance, which is about the radius.
+  const double radius = radii_[query];
+  const double far = queries.longest + queries.size;
+  const double coordinates = std::sqrt(3.0) * (reach_ + far + queries.size);
+  // Rounding of |p|^2 (three steps) and of the three steps to |p - q|^2 from it.
+  const double steps = 3 * far * far + 3 * (far * far + 2 * far * queries.size);
+  const double error = float_rounding * 1.25 * (2 * radius * coordinates + steps + 2);
+  const double squared = radius * radius;
+  return {static_cast<float>(squared - error), static_cast<float>(squared + error)};
+}
+
+bool
+BlockSweep::precise(const Moments& t, double spread, std::size_t neighbours) const
+{
+  constexpr double wanted = 3e-5;
+  const double trace = t.trace();
+  // Errors of single weights are rounding, and add up as such.
+  const double weights =
+      4 * weight_error_absolute_ * std::sqrt(static_cast<double>(neighbours)) +
+      weight_error_relative_ * spread;
+  const double sums = 5e-7 * spread;
+  const double coordinates =
+      4 * float_rounding * (reach_ + 1) * std::sqrt(std::max(0.0, t.count * trace));
+  return trace > 0 && t.count > 0 && weights + sums + coordinates <= wanted * trace;
+}
+
+} // namespace linelet::grid

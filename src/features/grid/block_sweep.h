@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include <linelet/features/tensor_estimation.h>
+
+#include "block_order.h"
+#include "sweep_kernels.h"
+
+namespace linelet::grid {
+
+/** \brief What the sweep over all blocks works on. */
+struct SweepJob {
+  const BlockFrame& frame; ///< edge at least the radius
+  const BlockOrder& surface;
+  const BlockOrder& queries; ///< may be the same
+  const TensorSettings& settings;
+  double radius;                    ///< of all queries, or the largest of
+  const std::vector<double>* radii; ///< one a query of the input, or null
+  PointDistributionTensor* records; ///< one a query of the input
+};
+
+/** \brief Computes the records of all queries of a block; one a thread.
+ *
+ * The queries of a block lie along a space-filling curve. They are split into parts of
+ * the curve, and these again, down to a few queries; for each part the list of
+ * candidates shrinks to what its ball of queries can reach. For the const weighting,
+ * points that all queries of a part have as neighbours are summed once and leave the
+ * list: what is left is the surface of the ball, not its volume.
+ *
+ * Coordinates of a list are float, relative to the block or, in the last step, to the
+ * part, in units of the radius. Pairs whose distance is within rounding of the radius
+ * are decided in double; a tensor that is too small for float (see \ref precise) is
+ * computed again in double, as Engine::Tree would. */
+class BlockSweep {
+public:
+  explicit BlockSweep(const SweepJob& job);
+
+  void
+  operator()(std::size_t block);
+
+private:
+  /** \brief Part of the queries of the block, and the ball around them. */
+  struct Part {
+    std::size_t begin, end;
+    Point center;             // relative to the block
+    double size;              // distance of the farthest query from the center
+    double shortest, longest; // radii
+  };
+
+  Part
+  part(std::size_t begin, std::size_t end) const;
+
+  void
+  gather(const BlockFrame::Cell& cell);
+
+  void
+  refine(const Part& queries,
+         const PointList& list,
+         const Moments& inside,
+         std::size_t depth);
+
+  void
+  solve(const Part& queries, const Moments& inside);
+
+  void
+  solveOne(const Part& queries, std::size_t query, const Moments& inside);
+
+  /** \brief Tensor times weight, relative to the centroid; or false to start again in
+   * double. */
+  bool
+  constTensor(const Part& queries,
+              std::size_t query,
+              const Moments& inside,
+              Moments& t);
+  bool
+  weightedTensor(const Part& queries, std::size_t query, Moments& t);
+  bool
+  centredTensor(const Part& queries, std::size_t query, Moments& t);
+
+  bool
+  isNeighbour(std::size_t query, std::uint32_t slot) const;
+
+  /** \brief Places in the last list of the points in the band that are neighbours. */
+  const Indices&
+  decide(std::size_t query, const Float3& at, Band band);
+
+  Float3
+  local(std::size_t query, const Point& center) const;
+
+  Band
+  band(const Part& queries, std::size_t query) const;
+
+  /** \brief Whether the float sums of \a t are good for shape factors to 1e-4.
+   * \param[in] spread trace of the weighted second moments around the query */
+  bool
+  precise(const Moments& t, double spread, std::size_t neighbours) const;
+
+  PointDistributionTensor
+  inDouble(std::size_t query);
+
+  void
+  write();
+
+  const SweepJob& job_;
+  const SweepKernels& kernels_;
+  double weight_error_absolute_, weight_error_relative_;
+
+  std::size_t first_ = 0;      // slot of the first query of the block
+  Point origin_;               // center of the block
+  double reach_ = 1;           // largest coordinate of a list
+  std::vector<Point> queries_; // relative to the block, in units of the radius
+  std::vector<double> radii_;  // in the same unit
+  std::vector<std::uint32_t> found_;
+  std::vector<char> known_; // whether the tensor of the query stands in tensors_
+  std::array<std::vector<double>, 6> tensors_;
+  std::array<std::vector<double>, 9> eigen_;
+
+  PointList region_;             // what any query of the block can reach
+  std::deque<PointList> levels_; // one a depth of refinement
+  PointList last_, dense_;
+  Indices doubtful_;
+  std::vector<std::pair<Index, std::uint32_t>> exact_;
+  Points offsets_;
+};
+
+} // namespace linelet::grid

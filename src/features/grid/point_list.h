@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/aligned_allocator.h>
+
+#include <linelet/support/points.h>
+
+namespace linelet::grid {
+
+/** \brief Candidates for neighbours: coordinates in units of the radius, relative to a
+ * point that the list's maker states. Aligned for vector loads and followed by padding
+ * that no ball reaches. */
+class PointList {
+public:
+  /** \brief Largest number of lanes of a vector of floats; so many entries behind the
+   * last one may be written. */
+  static constexpr std::size_t padding = 64;
+
+  std::size_t size = 0;
+  float *x = nullptr, *y = nullptr, *z = nullptr;
+  float* h = nullptr;          ///< squared distance from the origin of the list
+  std::uint32_t* id = nullptr; ///< slot of the point in its BlockOrder
+
+  /** \brief Makes room for \a count entries; what was there is lost when it grows. */
+  void
+  reserve(std::size_t count)
+  {
+    if (count <= capacity_)
+      return;
+    capacity_ = count + count / 4 + 256;
+    const std::size_t stride = (capacity_ + 2 * padding) / padding * padding;
+    floats_ = hwy::AllocateAligned<float>(4 * stride);
+    ids_ = hwy::AllocateAligned<std::uint32_t>(stride);
+    x = floats_.get();
+    y = x + stride;
+    z = y + stride;
+    h = z + stride;
+    id = ids_.get();
+  }
+
+  /** \brief Appends padding behind the last entry. */
+  void
+  pad()
+  {
+    for (std::size_t i = size; i < size + padding; ++i) {
+      x[i] = y[i] = z[i] = 1e15F;
+      h[i] = 1e30F;
+      id[i] = 0;
+    }
+  }
+
+private:
+  std::size_t capacity_ = 0;
+  hwy::AlignedFreeUniquePtr<float[]> floats_;
+  hwy::AlignedFreeUniquePtr<std::uint32_t[]> ids_;
+};
+
+/** \brief Sums over points p: number (or weight), p, and p (x) p. */
+struct Moments {
+  double count = 0;
+  Point first = Point::Zero();
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  void
+  add(double weight, const Point& p)
+  {
+    count += weight;
+    first += weight * p;
+    xx += weight * p.x() * p.x();
+    xy += weight * p.x() * p.y();
+    xz += weight * p.x() * p.z();
+    yy += weight * p.y() * p.y();
+    yz += weight * p.y() * p.z();
+    zz += weight * p.z() * p.z();
+  }
+
+  Moments&
+  operator+=(const Moments& other)
+  {
+    count += other.count;
+    first += other.first;
+    xx += other.xx;
+    xy += other.xy;
+    xz += other.xz;
+    yy += other.yy;
+    yz += other.yz;
+    zz += other.zz;
+    return *this;
+  }
+
+  /** \brief The same sums of p - \a origin. */
+  Moments
+  relativeTo(const Point& origin) const
+  {
+    const Point &o = origin, &s = first;
+    Moments m = *this;
+    m.first -= count * o;
+    m.xx += o.x() * (count * o.x() - 2 * s.x());
+    m.yy += o.y() * (count * o.y() - 2 * s.y());
+    m.zz += o.z() * (count * o.z() - 2 * s.z());
+    m.xy += count * o.x() * o.y() - s.x() * o.y() - s.y() * o.x();
+    m.xz += count * o.x() * o.z() - s.x() * o.z() - s.z() * o.x();
+    m.yz += count * o.y() * o.z() - s.y() * o.z() - s.z() * o.y();
+    return m;
+  }
+
+  double
+  trace() const
+  {
+    return xx + yy + zz;
+  }
+};
+
+} // namespace linelet::grid

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Sums of moments over lists. Included once per instruction set, so it has a guard that
+// toggles.
+
+#if defined(LINELET_GRID_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LINELET_GRID_SUMS_INL
+#undef LINELET_GRID_SUMS_INL
+#else
+#define LINELET_GRID_SUMS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "sweep_kernels.h"
+#include "weights-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace linelet::grid {
+namespace HWY_NAMESPACE {
+
+/** \brief Vectors summed in float before the sum goes on in double: the error of a lane
+ * stays below 64 half units in the last place. */
+constexpr std::size_t chunk_vectors = 64;
+
+/** \brief Moments of a chunk, in float, lane by lane. */
+template <bool with_first>
+struct ChunkSums {
+  V sx, sy, sz, xx, xy, xz, yy, yz, zz, weight;
+  std::size_t count = 0;
+
+  HWY_INLINE
+  ChunkSums() { sx = sy = sz = xx = xy = xz = yy = yz = zz = weight = hn::Zero(F()); }
+
+  /** \brief Weight 1 for the lanes of \a mask, 0 for the others. */
+  template <class Mask>
+  HWY_INLINE void
+  addMasked(Mask mask, V x, V y, V z)
+  {
+    const auto sum = [&](V& s, V a, V b)
+                         HWY_ATTR { s = hn::IfThenElse(mask, hn::MulAdd(a, b, s), s); };
+    sx = hn::IfThenElse(mask, hn::Add(sx, x), sx);
+    sy = hn::IfThenElse(mask, hn::Add(sy, y), sy);
+    sz = hn::IfThenElse(mask, hn::Add(sz, z), sz);
+    sum(xx, x, x);
+    sum(xy, x, y);
+    sum(xz, x, z);
+    sum(yy, y, y);
+    sum(yz, y, z);
+    sum(zz, z, z);
+    count += hn::CountTrue(F(), mask);
+  }
+
+  HWY_INLINE void
+  addWeighted(V w, V x, V y, V z)
+  {
+    const V wx = hn::Mul(w, x), wy = hn::Mul(w, y), wz = hn::Mul(w, z);
+    weight = hn::Add(weight, w);
+    if constexpr (with_first) {
+      sx = hn::Add(sx, wx);
+      sy = hn::Add(sy, wy);
+      sz = hn::Add(sz, wz);
+    }
+    xx = hn::MulAdd(wx, x, xx);
+    xy = hn::MulAdd(wx, y, xy);
+    xz = hn::MulAdd(wx, z, xz);
+    yy = hn::MulAdd(wy, y, yy);
+    yz = hn::MulAdd(wy, z, yz);
+    zz = hn::MulAdd(wz, z, zz);
+  }
+};
+
+/** \brief The sum of chunks, in double. */
+template <bool with_first>
+struct Sums {
+  Moments total;
+
+  static HWY_INLINE double
+  sumOf(V v)
+  {
+    const F f;
+    return static_cast<double>(hn::GetLane(hn::SumOfLanes(f, v)));
+  }
+
+  HWY_INLINE void
+  add(const ChunkSums<with_first>& part)
+  {
+    total.count += static_cast<double>(part.count) + sumOf(part.weight);
+    if constexpr (with_first)
+      total.first += Point(sumOf(part.sx), sumOf(part.sy), sumOf(part.sz));
+    total.xx += sumOf(part.xx);
+    total.xy += sumOf(part.xy);
+    total.xz += sumOf(part.xz);
+    total.yy += sumOf(part.yy);
+    total.yz += sumOf(part.yz);
+    total.zz += sumOf(part.zz);
+  }
+
+  HWY_INLINE void
+  addTo(Moments& sums) const
+  {
+    sums += total;
+  }
+};
+
+Found
+constSums(const PointList& list, const Float3& query, Band band, Moments& sums)
+{
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  // |p - q|^2 <= r^2 as |p|^2 - 2 p.q <= r^2 - |q|^2.
+  const float square = query[0] * query[0] + query[1] * query[1] + query[2] * query[2];
+  const V qx = constant(2 * query[0]), qy = constant(2 * query[1]),
+          qz = constant(2 * query[2]);
+  const V low = constant(band.low - square), high = constant(band.high - square);
+  Sums<true> total;
+  std::size_t reached = 0;
+  for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
+    const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
+    ChunkSums<true> part;
+    for (std::size_t i = chunk; i < end; i += lanes) {
+      const V x = hn::Load(f, list.x + i), y = hn::Load(f, list.y + i),
+              z = hn::Load(f, list.z + i);
+      V s = hn::NegMulAdd(qx, x, hn::Load(f, list.h + i));
+      s = hn::NegMulAdd(qy, y, s);
+      s = hn::NegMulAdd(qz, z, s);
+      part.addMasked(hn::Le(s, low), x, y, z);
+      reached += hn::CountTrue(f, hn::Le(s, high));
+    }
+    total.add(part);
+  }
+  total.addTo(sums);
+  const auto found = static_cast<std::size_t>(total.total.count);
+  return {found, reached - found};
+}
+
+template <class W>
+HWY_INLINE Found
+weightedSumsOf(const W& weight,
+               const PointList& list,
+               const Float3& query,
+               Band band,
+               float scale,
+               Moments& sums)
+{
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  const V qx = constant(query[0]), qy = constant(query[1]), qz = constant(query[2]);
+  const V low = constant(band.low), high = constant(band.high);
+  const V factor = constant(scale);
+  Sums<false> total;
+  std::size_t found = 0, reached = 0;
+  for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
+    const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
+    ChunkSums<false> part;
+    for (std::size_t i = chunk; i < end; i += lanes) {
+      const V dx = hn::Sub(hn::Load(f, list.x + i), qx);
+      const V dy = hn::Sub(hn::Load(f, list.y + i), qy);
+      const V dz = hn::Sub(hn::Load(f, list.z + i), qz);
+      const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+      const auto within = hn::Le(squared, low);
+      const V w = hn::IfThenElseZero(within, weight(hn::Mul(squared, factor)));
+      part.addWeighted(w, dx, dy, dz);
+      found += hn::CountTrue(f, within);
+      reached += hn::CountTrue(f, hn::Le(squared, high));
+    }
+    total.add(part);
+  }
+  total.addTo(sums);
+  return {found, reached - found};
+}
+
+Found
+weightedSums(const PointList& list,
+             const Float3& query,
+             Band band,
+             const Weighting& weighting,
+             float scale,
+             Moments& sums)
+{
+  Found found{};
+  withWeight(weighting, [&](const auto& weight) HWY_ATTR {
+    found = weightedSumsOf(weight, list, query, band, scale, sums);
+  });
+  return found;
+}
+
+template <class W>
+HWY_INLINE void
+momentsAroundOf(const W& weight,
+                const PointList& list,
+                const Float3& center,
+                float scale,
+                Moments& sums)
+{
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  const V cx = constant(center[0]), cy = constant(center[1]), cz = constant(center[2]);
+  const V factor = constant(scale);
+  Sums<true> total;
+  for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
+    const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
+    ChunkSums<true> part;
+    for (std::size_t i = chunk; i < end; i += lanes) {
+      const V dx = hn::Sub(hn::Load(f, list.x + i), cx);
+      const V dy = hn::Sub(hn::Load(f, list.y + i), cy);
+      const V dz = hn::Sub(hn::Load(f, list.z + i), cz);
+      const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+      // Padding is far outside; what lies there has no weight.
+      const auto real = hn::Lt(squared, constant(1e20F));
+      part.addWeighted(
+          hn::IfThenElseZero(real, weight(hn::Mul(squared, factor))), dx, dy, dz);
+    }
+    total.add(part);
+  }
+  total.addTo(sums);
+}
+
+void
+momentsAround(const PointList& list,
+              const Float3& center,
+              const Weighting& weighting,
+              float scale,
+              Moments& sums)
+{
+  withWeight(weighting, [&](const auto& weight) HWY_ATTR {
+    momentsAroundOf(weight, list, center, scale, sums);
+  });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace linelet::grid
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "sweep_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "features/grid/sweep_kernels.cpp"
+#include <hwy/foreach_target.h> // includes this file once per instruction set
+
+#include <hwy/highway.h>
+
+#include "eigen-inl.h"
+#include "lists-inl.h"
+#include "sums-inl.h"
+#include "weights-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace linelet::grid {
+namespace HWY_NAMESPACE {
+
+void
+weights(const Weighting& weighting,
+        const float* squared,
+        float* weight,
+        std::size_t count)
+{
+  const F f;
+  withWeight(weighting, [&](const auto& w) HWY_ATTR {
+    for (std::size_t i = 0; i < count; i += hn::Lanes(f))
+      hn::StoreU(w(hn::LoadU(f, squared + i)), f, weight + i);
+  });
+}
+
+SweepKernels
+kernels()
+{
+  return {hwy::TargetName(HWY_TARGET),
+          hn::Lanes(F()),
+          gather,
+          classify,
+          constSums,
+          weightedSums,
+          momentsAround,
+          neighbours,
+          inBand,
+          weights,
+          eigen};
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace linelet::grid
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace linelet::grid {
+
+HWY_EXPORT(kernels);
+
+const SweepKernels&
+sweepKernels()
+{
+  static const SweepKernels best = HWY_DYNAMIC_DISPATCH(kernels)();
+  return best;
+}
+
+} // namespace linelet::grid
+
+#endif

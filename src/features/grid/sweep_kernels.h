@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <linelet/tensor/weighting.h>
+
+#include "point_list.h"
+
+namespace linelet::grid {
+
+using Float3 = std::array<float, 3>;
+
+/** \brief Squared radii between which rounding may decide: below \a low a point is a
+ * neighbour, above \a high it is none, between them the distance in double decides. */
+struct Band {
+  float low, high;
+};
+
+/** \brief A part of a BlockOrder, to be seen from \a origin in units of 1/\a scale. */
+struct Run {
+  const double* x;
+  const double* y;
+  const double* z;
+  std::size_t begin, end;
+  std::array<double, 3> origin;
+  double scale;
+};
+
+/** \brief A box around query points, from low to high. */
+struct Box {
+  Float3 low, high;
+};
+
+/** \brief A ball around query points. */
+struct Ball {
+  Float3 center;
+  float inside;  ///< squared distance from the center up to which a point is certainly
+                 ///< a neighbour of all of them; negative: none is
+  float outside; ///< and beyond which it is of none
+};
+
+/** \brief How many points lie in a ball for certain, and how many in its band. */
+struct Found {
+  std::size_t certain, doubtful;
+};
+
+/** \brief Eigen-analysis of many tensors: entries one after the other, each of \a count
+ * lanes; arrays have room for \ref PointList::padding more. */
+struct EigenBatch {
+  std::size_t count;
+  std::array<const double*, 6> tensor; ///< xx xy xz yy yz zz
+  std::array<double*, 3> values;       ///< ascending, not negative
+  std::array<double*, 3> major;        ///< e3
+  std::array<double*, 3> normal;       ///< e1
+};
+
+/** \brief The inner loops, compiled for every instruction set; see sweep_targets.h for
+ * the one that this machine runs. Lists are padded on the way in and out. */
+struct SweepKernels {
+  const char* target; ///< name of the instruction set
+  std::size_t lanes;  ///< floats in a vector
+
+  /** \brief Appends the points of \a run within distance \a reach (squared) of \a box;
+   * coordinates relative to the run's origin. Does not pad. */
+  void (*gather)(const Run& run, const Box& box, float reach, PointList& list);
+
+  /** \brief The points of \a in that are not certainly outside; those certainly inside
+   * are added to \a inside instead, if that is given, with coordinates relative to the
+   * ball's center. \a recentre: so are those of \a out, whose h is then set. */
+  void (*classify)(const PointList& in,
+                   const Ball& ball,
+                   bool recentre,
+                   PointList& out,
+                   Moments* inside);
+
+  /** \brief Moments of the points of a recentred list within the ball around \a query;
+   * points of the band are left out. */
+  Found (*constSums)(const PointList& list,
+                     const Float3& query,
+                     Band band,
+                     Moments& sums);
+
+  /** \brief Weighted moments relative to \a query of the points within the ball around
+   * it, by a kernel; the weight's argument is squared distance times \a scale. Points
+   * of the band are left out. The first moments are not summed. */
+  Found (*weightedSums)(const PointList& list,
+                        const Float3& query,
+                        Band band,
+                        const Weighting& weighting,
+                        float scale,
+                        Moments& sums);
+
+  /** \brief Weighted moments relative to \a center of all points of \a list. */
+  void (*momentsAround)(const PointList& list,
+                        const Float3& center,
+                        const Weighting& weighting,
+                        float scale,
+                        Moments& sums);
+
+  /** \brief The points of \a list within the ball around \a query, relative to it,
+   * those of the band left out. */
+  Found (*neighbours)(const PointList& list,
+                      const Float3& query,
+                      Band band,
+                      PointList& out);
+
+  /** \brief Places in \a list of the points in the band around \a query. */
+  void (*inBand)(const PointList& list,
+                 const Float3& query,
+                 Band band,
+                 Indices& places);
+
+  /** \brief w(sqrt(u)) for \a count values of u, a multiple of \ref lanes. */
+  void (*weights)(const Weighting& weighting,
+                  const float* squared,
+                  float* weight,
+                  std::size_t count);
+
+  /** \brief Eigenvalues and the outer eigenvectors. */
+  void (*eigen)(const EigenBatch& batch);
+};
+
+/** \brief The inner loops for the best instruction set of this machine. */
+const SweepKernels&
+sweepKernels();
+
+} // namespace linelet::grid
