@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <pcl/features/feature.h>
+#include <pcl/memory.h>
+#include <pcl/point_types.h>
+
+#include <linelet/features/multi_scale.h>
+#include <linelet/features/noise_rate.h>
+#include <linelet/features/register_multi_scale_shape.h>
+
+namespace linelet {
+
+/** \brief The multi-scale shape feature of a cloud: \ref multiScaleShapes in a PCL
+ * chain.
+ *
+ * Nothing has to be set: the radii follow from the scale unit D of the surface.
+ * setRadiusSearch, which other features need, gives the largest radius here, as \ref
+ * setMaxRadius does; setKSearch is refused. A search given by setSearchMethod is left
+ * aside, as one built-in grid over the largest radius serves all scales; it would find
+ * the same neighbours.
+ *
+ * Output has one record a query, in order. Where nothing can be known the floats of a
+ * record are NaN and is_dense is false; as everywhere in PCL only the header of the
+ * cloud is carried over. compute gives an empty output, with a message through
+ * PCL_ERROR, if there is no input, no finite point in the surface, an index beyond the
+ * cloud, or a parameter out of range.
+ *
+ * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal; for
+ * any other type define PCL_NO_PRECOMPILE before the first include and link lz4 (FLANN
+ * needs it), or include impl/multi_scale_shape.hpp. */
+template <typename PointInT>
+class MultiScaleShapeFeature : public pcl::Feature<PointInT, MultiScaleShape> {
+  using Base = pcl::Feature<PointInT, MultiScaleShape>;
+
+public:
+  using Ptr = pcl::shared_ptr<MultiScaleShapeFeature>;
+  using ConstPtr = pcl::shared_ptr<const MultiScaleShapeFeature>;
+  using PointCloudOut = typename Base::PointCloudOut;
+
+  MultiScaleShapeFeature();
+
+  /** \brief All parameters at once. */
+  void
+  setSettings(const MultiScaleSettings& settings)
+  {
+    settings_ = settings;
+  }
+  const MultiScaleSettings&
+  getSettings() const
+  {
+    return settings_;
+  }
+
+  /** \brief w_T, fermi-dirac-1 if not set. */
+  void
+  setWeighting(const Weighting& weighting)
+  {
+    settings_.weighting = weighting;
+  }
+  const Weighting&
+  getWeighting() const
+  {
+    return settings_.weighting;
+  }
+
+  /** \brief The point of reference, the query point if not set. */
+  void
+  setCentroid(Centroid centroid)
+  {
+    settings_.centroid = centroid;
+  }
+  Centroid
+  getCentroid() const
+  {
+    return settings_.centroid;
+  }
+
+  /** \brief The largest radius in the unit of the cloud; 0: 60 D. */
+  void
+  setMaxRadius(double radius)
+  {
+    settings_.max_radius = radius;
+  }
+  double
+  getMaxRadius() const
+  {
+    return settings_.max_radius;
+  }
+
+  /** \brief How the radii grow, exponentially if not set. */
+  void
+  setGrowth(RadiusGrowth growth)
+  {
+    settings_.growth = growth;
+  }
+  RadiusGrowth
+  getGrowth() const
+  {
+    return settings_.growth;
+  }
+
+  /** \brief Radii of the scales, rising, in place of growth and largest radius. Empty:
+   * none. */
+  void
+  setRadii(std::vector<double> radii)
+  {
+    settings_.radii = std::move(radii);
+  }
+
+  /** \brief 0: what OpenMP offers. The result is the same for any number. */
+  void
+  setNumberOfThreads(unsigned nr_threads = 0)
+  {
+    settings_.threads = nr_threads;
+  }
+  unsigned
+  getNumberOfThreads() const
+  {
+    return settings_.threads;
+  }
+
+  /** \brief Whether compute keeps the graphs of every query, on if not set: 28 bytes a
+   * point and scale, 308 MB for a million points. */
+  void
+  setKeepGraphs(bool keep)
+  {
+    keep_graphs_ = keep;
+  }
+  bool
+  getKeepGraphs() const
+  {
+    return keep_graphs_;
+  }
+
+  /** \brief Where the graphs of every query go as they come, in order; see
+   * ShapeGraphSink. */
+  void
+  setGraphSink(ShapeGraphSink sink)
+  {
+    sink_ = std::move(sink);
+  }
+
+  /** \brief CL, CP, CS, neighbours and direction of every query at every radius of the
+   * last compute; empty after setKeepGraphs(false). */
+  const std::vector<ShapeGraph>&
+  graphs() const
+  {
+    return graphs_;
+  }
+
+  /** \brief The radii of the last compute, rising. */
+  const std::vector<double>&
+  radii() const
+  {
+    return radii_;
+  }
+
+  /** \brief D of the last compute. */
+  double
+  scaleUnit() const
+  {
+    return scale_unit_;
+  }
+
+  /** \brief Noise rate of the queries of the last compute, see linelet::noiseRate; NaN
+   * unless the centroid was the query point, for which it is defined. */
+  double
+  noiseRate() const
+  {
+    return noise_rate_;
+  }
+
+  /** \brief Noise width likewise, see linelet::noiseWidth. */
+  double
+  noiseWidth() const
+  {
+    return noise_width_;
+  }
+
+protected:
+  using Base::fake_surface_;
+  using Base::feature_name_;
+  using Base::getClassName;
+  using Base::indices_;
+  using Base::input_;
+  using Base::k_;
+  using Base::search_parameter_;
+  using Base::search_radius_;
+  using Base::surface_;
+
+  bool
+  initCompute() override;
+
+private:
+  void
+  computeFeature(PointCloudOut& output) override;
+
+  bool
+  refuse(const char* reason);
+
+  void
+  forget();
+
+  MultiScaleSettings settings_;
+  bool keep_graphs_ = true;
+  ShapeGraphSink sink_;
+
+  Points surface_points_; // between initCompute and computeFeature
+  MultiScaleShapes plan_; // radii and scale unit of the surface
+  std::vector<ShapeGraph> graphs_;
+  std::vector<double> radii_;
+  double scale_unit_ = std::numeric_limits<double>::quiet_NaN();
+  double noise_rate_ = std::numeric_limits<double>::quiet_NaN();
+  double noise_width_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+extern template class MultiScaleShapeFeature<pcl::PointXYZ>;
+extern template class MultiScaleShapeFeature<pcl::PointXYZI>;
+extern template class MultiScaleShapeFeature<pcl::PointXYZRGB>;
+extern template class MultiScaleShapeFeature<pcl::PointNormal>;
+extern template class MultiScaleShapeFeature<pcl::PointXYZINormal>;
+
+} // namespace linelet
+
+#ifdef PCL_NO_PRECOMPILE
+#include <linelet/features/impl/multi_scale_shape.hpp>
+#endif
