@@ -29,7 +29,7 @@ wireFeature(const Wire& wire,
             const OutputOptions& options)
 {
   io::VectorFeature feature;
-  feature.vertices = wire.curve.polyline();
+  feature.vertices = polyline(wire);
   for (Point& p : feature.vertices)
     p += shift;
   const Point lowest = wire.curve.lowest + shift;

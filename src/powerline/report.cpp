@@ -23,8 +23,8 @@ h3{font-size:15px;margin:0 0 2px}
 p{margin:4px 0 10px}
 .muted{color:#5d6873}
 .totals{display:flex;flex-wrap:wrap;gap:10px;margin:18px 0 4px}
-.totals div{flex:1 1 110px;border:1px solid #d5dae0;border-radius:6px;padding:8px 12px}
-.totals b{display:block;font-size:22px;font-weight:600;line-height:1.2}
+.totals div{flex:1 1 116px;border:1px solid #d5dae0;border-radius:6px;padding:8px 12px}
+.totals b{display:block;white-space:nowrap;font-size:22px;font-weight:600;line-height:1.2}
 .totals .alarm{border-color:#c8102e;background:#fdf0f2}
 .totals .alarm b{color:#c8102e}
 svg{display:block;width:100%;height:auto;font:11px system-ui,Arial,sans-serif}
@@ -34,7 +34,8 @@ svg a{fill:inherit}
 table{border-collapse:collapse;width:100%;font-size:12.5px;font-variant-numeric:tabular-nums}
 th{text-align:right;font-weight:600;border-bottom:1px solid #1d232a;padding:3px 7px;vertical-align:bottom}
 td{text-align:right;border-bottom:1px solid #e4e8ec;padding:3px 7px}
-td.text{text-align:left}
+td.text,th.text{text-align:left}
+table.narrow{width:auto}
 td i{display:inline-block;width:10px;height:10px;border-radius:2px;margin-right:6px}
 em{color:#8a5a00;font-style:normal}
 td.bad{color:#c8102e;font-weight:700;background:#fdf0f2}
@@ -43,7 +44,8 @@ td.bad{color:#c8102e;font-weight:700;background:#fdf0f2}
 .doubtful{stroke-dasharray:7 4}
 .support{fill:#1d232a;stroke:#fff;stroke-width:1}
 .hazard{fill:none;stroke:#c8102e;stroke-width:2.4}
-.name{font-weight:600;font-size:13px;text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:3px}
+.badge{fill:#fff;stroke:#1d232a;stroke-width:1}
+.name{font-weight:600;font-size:10.5px;text-anchor:middle}
 .small{font-size:10.5px;paint-order:stroke;stroke:#fff;stroke-width:3px}
 .ink{fill:none;stroke:#1d232a;stroke-width:1.4}
 .north{fill:#1d232a}
@@ -145,11 +147,11 @@ powerLineReport(const io::Cloud& cloud,
            "thin as a wire. If you know of wires in it, see whether they have points "
            "at all (two a metre and more serve well) and whether they hang higher than "
            "--min-height above the terrain.</p>\n";
-  page
-      << "<h2>Plan</h2>\n<p class=\"muted\">North is up. Grey to green: height of what "
-         "stands on the ground. Squares are pylons, dots are poles, red rings "
-         "clearances "
-         "below the limit.</p>\n";
+  page << "<h2>Plan</h2>\n<p class=\"muted\">The arrow points north. Grey to green: "
+          "height of what "
+          "stands on the ground. Squares are pylons, dots are poles, red rings "
+          "clearances "
+          "below the limit.</p>\n";
   report::addPlan(page, content);
   if (!network.wires.empty()) {
     page << "<h2>Clearances below " << report::number(options.clearance, 1)

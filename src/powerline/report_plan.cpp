@@ -12,28 +12,35 @@ namespace {
 
 constexpr double widest = 1060, highest = 760; ///< pixels
 
-/** Where the plan lies and how large it is drawn. */
+/** Where the plan lies, how it is turned, and how large it is drawn. */
 struct Frame {
-  Point low = Point::Constant(1e300), high = Point::Constant(-1e300);
+  Point u = Point::UnitX(), v = Point::UnitY(); ///< right and up on the page
+  Point low = Point::Constant(1e300), high = Point::Constant(-1e300); ///< along u, v
   double scale = 1; ///< pixels a metre
+
+  Point
+  turned(const Point& p) const
+  {
+    return {u.dot(p), v.dot(p), 0};
+  }
 
   void
   take(const Point& p)
   {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    low = low.cwiseMin(turned(p));
+    high = high.cwiseMax(turned(p));
   }
 
   double
   x(const Point& p) const
   {
-    return (p.x() - low.x()) * scale;
+    return (u.dot(p) - low.x()) * scale;
   }
 
   double
   y(const Point& p) const
   {
-    return (high.y() - p.y()) * scale;
+    return (high.y() - v.dot(p)) * scale;
   }
 
   double
@@ -49,32 +56,56 @@ struct Frame {
   }
 };
 
-bool
-finite(const Point& p)
+/** A long line is laid across the page, north staying in the upper half. */
+void
+layAcross(Frame& frame, const std::vector<Wire>& wires)
 {
-  return p.allFinite();
+  double xx = 0, xy = 0, yy = 0;
+  Point mean = Point::Zero();
+  for (const Wire& wire : wires)
+    mean += 0.5 * (wire.front + wire.back) / static_cast<double>(wires.size());
+  for (const Wire& wire : wires)
+    for (const Point& end : {wire.front, wire.back}) {
+      const Point d = end - mean;
+      xx += d.x() * d.x();
+      xy += d.x() * d.y();
+      yy += d.y() * d.y();
+    }
+  // Ratio of the two variances: only what is much longer than wide is turned.
+  const double root = std::hypot(xx - yy, 2 * xy);
+  if (!(xx + yy + root > 9 * (xx + yy - root)))
+    return;
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy); // in [-90, 90] degrees
+  frame.u = Point(std::cos(angle), std::sin(angle), 0);
+  frame.v = Point(-std::sin(angle), std::cos(angle), 0);
 }
 
 /** All of the line and, of the cloud, what lies within reach of it. */
 Frame
 frameOf(const Content& content)
 {
-  Frame cloud, line;
-  for (const Point& p : content.cloud.points)
-    if (finite(p))
-      cloud.take(p);
+  Frame turned;
+  layAcross(turned, content.network.wires);
+  Frame cloud = turned, line = turned, frame = turned;
   for (const Wire& wire : content.network.wires) {
     line.take(wire.front);
     line.take(wire.back);
   }
   for (const Support& support : content.network.supports)
     line.take(support.base);
-  Frame frame = cloud;
-  if (line.low.x() <= line.high.x()) {
-    const Point reach = Point::Constant(60), rim = Point::Constant(8);
-    frame.low = cloud.low.cwiseMax(line.low - reach).cwiseMin(line.low - rim);
-    frame.high = cloud.high.cwiseMin(line.high + reach).cwiseMax(line.high + rim);
+  const bool any = line.low.x() <= line.high.x();
+  const Point reach = Point::Constant(60), rim = Point::Constant(8);
+  const Point low = line.low - reach, high = line.high + reach;
+  for (const Point& p : content.cloud.points) {
+    if (!p.allFinite())
+      continue;
+    const Point q = turned.turned(p);
+    if (!any ||
+        (q.x() > low.x() && q.y() > low.y() && q.x() < high.x() && q.y() < high.y()))
+      cloud.take(p);
   }
+  frame.low = any ? cloud.low.cwiseMin(line.low - rim) : cloud.low;
+  frame.high = any ? cloud.high.cwiseMax(line.high + rim) : cloud.high;
   const Point size = frame.high - frame.low;
   frame.scale =
       std::min(widest / std::max(size.x(), 1.0), highest / std::max(size.y(), 1.0));
@@ -104,11 +135,11 @@ addPicture(Markup& page, const Content& content, const Frame& frame)
   const auto& network = content.network;
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
     const Point& p = content.cloud.points[i];
-    if (!finite(p) || network.classes[i] == wire_class ||
+    if (!p.allFinite() || network.classes[i] == wire_class ||
         network.classes[i] == pylon_class)
       continue;
-    const double column = (p.x() - frame.low.x()) / cell;
-    const double row = (frame.high.y() - p.y()) / cell;
+    const double column = frame.x(p) / (frame.scale * cell);
+    const double row = frame.y(p) / (frame.scale * cell);
     if (column < 0 || row < 0 || column >= static_cast<double>(columns) ||
         row >= static_cast<double>(rows))
       continue;
@@ -155,9 +186,10 @@ addNames(Markup& page, const Content& content, const Frame& frame)
       middle += 0.5 * (content.wire(id).front + content.wire(id).back) /
                 static_cast<double>(span.wires.size());
     if (!span.wires.empty())
-      page << "<text class=\"name\" x=\"" << frame.x(middle) << "\" y=\""
-           << frame.y(middle) - 7 << "\"><a href=\"#span" << span.id << "\">" << span.id
-           << "</a></text>\n";
+      page << "<a href=\"#span" << span.id << "\"><circle class=\"badge\" cx=\""
+           << frame.x(middle) << "\" cy=\"" << frame.y(middle)
+           << "\" r=\"9\"/><text class=\"name\" x=\"" << frame.x(middle) << "\" y=\""
+           << frame.y(middle) + 4 << "\">" << span.id << "</text></a>\n";
   }
   for (const Support& support : content.network.supports) {
     const double x = frame.x(support.base), y = frame.y(support.base);
@@ -176,14 +208,16 @@ void
 addScaleAndNorth(Markup& page, const Frame& frame)
 {
   const double metres = roundStep(frame.width() / frame.scale, 5);
-  const double length = metres * frame.scale, y = frame.height() + 24;
+  const double length = metres * frame.scale, y = frame.height() + 32;
   page << "<path class=\"ink\" d=\"M1 " << y - 5 << " v5 h" << length << " v-5\"/>"
        << "<text x=\"" << length + 8 << "\" y=\"" << y + 1 << "\">" << number(metres, 0)
        << " m</text>\n";
-  const double x = frame.width() - 16;
-  page << "<path class=\"north\" d=\"M" << x << " " << y - 16
-       << " l6 20 l-6 -5 l-6 5 z\"/>"
-       << "<text x=\"" << x - 22 << "\" y=\"" << y + 1 << "\">N</text>\n";
+  // The arrow turns about its middle as north does on the page.
+  const double x = frame.width() - 30, turn = std::atan2(frame.u.y(), frame.v.y());
+  page << "<g transform=\"translate(" << x << " " << y - 6 << ") rotate("
+       << turn * 180 / 3.14159265358979323846
+       << ")\"><path class=\"north\" d=\"M0 -12 l6 22 l-6 -5 l-6 5 z\"/>"
+          "<text class=\"middle\" x=\"0\" y=\"-15\">N</text></g>\n";
 }
 
 } // namespace
@@ -196,7 +230,7 @@ addPlan(Markup& page, const Content& content)
     return; // no point, no wire
   const double width = std::max(frame.width(), 240.0);
   page << "<svg class=\"plan\" viewBox=\"-2 -2 " << width + 4 << " "
-       << frame.height() + 36 << "\" style=\"max-width:" << width + 4
+       << frame.height() + 48 << "\" style=\"max-width:" << width + 4
        << "px\" role=\"img\" aria-label=\"Plan\">\n";
   addPicture(page, content, frame);
   addWires(page, content, frame);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "report_span_frame.h"
 
@@ -12,7 +13,16 @@ namespace linelet::powerline::report {
 namespace {
 
 constexpr double beside = 3, beyond = 4; ///< metres around the wires of a span
-constexpr std::size_t most = 2500;       ///< points drawn of a span
+constexpr std::size_t most = 4000;       ///< points drawn of a span
+
+/** Appends \a points, evenly thinned to \a count. */
+void
+thin(const Indices& points, std::size_t count, Indices& out)
+{
+  const std::size_t n = points.size(), kept = std::min(n, count);
+  for (std::size_t i = 0; i < kept; ++i)
+    out.push_back(points[i * n / kept]);
+}
 
 } // namespace
 
@@ -81,13 +91,15 @@ pointsOfSpans(const Content& content)
         found[k].push_back(static_cast<Index>(i));
     }
   }
-  for (Indices& points : found)
-    if (points.size() > most) {
-      const std::size_t n = points.size();
-      for (std::size_t i = 0; i < most; ++i)
-        points[i] = points[i * n / most];
-      points.resize(most);
-    }
+  for (Indices& points : found) {
+    // Those of wires lie on the curves: a few show where they are.
+    const auto wires = std::stable_partition(
+        points.begin(), points.end(), [&](Index i) { return network.wire_id[i] == 0; });
+    Indices kept;
+    thin({points.begin(), wires}, 3 * most / 4, kept);
+    thin({wires, points.end()}, most / 4, kept);
+    points = std::move(kept);
+  }
   return found;
 }
 

@@ -12,7 +12,7 @@ namespace linelet::powerline::report {
 
 namespace {
 
-constexpr double left = 46, right = 1050, top = 14, deepest = 300; ///< pixels
+constexpr double left = 46, widest = 1004, top = 14, deepest = 300; ///< pixels
 
 /** From metres along and up to pixels. */
 struct View {
@@ -33,6 +33,12 @@ struct View {
   }
 
   double
+  right() const
+  {
+    return x(to);
+  }
+
+  double
   bottom() const
   {
     return y(low);
@@ -45,7 +51,7 @@ viewOf(const Content& content, const Span& span, const SpanFrame& frame)
   View view{0, frame.length, 1e300, -1e300, 1, 1, content.cloud.shift.z()};
   for (const int id : span.wires) {
     const Wire& wire = content.wire(id);
-    for (const Point& p : wire.curve.polyline()) {
+    for (const Point& p : polyline(wire)) {
       view.from = std::min(view.from, frame.along(p));
       view.to = std::max(view.to, frame.along(p));
       view.low = std::min(view.low, p.z());
@@ -63,10 +69,11 @@ viewOf(const Content& content, const Span& span, const SpanFrame& frame)
   }
   view.high += 2;
   view.low -= 2;
-  view.x_scale = (right - left) / (view.to - view.from);
+  view.x_scale = std::min(widest / (view.to - view.from),
+                          deepest / (view.high - view.low)); // a short one stays small
   // To scale, or heights stretched by a whole number, as large as the space allows.
   const double most = deepest / ((view.high - view.low) * view.x_scale);
-  view.y_scale = view.x_scale * (most >= 1 ? std::min(5.0, std::floor(most)) : most);
+  view.y_scale = view.x_scale * std::clamp(std::floor(most + 1e-9), 1.0, 5.0);
   return view;
 }
 
@@ -78,7 +85,7 @@ addAxes(Markup& page, const View& view)
        z < view.high + view.world;
        z += up)
     page << "<path class=\"grid\" d=\"M" << left << " " << view.y(z - view.world)
-         << " H" << right << "\"/><text class=\"tick end\" x=\"" << left - 5
+         << " H" << view.right() << "\"/><text class=\"tick end\" x=\"" << left - 5
          << "\" y=\"" << view.y(z - view.world) + 4 << "\">" << number(z, 0)
          << "</text>\n";
   const double on = roundStep(view.to - view.from, 10);
@@ -152,7 +159,7 @@ addWireCurves(Markup& page,
     page << "<path class=\"curve" << (wire.reason.empty() ? "" : " doubtful")
          << "\" stroke=\"" << wireColour(wire.number) << "\" d=\"";
     bool first = true;
-    for (const Point& p : wire.curve.polyline()) {
+    for (const Point& p : polyline(wire)) {
       page << (first ? "M" : " L") << view.x(frame.along(p)) << " " << view.y(p.z());
       first = false;
     }
@@ -220,12 +227,13 @@ addProfile(Markup& page,
   const double factor = view.y_scale / view.x_scale;
   page << "<text class=\"tick\" x=\"" << left << "\" y=\"" << view.bottom() + 29
        << "\">" << content.supportName(span.from_support)
-       << "</text><text class=\"tick middle\" x=\"" << 0.5 * (left + right) << "\" y=\""
-       << view.bottom() + 29 << "\">metres along the span, heights in metres"
+       << "</text><text class=\"tick middle\" x=\"" << 0.5 * (left + view.right())
+       << "\" y=\"" << view.bottom() + 29
+       << "\">metres along the span, heights in metres"
        << (std::abs(factor - 1) < 0.01
                ? std::string(", to scale")
                : ", heights stretched × " + number(factor, factor < 1 ? 2 : 0))
-       << "</text><text class=\"tick end\" x=\"" << right << "\" y=\""
+       << "</text><text class=\"tick end\" x=\"" << view.right() << "\" y=\""
        << view.bottom() + 29 << "\">" << content.supportName(span.to_support)
        << "</text>\n</svg>\n";
 }

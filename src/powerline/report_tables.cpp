@@ -18,11 +18,15 @@ cell(Markup& page, const std::string& text, bool bad = false)
 }
 
 void
-head(Markup& page, std::initializer_list<const char*> names)
+head(Markup& page,
+     std::initializer_list<const char*> names,
+     const char* open = "<table>")
 {
-  page << "<table>\n<thead><tr>";
-  for (const char* name : names)
-    page << "<th>" << name << "</th>";
+  page << open << "\n<thead><tr>";
+  for (const std::string name : names)
+    // Words stand to the left, figures to the right.
+    page << (name == "to" || name == "confidence" ? "<th class=\"text\">" : "<th>")
+         << name << "</th>";
   page << "</tr></thead>\n<tbody>\n";
 }
 
@@ -98,8 +102,7 @@ addSpanTable(Markup& page, const Content& content)
        {"span",
         "line",
         "no.",
-        "from",
-        "to",
+        "pylons",
         "length m",
         "azimuth °",
         "wires",
@@ -123,8 +126,9 @@ addSpanTable(Markup& page, const Content& content)
     page << "<tr><td><a href=\"#span" << span.id << "\">" << span.id << "</a></td>";
     cell(page, std::to_string(span.circuit));
     cell(page, std::to_string(span.number));
-    cell(page, content.supportName(span.from_support));
-    cell(page, content.supportName(span.to_support));
+    cell(page,
+         content.supportName(span.from_support) + " – " +
+             content.supportName(span.to_support));
     cell(page, number(span.length, 1));
     cell(page, number(span.azimuth, 1));
     cell(page, std::to_string(span.wires.size()));
@@ -163,7 +167,9 @@ addHazards(Markup& page, const Content& content)
          << " m to the ground or to an object.</p>\n";
     return;
   }
-  head(page, {"distance m", "span", "wire", "to", "x", "y", "z of the wire"});
+  head(page,
+       {"distance m", "span", "wire", "to", "x of the wire", "y", "z"},
+       "<table class=\"narrow\">");
   for (const Hazard& hazard : hazards) {
     const Point at = hazard.found->wire + content.cloud.shift;
     page << "<tr>";
