@@ -9,6 +9,8 @@ const std::vector<Command>&
 commands()
 {
   static const std::vector<Command> all = {
+      {"tensor", "measure the shape of every point's neighbourhood", runTensor},
+      {"multiscale", "measure it over many radii and find the best", runMultiscale},
       {"curves", "reconstruct curves from a point cloud", runCurves},
       {"generate", "make test clouds with known curves, or a corridor scene", runGenerate},
       {"evaluate", "compare curves with the true ones", runEvaluate},

@@ -20,6 +20,10 @@ int
 runInfo(const std::vector<std::string>& arguments);
 int
 runConvert(const std::vector<std::string>& arguments);
+int
+runTensor(const std::vector<std::string>& arguments);
+int
+runMultiscale(const std::vector<std::string>& arguments);
 
 /** \brief `generate corridor`: gets the arguments behind that name. */
 int
