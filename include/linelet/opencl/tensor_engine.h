@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <linelet/features/tensor_estimation.h>
+#include <linelet/opencl/device.h>
+
+namespace linelet::opencl {
+
+/** \brief What a part of the work took, in seconds of wall time. */
+struct StageTimes {
+  double upload = 0;   ///< cells and places on the host, and their way to the device
+  double grid = 0;     ///< sorting and the table of runs
+  double tensor = 0;   ///< the tensor kernel
+  double download = 0; ///< the way back
+  double analysis = 0; ///< eigen-analysis, on the host in double
+};
+
+/** \brief The neighbourhood tensor on an OpenCL 1.2 device (SPEC: Grasso et al. 2015).
+ *
+ * Cells, sorting, neighbours, centroids and tensors are computed on the device in float
+ * relative to each query point, the eigen-analysis on the host. Shape factors agree
+ * with \ref estimateTensors within 1e-4, neighbour counts exactly where the device
+ * computes in double (see Device::double_precision). A cloud that does not fit into the
+ * device's memory is cut into slabs with a margin as wide as the radius. Not for use by
+ * several threads at once. */
+class TensorEngine {
+public:
+  /** \brief Opens a device: the first GPU, else the first of any kind; or the one of
+   * the number or with the part of a name given. \throws Error listing the devices
+   * where there is none such */
+  explicit TensorEngine(const std::string& device = {});
+  ~TensorEngine();
+  TensorEngine(TensorEngine&&) noexcept;
+  TensorEngine&
+  operator=(TensorEngine&&) noexcept;
+
+  const Device&
+  device() const;
+
+  /** \brief Uses at most \a bytes of the device's memory at a time; 0, as at the start,
+   * stands for four fifths of what it has. */
+  void
+  setMemoryLimit(std::size_t bytes);
+
+  /** \brief As \ref linelet::estimateTensors; settings.engine has no say,
+   * settings.threads is for the host's part. \throws std::invalid_argument for k
+   * nearest points and for Centroid::WeightedMedian, which this engine does not know
+   * \throws Error \throws Cancelled between slabs */
+  std::vector<PointDistributionTensor>
+  estimate(const Points& surface,
+           const Points& queries,
+           const TensorSettings& settings,
+           const NeighbourhoodSizes& sizes = {},
+           Monitor* monitor = nullptr);
+
+  /** \brief Of the last \ref estimate, summed over its slabs. */
+  const StageTimes&
+  stageTimes() const;
+
+  /** \brief How many slabs the last \ref estimate was cut into. */
+  std::size_t
+  slabs() const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace linelet::opencl

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "context.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "kernel_sources.h"
+
+namespace linelet::opencl {
+
+namespace {
+
+// The driver may reorder sums and fuse multiplications: results hold to float accuracy.
+// Infinities and NaN keep their meaning, some weights pass through them.
+constexpr const char* build_options =
+    "-cl-std=CL1.2 -cl-mad-enable -cl-no-signed-zeros -cl-unsafe-math-optimizations ";
+
+Device
+describe(const cl::Device& device)
+{
+  Device d;
+  d.name = device.getInfo<CL_DEVICE_NAME>();
+  d.platform =
+      cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
+  d.version = device.getInfo<CL_DEVICE_VERSION>();
+  const cl_device_type type = device.getInfo<CL_DEVICE_TYPE>();
+  d.type = (type & CL_DEVICE_TYPE_GPU) != 0   ? "gpu"
+           : (type & CL_DEVICE_TYPE_CPU) != 0 ? "cpu"
+                                              : "accelerator";
+  d.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+  d.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+  d.double_precision =
+      device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") != std::string::npos;
+  return d;
+}
+
+std::vector<cl::Device>
+allDevices()
+{
+  std::vector<cl::Platform> platforms;
+  try {
+    cl::Platform::get(&platforms);
+  }
+  catch (const cl::Error&) {
+    return {}; // the loader found no driver
+  }
+  std::vector<cl::Device> all;
+  for (const cl::Platform& platform : platforms) {
+    std::vector<cl::Device> some;
+    try {
+      platform.getDevices(CL_DEVICE_TYPE_ALL, &some);
+    }
+    catch (const cl::Error&) {
+      continue; // a platform without devices says so by an error
+    }
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::string
+listing(const std::vector<cl::Device>& all)
+{
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(i) + ": " +
+            all[i].getInfo<CL_DEVICE_NAME>();
+  return text;
+}
+
+cl::Device
+choose(const std::string& wish)
+{
+  const std::vector<cl::Device> all = allDevices();
+  if (all.empty())
+    throw Error(
+        "OpenCL has no device here; install a driver (on Debian: apt-get install "
+        "pocl-opencl-icd) or choose another engine",
+        CL_DEVICE_NOT_FOUND);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (wish.empty() && describe(all[i]).type == "gpu")
+      return all[i];
+    if (!wish.empty() &&
+        (wish == std::to_string(i) ||
+         all[i].getInfo<CL_DEVICE_NAME>().find(wish) != std::string::npos))
+      return all[i];
+  }
+  if (wish.empty())
+    return all.front();
+  throw Error("OpenCL has no device '" + wish + "'; there is " + listing(all),
+              CL_DEVICE_NOT_FOUND);
+}
+
+} // namespace
+
+std::vector<Device>
+devices()
+{
+  std::vector<Device> result;
+  for (const cl::Device& device : allDevices())
+    result.push_back(describe(device));
+  return result;
+}
+
+const char*
+errorName(cl_int code)
+{
+  static constexpr std::array<std::pair<cl_int, const char*>, 12> names = {{
+      {CL_DEVICE_NOT_FOUND, "CL_DEVICE_NOT_FOUND"},
+      {CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
+      {CL_COMPILER_NOT_AVAILABLE, "CL_COMPILER_NOT_AVAILABLE"},
+      {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
+      {CL_OUT_OF_RESOURCES, "CL_OUT_OF_RESOURCES"},
+      {CL_OUT_OF_HOST_MEMORY, "CL_OUT_OF_HOST_MEMORY"},
+      {CL_BUILD_PROGRAM_FAILURE, "CL_BUILD_PROGRAM_FAILURE"},
+      {CL_INVALID_VALUE, "CL_INVALID_VALUE"},
+      {CL_INVALID_BUFFER_SIZE, "CL_INVALID_BUFFER_SIZE"},
+      {CL_INVALID_WORK_GROUP_SIZE, "CL_INVALID_WORK_GROUP_SIZE"},
+      {CL_INVALID_KERNEL_ARGS, "CL_INVALID_KERNEL_ARGS"},
+      {CL_INVALID_KERNEL_NAME, "CL_INVALID_KERNEL_NAME"},
+  }};
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) {
+    return entry.first == code;
+  });
+  return found == names.end() ? "OpenCL error" : found->second;
+}
+
+Error
+explained(const cl::Error& error, const std::string& device)
+{
+  return {std::string("OpenCL: ") + error.what() + " failed on device '" + device +
+              "' with " + errorName(error.err()) + " (" + std::to_string(error.err()) +
+              ")",
+          error.err()};
+}
+
+Context::Context(const std::string& wish) : cl_device_(choose(wish))
+{
+  device_ = describe(cl_device_);
+  const auto native = cl_device_.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
+  lanes_ = native >= 16 ? 16 : native >= 8 ? 8 : native >= 4 ? 4 : 1;
+  try {
+    context_ = cl::Context(cl_device_);
+    queue_ = cl::CommandQueue(context_, cl_device_);
+  }
+  catch (const cl::Error& error) {
+    throw explained(error, device_.name);
+  }
+}
+
+const cl::Program&
+Context::program(const std::string& definitions)
+{
+  const auto known = programs_.find(definitions);
+  if (known != programs_.end())
+    return known->second;
+  cl::Program program(context_, std::string(kernel_sources));
+  const std::string options = build_options +
+                              std::string(device_.double_precision ? "-DEXACT " : "") +
+                              "-DWIDTH=" + std::to_string(lanes_) + " " + definitions;
+  try {
+    program.build({cl_device_}, options.c_str());
+  }
+  catch (const cl::Error& error) {
+    throw Error("OpenCL: the kernels do not build on device '" + device_.name + "' (" +
+                    errorName(error.err()) + "); its compiler says: " +
+                    program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(cl_device_),
+                error.err());
+  }
+  return programs_.emplace(definitions, program).first->second;
+}
+
+cl::Kernel
+Context::kernel(const std::string& name, const std::string& definitions)
+{
+  return {program(definitions), name.c_str()};
+}
+
+cl::Buffer
+Context::buffer(std::size_t bytes) const
+{
+  return {context_, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1)};
+}
+
+} // namespace linelet::opencl

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <map>
+#include <string>
+
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#include <CL/opencl.hpp>
+
+#include <linelet/opencl/device.h>
+
+namespace linelet::opencl {
+
+/** \brief The name of an OpenCL error code, as in CL_OUT_OF_RESOURCES. */
+const char*
+errorName(cl_int code);
+
+/** \brief \a error of OpenCL as ours, in one sentence. */
+Error
+explained(const cl::Error& error, const std::string& device);
+
+/** \brief A device with its context, queue, and the programs built for it so far. */
+class Context {
+public:
+  /** \brief Opens a device: the first GPU, else the first device of any kind; or the
+   * first one whose number (as listed by \ref devices) or part of whose name is \a
+   * wish. \throws Error listing the devices where there is none such */
+  explicit Context(const std::string& wish = {});
+
+  const Device&
+  device() const
+  {
+    return device_;
+  }
+
+  const cl::Context&
+  context() const
+  {
+    return context_;
+  }
+
+  const cl::CommandQueue&
+  queue() const
+  {
+    return queue_;
+  }
+
+  /** \brief Neighbours that the tensor kernel takes at a time: 1, 4, 8 or 16. */
+  unsigned
+  lanes() const
+  {
+    return lanes_;
+  }
+
+  /** \brief A kernel of the program built with \a definitions (`-D...`); built once. */
+  cl::Kernel
+  kernel(const std::string& name, const std::string& definitions = {});
+
+  /** \brief A buffer of \a bytes (at least one). */
+  cl::Buffer
+  buffer(std::size_t bytes) const;
+
+private:
+  const cl::Program&
+  program(const std::string& definitions);
+
+  Device device_;
+  unsigned lanes_ = 1;
+  cl::Device cl_device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  std::map<std::string, cl::Program> programs_;
+};
+
+} // namespace linelet::opencl

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The neighbourhood tensor of one query per work-item.
+//
+// Built with constants: CENTROID (the enumerator of linelet::Centroid), TENSOR_WEIGHT and
+// CENTROID_WEIGHT with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND, and EXACT
+// where the device computes in double; left out of programs built without them.
+//
+// All lengths are in float relative to the query point, which no offset of the cloud
+// touches. Where a squared distance lies within BAND of the squared radius, the query is walked once more
+// and such pairs are decided by the rule of all engines, d^2 <= r^2 in double.
+
+#ifdef CENTROID
+
+#define BAND 1.5e-5f
+#define MOST_MEDIAN_STEPS 300
+#define MEDIAN_STEP 1e-7f // a shorter step, in units of the radius, ends the iteration
+#define MEDIAN_HERE 1e-6f // neighbours so close to the iterate count as lying at it
+
+typedef struct {
+  global const float *x, *y, *z; // sorted points, relative to chunk and cells
+  global const uint* runs;       // ROWS x (begin, next chunk, end) of the query's cell
+  float qx, qy, qz;              // query, relative to its chunk and cells
+  float chunk_step;              // length of a chunk
+  int chunk;                     // chunk of the first cell of the runs less the query's
+  float cell_size, inverse_radius;
+  float surely_inside, perhaps_inside; // squared distances, see BAND
+#ifdef EXACT
+  global const double *exact, *query; // sorted points, this query
+  double squared_radius;
+#endif
+} Walk;
+
+typedef struct {
+  float weight, x, y, z;
+  float xx, xy, xz, yy, yz, zz;
+  uint count;
+  uint border; // pairs too close to the radius to be decided in float
+} Sums;
+
+// The same lane by lane; added up once, after the last run.
+typedef struct {
+  Floats weight, x, y, z;
+  Floats xx, xy, xz, yy, yz, zz;
+  Ints count, perhaps;
+} LaneSums;
+
+#define SWEEP_MOMENTS 0  // weighted tensor about the centre
+#define SWEEP_CENTROID 1 // weighted sum of positions; weights by distance to the query
+#define SWEEP_PULL 2     // Weiszfeld's iteration at the centre
+
+// Decides the lanes that lie next to the border of the ball.
+INLINE Ints
+decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
+{
+#ifdef EXACT
+  const Ints border =
+      MASK_IF(squared > walk->surely_inside && squared <= walk->perhaps_inside);
+  if (!ANY(border))
+    return inside;
+  int lanes[WIDTH], decided[WIDTH];
+#if WIDTH == 1
+  lanes[0] = border;
+  decided[0] = inside;
+#else
+  JOIN(vstore, WIDTH)(border, 0, lanes);
+  JOIN(vstore, WIDTH)(inside, 0, decided);
+#endif
+  for (uint lane = 0; lane < WIDTH; ++lane) {
+    if (lanes[lane] == 0)
+      continue;
+    global const double* point = walk->exact + 3 * (first + lane);
+    const double dx = point[0] - walk->query[0], dy = point[1] - walk->query[1],
+                 dz = point[2] - walk->query[2];
+    // Rounded after every operation and added in the order of the other engines: volatile
+    // keeps compilers from fusing and reordering.
+    volatile double xx = dx * dx, yy = dy * dy, zz = dz * dz;
+    volatile double xx_yy = xx + yy;
+    decided[lane] = xx_yy + zz <= walk->squared_radius ? -1 : 0;
+  }
+#if WIDTH == 1
+  return decided[0];
+#else
+  return JOIN(vload, WIDTH)(0, decided);
+#endif
+#else
+  return MASK_IF(squared * walk->inverse_radius * walk->inverse_radius <= 1);
+#endif
+}
+
+// Adds the neighbours among WIDTH sorted points, of which only the first `left` count if
+// this is the tail of a run; o is the query as the run's coordinates see it, c the centre
+// relative to the query.
+INLINE void
+addPoints(const Walk* walk,
+          uint first,
+          int left,
+          float ox,
+          float oy,
+          float oz,
+          float cx,
+          float cy,
+          float cz,
+          const bool tail,
+          const int sweep,
+          const bool exact,
+          LaneSums* sums)
+{
+  const Floats zero = 0;
+  const Floats dx = LOAD(walk->x + first) - ox, dy = LOAD(walk->y + first) - oy,
+               dz = LOAD(walk->z + first) - oz;
+  const Floats squared = dx * dx + dy * dy + dz * dz;
+  Ints inside = MASK_IF(squared <= walk->surely_inside);
+  Ints perhaps = MASK_IF(squared <= walk->perhaps_inside);
+  if (exact)
+    inside = decideBorder(walk, first, squared, inside);
+  if (tail) {
+    const Ints valid = MASK_IF(LANES < left);
+    inside &= valid;
+    perhaps &= valid;
+  }
+  sums->count -= inside;
+  if (!exact)
+    sums->perhaps -= perhaps;
+  const Floats vx = dx - cx, vy = dy - cy, vz = dz - cz;
+  const float scale = walk->inverse_radius;
+  if (sweep == SWEEP_CENTROID) {
+    const Floats wanted =
+        CENTROID != 2 ? 1
+                      : weightOf(CENTROID_WEIGHT, C_FIRST, C_SECOND, sqrt(squared) * scale);
+    const Floats w = inside ? wanted : zero;
+    sums->x += w * dx;
+    sums->y += w * dy;
+    sums->z += w * dz;
+    sums->weight += w;
+  }
+  else if (sweep == SWEEP_PULL) {
+    const Floats distance = sqrt(vx * vx + vy * vy + vz * vz);
+    const Floats one = 1;
+    const Floats w = inside ? one : zero;
+    // Neighbours at the centre pull nowhere; their number is kept in xx.
+    const Ints here = MASK_IF(distance * scale < MEDIAN_HERE);
+    const Floats stiffness = here ? zero : w / distance;
+    sums->x += stiffness * vx;
+    sums->y += stiffness * vy;
+    sums->z += stiffness * vz;
+    sums->weight += stiffness;
+    sums->xx += here ? w : zero;
+  }
+  else {
+    const Floats wanted = weightOf(TENSOR_WEIGHT,
+                                   W_FIRST,
+                                   W_SECOND,
+                                   sqrt(vx * vx + vy * vy + vz * vz) * scale);
+    const Floats w = inside ? wanted : zero;
+    const Floats wx = w * vx, wy = w * vy;
+    sums->weight += w;
+    sums->xx += wx * vx;
+    sums->xy += wx * vy;
+    sums->xz += wx * vz;
+    sums->yy += wy * vy;
+    sums->yz += wy * vz;
+    sums->zz += w * vz * vz;
+  }
+}
+
+// Adds a run of sorted points. Reads up to WIDTH - 1 points beyond its end.
+INLINE void
+walkRun(const Walk* walk,
+        uint begin,
+        uint end,
+        float ox,
+        float oy,
+        float oz,
+        float cx,
+        float cy,
+        float cz,
+        const int sweep,
+        const bool exact,
+        LaneSums* sums)
+{
+  uint i = begin;
+  for (; i + WIDTH <= end; i += WIDTH)
+    addPoints(walk, i, WIDTH, ox, oy, oz, cx, cy, cz, false, sweep, exact, sums);
+  if (i < end)
+    addPoints(walk, i, (int)(end - i), ox, oy, oz, cx, cy, cz, true, sweep, exact, sums);
+}
+
+// Distance between a place and the interval [0, width].
+INLINE float
+distanceTo(float place, float width)
+{
+  return max(max(place - width, -place), 0.0f);
+}
+
+// Sums over all neighbours; the centre is relative to the query.
+INLINE Sums
+walkNeighbours(
+    const Walk* walk, float cx, float cy, float cz, const int sweep, const bool exact)
+{
+  LaneSums lanes = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  const float ox = walk->qx - (float)walk->chunk * walk->chunk_step;
+  for (int row = 0; row < ROWS; ++row) {
+    global const uint* run = walk->runs + 3 * row;
+    // The query as the row's cells see it.
+    const float oy = walk->qy - (float)(row % SIDE - REACH) * walk->cell_size;
+    const float oz = walk->qz - (float)(row / SIDE - REACH) * walk->cell_size;
+    const float dy = distanceTo(oy, walk->cell_size);
+    const float dz = distanceTo(oz, walk->cell_size);
+    if (dy * dy + dz * dz > walk->perhaps_inside)
+      continue;
+    walkRun(walk, run[0], run[1], ox, oy, oz, cx, cy, cz, sweep, exact, &lanes);
+    if (run[1] < run[2]) {
+      const float next = ox - walk->chunk_step;
+      walkRun(walk, run[1], run[2], next, oy, oz, cx, cy, cz, sweep, exact, &lanes);
+    }
+  }
+  Sums sums;
+  sums.weight = sumFloats(lanes.weight);
+  sums.x = sumFloats(lanes.x);
+  sums.y = sumFloats(lanes.y);
+  sums.z = sumFloats(lanes.z);
+  sums.xx = sumFloats(lanes.xx);
+  sums.xy = sumFloats(lanes.xy);
+  sums.xz = sumFloats(lanes.xz);
+  sums.yy = sumFloats(lanes.yy);
+  sums.yz = sumFloats(lanes.yz);
+  sums.zz = sumFloats(lanes.zz);
+  sums.count = sumInts(lanes.count);
+  sums.border = exact ? 0 : sumInts(lanes.perhaps) - sums.count;
+  return sums;
+}
+
+// The centroid by which this program was built; see linelet::centroid.
+INLINE void
+findCentroid(const Walk* walk, const bool exact, float* cx, float* cy, float* cz)
+{
+  *cx = *cy = *cz = 0;
+#if CENTROID != 0
+  Sums s = walkNeighbours(walk, 0, 0, 0, SWEEP_CENTROID, exact);
+  if (s.weight > 0) {
+    *cx = s.x / s.weight;
+    *cy = s.y / s.weight;
+    *cz = s.z / s.weight;
+  }
+#endif
+#if CENTROID == 3
+  for (int step = 0; step < MOST_MEDIAN_STEPS; ++step) {
+    s = walkNeighbours(walk, *cx, *cy, *cz, SWEEP_PULL, exact);
+    const float resultant = sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
+    if (!(s.weight > 0) || resultant <= s.xx)
+      return;
+    const float length = (1 - s.xx / resultant) / s.weight;
+    *cx += length * s.x;
+    *cy += length * s.y;
+    *cz += length * s.z;
+    if (length * resultant * walk->inverse_radius <= MEDIAN_STEP)
+      return;
+  }
+#endif
+}
+
+INLINE Sums
+tensorSums(const Walk* walk, const bool exact)
+{
+  float cx, cy, cz;
+  findCentroid(walk, exact, &cx, &cy, &cz);
+  return walkNeighbours(walk, cx, cy, cz, SWEEP_MOMENTS, exact);
+}
+
+// Output: for every query xx xy xz yy yz zz, and the count.
+kernel void
+tensors(global const Entry* queries,
+        uint count,
+        global const uint* cell_slot,
+        global const uint* all_runs,
+        global const float* offsets,
+        global const int4* cells,
+        global const float* radii,
+        float cell_size,
+        global const float* x,
+        global const float* y,
+        global const float* z,
+        global float* tensors_out,
+        global uint* counts_out
+#ifdef EXACT
+        ,
+        global const double* exact,
+        global const double* positions,
+        global const double* exact_radii
+#endif
+)
+{
+  const uint place = get_global_id(0);
+  if (place >= count)
+    return;
+  const uint i = queries[place].index;
+  const uint cell_begin = lowerBound(queries, count, queries[place].key);
+  const int chunk_mask = (1 << CHUNK_BITS) - 1;
+  Walk walk;
+  walk.x = x;
+  walk.y = y;
+  walk.z = z;
+  walk.runs = all_runs + 3 * ROWS * cell_slot[cell_begin];
+  walk.qx = offsets[3 * i] + cell_size * (float)(cells[i].x & chunk_mask);
+  walk.qy = offsets[3 * i + 1];
+  walk.qz = offsets[3 * i + 2];
+  walk.chunk_step = cell_size * (float)(chunk_mask + 1);
+  walk.chunk = (max(cells[i].x - REACH, 0) >> CHUNK_BITS) - (cells[i].x >> CHUNK_BITS);
+  walk.cell_size = cell_size;
+  walk.inverse_radius = 1 / radii[i];
+  walk.surely_inside = radii[i] * radii[i] * (1 - BAND);
+  walk.perhaps_inside = radii[i] * radii[i] * (1 + BAND);
+#ifdef EXACT
+  walk.exact = exact;
+  walk.query = positions + 3 * i;
+  walk.squared_radius = exact_radii[i] * exact_radii[i];
+#endif
+  Sums s = tensorSums(&walk, false);
+  if (s.border > 0)
+    s = tensorSums(&walk, true);
+  global float* t = tensors_out + 6 * i;
+  t[0] = s.xx / s.weight;
+  t[1] = s.xy / s.weight;
+  t[2] = s.xz / s.weight;
+  t[3] = s.yy / s.weight;
+  t[4] = s.yz / s.weight;
+  t[5] = s.zz / s.weight;
+  counts_out[i] = s.count;
+}
+
+#endif // CENTROID

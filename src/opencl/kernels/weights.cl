@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The weighting kernels of linelet::Weighting in float; numbered as the enumerators of
+// linelet::Kernel. The number is a constant at build time, so one case is left over.
+
+INLINE Floats
+power(Floats base, int exponent)
+{
+  Floats result = 1;
+  for (; exponent > 0; --exponent)
+    result *= base;
+  return result;
+}
+
+INLINE Floats
+bounce(Floats x)
+{
+  const Floats first = 121.0f / 16 * x * x;
+  const Floats second = (363.0f / 40 * x - 99.0f / 10) * x + 17.0f / 5;
+  const Floats third = (4356.0f / 361 * x - 35442.0f / 1805) * x + 16061.0f / 1805;
+  const Floats last = (54.0f / 5 * x - 513.0f / 25) * x + 268.0f / 25;
+  return x < 4.0f / 11 ? first : x < 8.0f / 11 ? second : x < 9.0f / 10 ? third : last;
+}
+
+INLINE Floats
+weightOf(const int kernel_number, float first, float second, Floats x)
+{
+  const Floats zero = 0, one = 1;
+  const Floats y = 1 - x;
+  const Ints rising = x < 0.5f;
+  Floats w = 0;
+  switch (kernel_number) {
+  case 0: // const
+    return one;
+  case 2: // linear-inverse
+    return min(0.1f / x, 1.0f);
+  case 4: // quadratic-inverse
+    return min(0.01f / (x * x), 1.0f);
+  case 6: // cubic-inverse
+    return min(0.001f / (x * x * x), 1.0f);
+  case 29: // fermi-dirac-1, -2, -3 and with parameters
+  case 30:
+  case 31:
+  case 32:
+    return 1 / (exp((x - first) / second) + 1);
+  case 33: // step
+    return x <= first ? one : zero;
+  case 1: // linear, cs-rbf-1
+  case 19:
+    w = y;
+    break;
+  case 3: // quadratic
+    w = 1 - x * x;
+    break;
+  case 5: // cubic
+    w = 1 - x * x * x;
+    break;
+  case 7: { // sph-3
+    const Floats a = 2 * x;
+    w = a < 1 ? 1 - 1.5f * a * a + 0.75f * a * a * a : 0.25f * power(2 - a, 3);
+    break;
+  }
+  case 8: { // sph-4
+    const Floats b = 2.5f * x;
+    w = power(2.5f - b, 4) - 5 * power(max(1.5f - b, 0.0f), 4) +
+        10 * power(max(0.5f - b, 0.0f), 4);
+    break;
+  }
+  case 9: { // sph-5
+    const Floats c = 3 * x;
+    w = power(3 - c, 5) - 6 * power(max(2 - c, 0.0f), 5) +
+        15 * power(max(1 - c, 0.0f), 5);
+    break;
+  }
+  case 10: // epanechnikov
+    w = 0.75f * (1 - x * x);
+    break;
+  case 11: // ease-bounce
+    w = 1 - (rising ? (1 - bounce(1 - 2 * x)) / 2 : (1 + bounce(2 * x - 1)) / 2);
+    break;
+  case 12: // ease-circular
+    w = 1 - (rising ? (1 - sqrt(max(1 - 4 * x * x, 0.0f))) / 2
+                    : (sqrt(max((3 - 2 * x) * (2 * x - 1), 0.0f)) + 1) / 2);
+    break;
+  case 13: { // ease-elastic
+    const Floats swing = 0.5f * sin(13 * M_PI_F * x);
+    w = 1 - (rising ? swing * exp2(10 * (2 * x - 1))
+                    : 1 - swing * exp2(-10 * (2 * x - 1)));
+    break;
+  }
+  case 14: // ease-exponential
+    w = 1 - (rising ? exp2(20 * x - 10) / 2 : 1 - exp2(10 - 20 * x) / 2);
+    w = x == 0 ? one : w;
+    break;
+  case 15: // ease-sine
+    w = (1 + cos(M_PI_F * x)) / 2;
+    break;
+  case 16: // ease-cubic
+    w = 1 - (rising ? 4 * x * x * x : power(2 * x - 2, 3) / 2 + 1);
+    break;
+  case 17: // ease-quadratic
+    w = 1 - (rising ? 2 * x * x : (4 - 2 * x) * x - 1);
+    break;
+  case 18: // ease-quintic
+    w = 1 - (rising ? 16 * power(x, 5) : power(2 * x - 2, 5) / 2 + 1);
+    break;
+  case 20: // cs-rbf-2
+    w = power(y, 3) * (3 * x + 1);
+    break;
+  case 21: // cs-rbf-3
+    w = power(y, 5) * ((8 * x + 5) * x + 1);
+    break;
+  case 22: // cs-rbf-4
+    w = y * y;
+    break;
+  case 23: // cs-rbf-5
+    w = power(y, 4) * (4 * x + 1);
+    break;
+  case 24: // cs-rbf-6
+    w = power(y, 6) * ((35 * x + 18) * x + 3);
+    break;
+  case 25: // cs-rbf-7
+    w = power(y, 8) * (((32 * x + 25) * x + 8) * x + 1);
+    break;
+  case 26: // cs-rbf-8
+    w = power(y, 3);
+    break;
+  case 27: // cs-rbf-9
+    w = power(y, 3) * (5 * x + 1);
+    break;
+  case 28: // cs-rbf-10
+    w = power(y, 7) * ((16 * x + 7) * x + 1);
+    break;
+  }
+  return x < 1 ? max(w, 0.0f) : zero;
+}
+
+// Evaluates a weighting at many places (a multiple of WIDTH of them), so that it can be
+// tested by itself.
+kernel void
+weights(int kernel_number, float first, float second, global const float* x, global float* w)
+{
+  const uint i = WIDTH * get_global_id(0);
+  const Floats values = weightOf(kernel_number, first, second, LOAD(x + i));
+#if WIDTH == 1
+  w[i] = values;
+#else
+  JOIN(vstore, WIDTH)(values, 0, w + i);
+#endif
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <gtest/gtest.h>
+
+#include <linelet/opencl/point_distribution_tensor_ocl.h>
+#include <linelet/opencl/tensor_engine.h>
+
+using namespace linelet;
+
+namespace {
+
+Points
+box(std::size_t count, const Point& extent, unsigned seed)
+{
+  boost::random::mt19937 random(seed);
+  boost::random::uniform_real_distribution<double> unit(0, 1);
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = unit(random), y = unit(random), z = unit(random);
+    points.emplace_back(extent.cwiseProduct(Point(x, y, z)));
+  }
+  return points;
+}
+
+/** \brief The reference: the kd-tree and double arithmetic. */
+std::vector<PointDistributionTensor>
+reference(const Points& surface,
+          const Points& queries,
+          TensorSettings settings,
+          const NeighbourhoodSizes& sizes)
+{
+  settings.engine = Engine::Tree;
+  return estimateTensors(surface, queries, settings, sizes);
+}
+
+void
+expectEqual(const std::vector<PointDistributionTensor>& a,
+            const std::vector<PointDistributionTensor>& b,
+            double tolerance = 1e-4)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    SCOPED_TRACE("point " + std::to_string(i));
+    ASSERT_EQ(a[i].neighbors, b[i].neighbors);
+    ASSERT_EQ(std::isnan(a[i].linearity), std::isnan(b[i].linearity));
+    if (std::isnan(a[i].linearity))
+      continue;
+    ASSERT_NEAR(a[i].linearity, b[i].linearity, tolerance);
+    ASSERT_NEAR(a[i].planarity, b[i].planarity, tolerance);
+    ASSERT_NEAR(a[i].sphericity, b[i].sphericity, tolerance);
+  }
+}
+
+class OpenCL : public ::testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (opencl::devices().empty())
+      GTEST_SKIP() << "OpenCL has no device here";
+    engine = std::make_unique<opencl::TensorEngine>();
+    ASSERT_TRUE(engine->device().double_precision);
+  }
+
+  void
+  check(const Points& surface,
+        const Points& queries,
+        const TensorSettings& settings,
+        const NeighbourhoodSizes& sizes = {})
+  {
+    expectEqual(engine->estimate(surface, queries, settings, sizes),
+                reference(surface, queries, settings, sizes));
+  }
+
+  std::unique_ptr<opencl::TensorEngine> engine;
+};
+
+TensorSettings
+withRadius(double radius, Weighting weighting = Kernel::Const)
+{
+  TensorSettings settings;
+  settings.radius = radius;
+  settings.weighting = weighting;
+  return settings;
+}
+
+const double not_known = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+// A program is built for every pair of centroid and weighting, so not every pair is
+// tried; Stages.WeightsAreThoseOfWeighting covers each weighting by itself.
+TEST_F(OpenCL, EveryCentroidGivesWhatTheReferenceGives)
+{
+  const Points points = box(1500, Point(8, 6, 2), 3);
+  for (const auto& centroid : Names<Centroid>::table) {
+    if (centroid.first == Centroid::WeightedMedian)
+      continue; // refused, see SaysWhatItCannotDo
+    SCOPED_TRACE(std::string(centroid.second));
+    TensorSettings settings = withRadius(0.9, "fermi-dirac-1");
+    settings.centroid = centroid.first;
+    check(points, points, settings);
+  }
+}
+
+TEST_F(OpenCL, WeightingsOfEveryKindGiveWhatTheReferenceGives)
+{
+  const Points points = box(400, Point(4, 3, 2), 4);
+  for (const char* weight :
+       {"const", "cubic-inverse", "sph-5", "ease-bounce", "cs-rbf-6", "step:0.45"}) {
+    SCOPED_TRACE(weight);
+    check(points, points, withRadius(0.9, weight));
+  }
+}
+
+TEST_F(OpenCL, AdversarialCloudsGiveWhatTheReferenceGives)
+{
+  {
+    SCOPED_TRACE("a lattice whose points lie exactly at the radius of each other");
+    Points lattice;
+    for (int x = 0; x < 12; ++x)
+      for (int y = 0; y < 12; ++y)
+        for (int z = 0; z < 12; ++z)
+          lattice.emplace_back(0.1 * x, 0.1 * y, 0.1 * z);
+    check(lattice, lattice, withRadius(0.3));
+  }
+  {
+    SCOPED_TRACE("all points in one cell");
+    check(box(500, Point(0.1, 0.1, 0.1), 5),
+          box(50, Point(0.1, 0.1, 0.1), 6),
+          withRadius(10));
+  }
+  {
+    SCOPED_TRACE("one point a cell, and a far outlier");
+    Points points = box(300, Point(1000, 1000, 1000), 7);
+    points.emplace_back(5e8, -5e8, 5e8);
+    check(points, points, withRadius(40));
+  }
+  {
+    SCOPED_TRACE("a line, far from the origin, long beside its radius");
+    Points line;
+    for (int i = 0; i < 3000; ++i)
+      line.emplace_back(5e5 + i, 5e6 + 0.01 * (i % 7), 100 + 0.01 * (i % 3));
+    check(line, line, withRadius(5));
+  }
+  {
+    SCOPED_TRACE("duplicates, not finite points, queries outside");
+    Points points = box(200, Point(1, 1, 1), 8);
+    points.insert(points.end(), 30, Point(5, 5, 5));
+    points.emplace_back(not_known, 0, 0);
+    Points queries = points;
+    queries.emplace_back(-50, 0.5, 0.5);
+    queries.emplace_back(1e9, 0.5, 0.5);
+    queries.emplace_back(1.2, 0.5, 0.5);
+    check(points, queries, withRadius(0.4));
+  }
+}
+
+TEST_F(OpenCL, SmallestClouds)
+{
+  EXPECT_TRUE(engine->estimate({}, {}, withRadius(1)).empty());
+  check({Point(1, 2, 3)}, {Point(1, 2, 3)}, withRadius(1));
+  check({}, {Point(1, 2, 3)}, withRadius(1));
+  check({Point(not_known, 0, 0)},
+        {Point(not_known, 0, 0), Point(0, 0, 0)},
+        withRadius(1));
+}
+
+TEST_F(OpenCL, RadiiPointByPoint)
+{
+  const Points points = box(800, Point(5, 5, 5), 9);
+  NeighbourhoodSizes sizes;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sizes.radii.push_back(0.2 + 0.002 * static_cast<double>(i % 400));
+  sizes.radii[3] = not_known;
+  sizes.radii[4] = 0;
+  sizes.radii[5] = -1;
+  TensorSettings settings;
+  check(points, points, settings, sizes);
+}
+
+TEST_F(OpenCL, LittleMemoryOnlyMeansMoreSlabs)
+{
+  const Points points = box(4000, Point(20, 5, 5), 10);
+  const TensorSettings settings = withRadius(0.8, "fermi-dirac-1");
+  const auto whole = engine->estimate(points, points, settings);
+  EXPECT_EQ(engine->slabs(), 1u);
+  engine->setMemoryLimit(400000);
+  const auto pieces = engine->estimate(points, points, settings);
+  EXPECT_GT(engine->slabs(), 4u);
+  expectEqual(whole, pieces, 1e-5);
+}
+
+TEST_F(OpenCL, SaysWhatItCannotDo)
+{
+  TensorSettings settings;
+  settings.k = 7;
+  EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
+               std::invalid_argument);
+  settings = withRadius(1);
+  settings.centroid = Centroid::WeightedMedian;
+  EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
+               std::invalid_argument);
+  try {
+    opencl::TensorEngine("no such device");
+    FAIL() << "a device that is not there was opened";
+  }
+  catch (const opencl::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("no such device"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find(engine->device().name), std::string::npos);
+  }
+}
+
+TEST_F(OpenCL, FeatureFollowsTheRulesOfPcl)
+{
+  const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const Point& p : box(300, Point(3, 3, 1), 11))
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()),
+                                   static_cast<float>(p.y()),
+                                   static_cast<float>(p.z())));
+  cloud->push_back(pcl::PointXYZ(not_a_number, 0, 0));
+  cloud->is_dense = false;
+  cloud->header.frame_id = "frame";
+  const pcl::IndicesPtr indices(new pcl::Indices{300, 5, 5, 17});
+
+  PointDistributionTensorEstimation<pcl::PointXYZ> cpu;
+  PointDistributionTensorEstimationOCL<pcl::PointXYZ> ocl;
+  pcl::PointCloud<PointDistributionTensor> expected, computed;
+  for (auto* feature : {&cpu, static_cast<decltype(&cpu)>(&ocl)}) {
+    feature->setInputCloud(cloud);
+    feature->setIndices(indices);
+    feature->setRadiusSearch(0.7);
+    feature->setCentroid(Centroid::Mean);
+    feature->compute(feature == &cpu ? expected : computed);
+  }
+  ASSERT_EQ(computed.size(), 4u);
+  EXPECT_FALSE(computed.is_dense);
+  EXPECT_EQ(computed.header.frame_id, "frame");
+  expectEqual({expected.begin(), expected.end()}, {computed.begin(), computed.end()});
+
+  ocl.setRadiusSearch(0); // no size of neighbourhood at all
+  ocl.compute(computed);
+  EXPECT_TRUE(computed.empty());
+}
