@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <linelet/features/centroid_shift.h>
+#include <linelet/features/multi_scale.h>
+#include <linelet/features/noise_rate.h>
+#include <linelet/io/point_file.h>
+
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+namespace {
+
+double
+now()
+{
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+/** \brief What the largest radius costs, measured on a few points. */
+struct Cost {
+  double neighbors = 0; ///< of a point within the largest radius, on average
+  double seconds = 0;   ///< for all points
+};
+
+Cost
+estimateCost(const Points& points, MultiScaleSettings settings)
+{
+  constexpr std::size_t most_samples = 64;
+  Points sample;
+  const std::size_t step = points.size() / most_samples + 1;
+  for (std::size_t i = 0; i < points.size(); i += step)
+    sample.push_back(points[i]);
+  Cost cost;
+  const double begin = now();
+  multiScaleShapes(points, {}, settings);
+  const double prepared = now();
+  multiScaleShapes(points, sample, settings, [&](std::size_t, const ShapeGraph& graph) {
+    cost.neighbors += graph.back().neighbors;
+  });
+  const auto count = static_cast<double>(sample.size());
+  cost.neighbors /= count;
+  const double preparation = prepared - begin;
+  cost.seconds = preparation + std::max(0.0, now() - prepared - preparation) / count *
+                                   static_cast<double>(points.size());
+  return cost;
+}
+
+/** \brief Writes the graphs of every point as they come. */
+class GraphFile {
+public:
+  GraphFile(const std::string& path, const std::vector<double>& radii)
+      : path_(path), radii_(radii), file_(std::fopen(path.c_str(), "w"), std::fclose)
+  {
+    if (!file_)
+      fail();
+    std::fputs("point,scale,radius,neighbors,linearity,planarity,sphericity,"
+               "major_x,major_y,major_z\n",
+               file_.get());
+  }
+
+  void
+  write(std::size_t point, const ShapeGraph& graph)
+  {
+    for (std::size_t k = 0; k < graph.size(); ++k) {
+      const ScaleShape& s = graph[k];
+      std::fprintf(file_.get(), "%zu,%zu,%.9g,%u", point, k, radii_[k], s.neighbors);
+      for (const float value :
+           {s.linearity, s.planarity, s.sphericity, s.major_x, s.major_y, s.major_z})
+        if (std::isnan(value))
+          std::fputs(",", file_.get()); // an empty cell is what readers take for NaN
+        else
+          std::fprintf(file_.get(), ",%.7g", static_cast<double>(value));
+      std::fputc('\n', file_.get());
+    }
+  }
+
+  void
+  close()
+  {
+    if (std::ferror(file_.get()) != 0 || std::fclose(file_.release()) != 0)
+      fail();
+  }
+
+private:
+  [[noreturn]] void
+  fail() const
+  {
+    throw std::runtime_error(
+        path_ + ": cannot be written; check that the folder exists and has room");
+  }
+
+  std::string path_;
+  const std::vector<double>& radii_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+template <class T>
+void
+addColumn(io::Cloud& cloud,
+          const std::vector<MultiScaleShape>& shapes,
+          const char* name,
+          T MultiScaleShape::*member,
+          const char* description)
+{
+  std::vector<T> values;
+  values.reserve(shapes.size());
+  for (const MultiScaleShape& shape : shapes)
+    values.push_back(shape.*member);
+  cloud.set({name, std::move(values), description});
+}
+
+void
+addColumns(io::Cloud& cloud, const std::vector<MultiScaleShape>& shapes)
+{
+  using S = MultiScaleShape;
+  const auto add = [&](const char* name, auto member, const char* description) {
+    addColumn(cloud, shapes, name, member, description);
+  };
+  add("linearity", &S::linearity, "CL at the optimal scale");
+  add("planarity", &S::planarity, "CP at the optimal scale");
+  add("sphericity", &S::sphericity, "CS at the optimal scale");
+  add("optimal_radius", &S::optimal_radius, "radius of the optimal scale");
+  add("blend", &S::blend, "trust in the eigenvector");
+  add("linearity_sum", &S::linearity_sum, "area under linearity graph");
+  add("linearity_max", &S::linearity_max, "largest CL of all scales");
+  add("min_sphericity", &S::min_sphericity, "smallest CS of all scales");
+  add("major_x", &S::major_x, "direction, optimal scale");
+  add("major_y", &S::major_y, "direction, optimal scale");
+  add("major_z", &S::major_z, "direction, optimal scale");
+  add("neighbors", &S::neighbors, "points within optimal radius");
+  add("first_neighbors", &S::first_neighbors, "neighbours, smallest scale");
+  add("scale", &S::scale, "number of the optimal scale");
+}
+
+/** \brief Shapes about the query points, for which the noise measures are defined. */
+std::vector<MultiScaleShape>
+shapesAboutPoints(const Points& points,
+                  MultiScaleSettings settings,
+                  const MultiScaleShapes& result,
+                  Monitor* monitor)
+{
+  settings.centroid = Centroid::QueryPoint;
+  settings.stop_change = 0;
+  settings.radii = result.radii;
+  return multiScaleShapes(points, points, settings, {}, monitor).shapes;
+}
+
+/** \brief JSON has no NaN. */
+nlohmann::ordered_json
+numberOrNull(double value)
+{
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+}
+
+} // namespace
+
+int
+runMultiscale(const std::vector<std::string>& arguments)
+{
+  Frame frame(
+      "multiscale",
+      "Measures the shape of every point's neighbourhood over many radii and "
+      "chooses the one that shows a curve best. Adds the shape, direction and "
+      "radius of the optimal scale and what the graphs of linearity and "
+      "sphericity come to; prints the noise rate. All attributes of the input "
+      "are kept.\n"
+      "Time grows with the number of points within the largest radius: on wires "
+      "in proportion to it, on surfaces to its square. A job of more than a few "
+      "seconds says before it starts how many neighbours a point has and how "
+      "long it will take.");
+  MultiScaleSettings settings;
+  CentroidShiftSettings shift;
+  io::ReadOptions reading;
+  std::string input, output, graphs;
+  frame.app.add_option("INPUT", input, "point file")->required();
+  frame.app.add_option("OUTPUT", output, "point file, format by ending")->required();
+  addOptions(frame.app, settings);
+  frame.app.add_option("--graphs", graphs, "CSV file for the graphs of every point");
+  frame.app.add_option("--centroid-shift",
+                       shift.radius,
+                       "first move every point to the mean of its neighbours within "
+                       "this radius (the output has the moved points); 0: do not");
+  frame.app.add_flag(
+      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  frame.parse(arguments);
+  settings.threads = shift.threads = frame.threads;
+
+  std::vector<std::string> warnings;
+  io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  frame.warn(warnings);
+  if (shift.radius != 0)
+    cloud.points = shiftToCentroids(cloud.points, shift, &frame.monitor);
+
+  MultiScaleShapes result = multiScaleRadii(cloud.points, settings, &frame.monitor);
+  const double scale_unit = result.scale_unit;
+  MultiScaleSettings planned = settings;
+  planned.radii = result.radii;
+  planned.stop_change = 0;
+  if (!cloud.points.empty()) {
+    const Cost cost = estimateCost(cloud.points, planned);
+    if (cost.seconds > 3)
+      std::fprintf(stderr,
+                   "linelet multiscale: largest radius %.4g holds %.0f neighbours a "
+                   "point; about %.0f s for %zu points, less with a smaller "
+                   "--max-radius\n",
+                   result.radii.back(),
+                   cost.neighbors,
+                   cost.seconds,
+                   cloud.points.size());
+  }
+
+  if (graphs.empty())
+    result = multiScaleShapes(cloud.points, cloud.points, planned, {}, &frame.monitor);
+  else {
+    GraphFile file(graphs, planned.radii);
+    result = multiScaleShapes(
+        cloud.points,
+        cloud.points,
+        planned,
+        [&](std::size_t point, const ShapeGraph& graph) { file.write(point, graph); },
+        &frame.monitor);
+    file.close();
+  }
+  const std::vector<MultiScaleShape> about_points =
+      settings.centroid == Centroid::QueryPoint
+          ? result.shapes
+          : shapesAboutPoints(cloud.points, settings, result, &frame.monitor);
+  const double noise_rate = noiseRate(about_points);
+  const double noise_width = noiseWidth(about_points);
+
+  std::size_t unknown = 0;
+  for (const MultiScaleShape& shape : result.shapes)
+    unknown += shape.scale < 0 ? 1 : 0;
+  addColumns(cloud, result.shapes);
+  warnings.clear();
+  io::writeCloud(output, cloud, &warnings, &frame.monitor);
+  frame.warn(warnings);
+
+  std::printf("%s: %zu points, scale unit D %.6g, %zu radii from %.6g to %.6g\n"
+              "noise rate %.4f, noise width %.4g\n",
+              output.c_str(),
+              cloud.points.size(),
+              scale_unit,
+              result.radii.size(),
+              result.radii.front(),
+              result.radii.back(),
+              noise_rate,
+              noise_width);
+  if (unknown > 0)
+    std::printf("%zu points have no optimal scale: fewer than %u points within the "
+                "largest radius\n",
+                unknown,
+                settings.graph.min_neighbors);
+  frame.summary["points"] = cloud.points.size();
+  frame.summary["scale_unit"] = numberOrNull(scale_unit);
+  frame.summary["radii"] = result.radii;
+  frame.summary["noise_rate"] = numberOrNull(noise_rate);
+  frame.summary["noise_width"] = numberOrNull(noise_width);
+  frame.summary["unknown"] = unknown;
+  return frame.finish();
+}
+
+} // namespace linelet::apps

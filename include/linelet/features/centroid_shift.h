@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/support/monitor.h>
+#include <linelet/support/points.h>
+#include <linelet/tensor/centroid.h>
+#include <linelet/tensor/weighting.h>
+
+namespace linelet {
+
+/** \brief Parameters of \ref shiftToCentroids. */
+struct CentroidShiftSettings {
+  double radius = 0; ///< of the neighbourhoods, unit of the points
+  Centroid centroid = Centroid::Mean;
+  Weighting weighting = Kernel::QuadraticInverse; ///< of the weighted centroids
+  unsigned threads = 0;                           ///< 0: all
+};
+
+/** \brief Moves every point to the centroid of its neighbourhood, which thins out noise
+ * across curves before the multi-scale feature or a reconstruction.
+ *
+ * Neighbours (d <= radius) are always those of the unmoved points. Ends of curves draw
+ * in by about half the radius and curvature is cut, so the radius should be little more
+ * than the noise. The same for every number of threads.
+ * \param[in] points any; those that are not finite stay as they are
+ * \throws std::invalid_argument unless the radius is positive and finite; Cancelled */
+Points
+shiftToCentroids(const Points& points,
+                 const CentroidShiftSettings& settings,
+                 Monitor* monitor = nullptr);
+
+} // namespace linelet
