@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <linelet/features/grid_tensor_engine.h>
 #include <linelet/search/grid_search.h>
 #include <linelet/search/kd_tree.h>
 #include <linelet/support/threads.h>
@@ -153,18 +154,10 @@ unknownTensor(std::uint32_t neighbors)
 }
 
 PointDistributionTensor
-tensorOf(const Points& offsets, double radius, const TensorSettings& settings)
+recordOf(const SymmetricTensor& t, double extent, std::uint32_t neighbors)
 {
-  const auto neighbors = static_cast<std::uint32_t>(offsets.size());
-  const Point reference = centroid(
-      settings.centroid, offsets, Point::Zero(), radius, settings.centroid_weighting);
-  const SymmetricTensor t =
-      neighbourhoodTensor(offsets, reference, radius, settings.weighting);
   const EigenSystem system = eigenAnalysis(t);
-  double extent = 0;
-  for (const Point& offset : offsets)
-    extent = std::max(extent, offset.squaredNorm());
-  const ShapeFactors shape = shapeFactors(system.values, std::sqrt(extent));
+  const ShapeFactors shape = shapeFactors(system.values, extent);
   if (std::isnan(shape.linearity))
     return unknownTensor(neighbors);
 
@@ -189,6 +182,19 @@ tensorOf(const Points& offsets, double radius, const TensorSettings& settings)
           f(shape.planarity),
           f(shape.sphericity),
           neighbors};
+}
+
+PointDistributionTensor
+tensorOf(const Points& offsets, double radius, const TensorSettings& settings)
+{
+  const Point reference = centroid(
+      settings.centroid, offsets, Point::Zero(), radius, settings.centroid_weighting);
+  double extent = 0;
+  for (const Point& offset : offsets)
+    extent = std::max(extent, offset.squaredNorm());
+  return recordOf(neighbourhoodTensor(offsets, reference, radius, settings.weighting),
+                  std::sqrt(extent),
+                  static_cast<std::uint32_t>(offsets.size()));
 }
 
 std::vector<PointDistributionTensor>
@@ -239,6 +245,8 @@ estimateTensors(const Points& surface,
   validate(settings, sizes, queries.size());
   // The place where engines are chosen.
   if (chosenEngine(settings, sizes) == Engine::Grid) {
+    if (settings.radius > 0 || !sizes.radii.empty())
+      return estimateTensorsOnGrid(surface, queries, settings, sizes, monitor);
     const GridSearch search(surface, usualRadius(settings, sizes));
     return estimateTensors(search, surface, queries, settings, sizes, monitor);
   }

@@ -14,6 +14,7 @@
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/tensor/centroid.h>
+#include <linelet/tensor/neighbourhood_tensor.h>
 #include <linelet/tensor/weighting.h>
 
 namespace linelet {
@@ -90,6 +91,13 @@ chosenEngine(const TensorSettings& settings, const NeighbourhoodSizes& sizes = {
  */
 PointDistributionTensor
 tensorOf(const Points& offsets, double radius, const TensorSettings& settings);
+
+/** \brief The record of a tensor: eigen-analysis and shape factors.
+ * \param[in] tensor of the neighbourhood
+ * \param[in] extent distance of the farthest neighbour, see \ref shapeFactors
+ * \param[in] neighbors number of neighbours */
+PointDistributionTensor
+recordOf(const SymmetricTensor& tensor, double extent, std::uint32_t neighbors);
 
 /** \brief The record of a point of which nothing is known, with the number of
  * neighbours that were found. */

@@ -88,6 +88,19 @@ PointDistributionTensorEstimation<PointInT>::querySizes() const
 }
 
 template <typename PointInT>
+std::vector<PointDistributionTensor>
+PointDistributionTensorEstimation<PointInT>::estimate(const Points& surface,
+                                                      const Points& queries,
+                                                      const TensorSettings& settings,
+                                                      const NeighbourhoodSizes& sizes)
+{
+  if (tree_ && settings.engine == Engine::Auto)
+    return estimateTensors(
+        PclSearch<PointInT>(*tree_, surface), surface, queries, settings, sizes);
+  return estimateTensors(surface, queries, settings, sizes);
+}
+
+template <typename PointInT>
 void
 PointDistributionTensorEstimation<PointInT>::computeFeature(PointCloudOut& output)
 {
@@ -102,14 +115,14 @@ PointDistributionTensorEstimation<PointInT>::computeFeature(PointCloudOut& outpu
     queries.emplace_back(point.x, point.y, point.z);
   }
 
-  const std::vector<PointDistributionTensor> records =
-      tree_ && settings.engine == Engine::Auto
-          ? estimateTensors(PclSearch<PointInT>(*tree_, surface),
-                            surface,
-                            queries,
-                            settings,
-                            querySizes())
-          : estimateTensors(surface, queries, settings, querySizes());
+  std::vector<PointDistributionTensor> records;
+  try {
+    records = estimate(surface, queries, settings, querySizes());
+  }
+  catch (const std::exception& error) {
+    PCL_ERROR("[pcl::%s::compute] %s\n", getClassName().c_str(), error.what());
+    records.assign(queries.size(), unknownTensor(0));
+  }
   output.is_dense = true;
   for (std::size_t i = 0; i < records.size(); ++i) {
     output[i] = records[i];
