@@ -29,7 +29,12 @@ constexpr std::array<Scale, 4> scales = {
     {{1, 0.85, 5}, {2, 0.93, 5}, {4, 0.975, 5}, {8, 0.995, 6}}};
 constexpr double voxel = 0.5;        // one seed, or one point of the coarse cloud, each
 constexpr double steepest = 0.55;    // of a wire's direction, as sine
-constexpr double round_enough = 0.5; // sphericity that ends the search for a line
+constexpr double round_enough = 0.3; // sphericity that ends the search for a line
+constexpr std::size_t enough = 8;    // points that make it worth believing
+constexpr double bundle_radius = 4;  // metres, of the search for a wire among others
+constexpr double bundle_linearity = 0.5;
+constexpr std::size_t crowded = 400; // points around, too many for wires alone
+constexpr double bundle_tube = 0.12; // metres
 
 struct VoxelRun {
   Indices order;                   // candidates, voxel by voxel
@@ -98,6 +103,52 @@ shapeAround(const UniformGrid& grid,
   return shape;
 }
 
+// A wire that runs close to others makes no line with them, but there is a line through
+// the point itself, in about the direction of all, with a moat around it.
+Seed
+seedAmongOthers(const Candidates& candidates, Index c)
+{
+  const Seed none = {c, 0, 0, Point::Zero()};
+  const Point& centre = candidates.points[c];
+  std::vector<Point> around;
+  candidates.grid.forEachWithin(centre, bundle_radius, [&](Index i, double) {
+    around.push_back(candidates.points[i] - centre);
+  });
+  if (around.size() < 12 || around.size() > crowded)
+    return none;
+  Point direction;
+  for (const double cut : {1e3, 0.6, 0.4, 0.25}) {
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const Point& v : around) {
+      const double off = cut < 1e3 ? v.cross(direction).squaredNorm() / (cut * cut) : 0;
+      if (off < 1)
+        squares += (1 - off) * (1 - off) * v * v.transpose();
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(squares);
+    direction = solver.eigenvectors().col(2);
+    const Point& values = solver.eigenvalues();
+    if (!(values.sum() > 0) ||
+        values[2] - values[1] < bundle_linearity * values.sum() ||
+        std::abs(direction.z()) > steepest)
+      return none;
+  }
+  std::size_t tube = 0, moat = 0;
+  std::array<bool, 8> filled = {};
+  for (const Point& v : around) {
+    const double off = v.cross(direction).norm();
+    tube += off <= bundle_tube;
+    moat += off > bundle_tube && off <= 2 * bundle_tube;
+    if (off <= bundle_tube) {
+      const double place = (direction.dot(v) / bundle_radius + 1) / 2;
+      filled[static_cast<std::size_t>(std::clamp(place * 8, 0.0, 7.0))] = true;
+    }
+  }
+  if (tube < 5 || moat * 3 > tube || std::count(filled.begin(), filled.end(), true) < 5)
+    return none;
+  return {c, 0.5F, static_cast<float>(bundle_radius), direction};
+}
+
 } // namespace
 
 Candidates
@@ -148,14 +199,17 @@ findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor)
     for (std::size_t v = first; v < last; ++v) {
       const Index c = voxels.order[voxels.begins[v]];
       best[v] = {c, 0, 0, Point::Zero()};
+      bool round = false;
       for (const Scale& scale : scales) {
         const bool fine = scale.radius <= 2;
         const Shape shape = shapeAround(fine ? candidates.grid : coarse_grid,
                                         fine ? candidates.points : coarse,
                                         candidates.points[c],
                                         scale.radius);
-        if (shape.count >= 12 && shape.sphericity > round_enough)
+        if (shape.count >= enough && shape.sphericity > round_enough) {
+          round = true;
           break;
+        }
         if (shape.count < scale.least_points || shape.linearity < scale.linearity ||
             std::abs(shape.direction.z()) > steepest ||
             shape.linearity <= best[v].linearity)
@@ -165,6 +219,8 @@ findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor)
                    static_cast<float>(scale.radius),
                    shape.direction};
       }
+      if (!round && best[v].linearity <= 0)
+        best[v] = seedAmongOthers(candidates, c);
     }
     if (monitor != nullptr)
       monitor->advance(last - first);

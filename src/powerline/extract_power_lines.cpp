@@ -117,6 +117,7 @@ extractPowerLines(const Points& points,
       hanging.push_back({std::move(strand), {}});
     stages.begin("supports");
     matchEnds(hanging);
+    dropUnlikely(hanging, growth);
     std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);
     stages.begin("catenaries");
     network.wires = describeWires(hanging, growth, settings);

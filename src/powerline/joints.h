@@ -69,6 +69,12 @@ meet(const Hanging& a,
      int side_b,
      const Crossarm& arm = {});
 
+/** \brief Drops what only looks like a wire: short pieces with neither continuation nor
+ * company, and straight steep ropes without continuation, as cranes have them. Their
+ * points become free. Ends must have been matched. */
+void
+dropUnlikely(std::vector<Hanging>& wires, Growth& growth);
+
 /** \brief Makes partners of ends that face each other across a support, best first. */
 void
 matchEnds(std::vector<Hanging>& wires);
