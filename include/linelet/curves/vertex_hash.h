@@ -39,6 +39,13 @@ public:
   void
   forEachNear(const Point& query, double radius, Visit&& visit) const
   {
+    const double across = 2 * radius / cell_ + 1;
+    if (across * across * across > 8 * static_cast<double>(cells_.size()) + 64) {
+      for (const auto& entry : cells_)
+        for (const Index vertex : entry.second)
+          visit(vertex);
+      return;
+    }
     const Cell low = cellOf(query.array() - radius),
                high = cellOf(query.array() + radius);
     for (std::int64_t z = low[2]; z <= high[2]; ++z)
