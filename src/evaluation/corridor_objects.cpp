@@ -230,8 +230,16 @@ addObjects(Scene& scene, const CorridorSettings& settings, Random& random)
 
   const double hectares = settings.length * settings.width / 1e4;
   const auto trees = static_cast<int>(settings.trees * hectares);
+  Point last = anywhere();
   for (int i = 0; i < trees; ++i) {
-    const Point p = anywhere();
+    // Every other one stands close to the last: groves and rows as well as lone trees.
+    Point p = anywhere();
+    if (random.integer(0, 1) == 0) {
+      const double dx = random.normal(5), dy = random.normal(5);
+      p = ground(std::clamp(last.x() + dx, 0.0, settings.length),
+                 std::clamp(last.y() + dy, -half, half));
+    }
+    last = p;
     double height = random.uniform(5, 22);
     // Below and beside wires they are cut now and then, not always in time.
     const double room = scene.lowestWire(p.x(), p.y(), 0.25 * height + 3) - p.z() -

@@ -123,7 +123,7 @@ private:
       return;
     std::uint8_t classification = hit.classification;
     if (classification == GroundClass) {
-      if (++ground_ % settings_.thin_ground != 0)
+      if (random_.uniform(0, settings_.thin_ground) >= 1)
         return;
       p.z() += std::abs(random_.normal(0.02)); // grass
     }
@@ -156,7 +156,6 @@ private:
   double beam_;
   RayCaster caster_;
   std::vector<Return> returns_;
-  std::size_t ground_ = 0;
   CorridorScan out_;
 };
 

@@ -39,6 +39,7 @@ sceneOf(std::uint32_t seed)
   s.earth_wires = 1 + seed % 2;
   s.strips = 1 + seed / 2 % 2;
   s.density = std::vector<double>{20, 12, 30}[seed % 3];
+  s.divergence = std::vector<double>{0.5, 0.35, 0.5, 0.8}[seed / 2 % 4];
   s.trees = std::vector<double>{30, 120, 60, 10, 200}[seed % 5];
   s.houses = seed % 4 * 4;
   s.cranes = seed % 3;

@@ -45,9 +45,9 @@ namespace linelet::evaluation {
 struct CorridorSettings {
   double length = 500; ///< extent along the flight
   double width = 80;   ///< extent across the flight
-  double density = 20; ///< pulses per square metre, all strips together
+  double density = 25; ///< pulses per square metre, all strips together
   double altitude = 400;
-  double divergence = 0.8;   ///< full opening angle of the beam, mrad
+  double divergence = 0.5;   ///< full opening angle of the beam, mrad
   unsigned strips = 1;       ///< parallel flight lines
   double range_noise = 0.02; ///< standard deviation along the ray
   double strip_error = 0.02; ///< standard deviation of a strip's offset
@@ -69,7 +69,7 @@ struct CorridorSettings {
   unsigned fences = 2;
   double gaps = 4;          ///< stretches of wire that return nothing, per kilometre
   double outliers = 2e-5;   ///< fraction of pulses that return from empty air
-  unsigned thin_ground = 1; ///< keep every n-th ground point only
+  unsigned thin_ground = 1; ///< keep one ground point in n
   std::uint32_t seed = 1;
 };
 
@@ -105,7 +105,7 @@ describe(CorridorSettings& s, Visit&& visit)
   visit("fences", s.fences, "fences");
   visit("gaps", s.gaps, "stretches of wire without returns, per kilometre");
   visit("outliers", s.outliers, "fraction of pulses that return from empty air");
-  visit("thin-ground", s.thin_ground, "keep every n-th ground point only");
+  visit("thin-ground", s.thin_ground, "keep one ground point in n");
   visit("seed", s.seed, "the same seed gives the same scene");
 }
 
