@@ -105,6 +105,7 @@ extractPowerLines(const Points& points,
     stages.begin("index");
     const Candidates candidates =
         findCandidates(points, network.ground, settings.min_height);
+    const Underside underside(points);
     stages.begin("seeds");
     const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
     stages.begin("wires");
@@ -116,8 +117,11 @@ extractPowerLines(const Points& points,
     for (Strand& strand : sortBundles(growth, std::move(pieces), settings))
       hanging.push_back({std::move(strand), {}});
     stages.begin("supports");
+    completeByCompany(hanging, growth, settings);
     matchEnds(hanging);
-    dropUnlikely(hanging, growth);
+    dropUnlikely(hanging, growth, underside, settings);
+    addStubs(hanging, growth, seeds, underside, settings);
+    matchEnds(hanging);
     std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);
     stages.begin("catenaries");
     network.wires = describeWires(hanging, growth, settings);

@@ -10,7 +10,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double growth_gap = 8;     // metres, bridged while growing
 constexpr double lock_length = 8;    // metres, from which bundles are told apart
 constexpr double lock_reach = 0.7;   // metres, around the model
 constexpr double lock_kernel = 0.12; // metres
@@ -115,7 +114,7 @@ Growth::collect(Piece& piece, double reach) const
 }
 
 bool
-Growth::advance(Piece& piece, int side, double limit, double& gap) const
+Growth::advance(Piece& piece, int side, double limit, double bridge, double& gap) const
 {
   SpanModel& m = piece.model;
   const double edge = side > 0 ? m.end : m.begin;
@@ -133,7 +132,7 @@ Growth::advance(Piece& piece, int side, double limit, double& gap) const
   const double expected = static_cast<double>(bin.ring) * share;
   if (static_cast<double>(bin.tube) <= expected + 2 * std::sqrt(expected)) {
     gap += bin_length;
-    return gap < std::min(growth_gap, settings_.max_gap);
+    return gap < std::min(bridge, settings_.max_gap);
   }
   for (const Index i : found) {
     const double s = m.along(candidates_.points[i]);
@@ -180,7 +179,7 @@ Growth::lockOnStrongestWire(Piece& piece) const
 }
 
 bool
-Growth::extend(Piece& piece, double low, double high, bool lock) const
+Growth::extend(Piece& piece, double low, double high, bool lock, double bridge) const
 {
   SpanModel& m = piece.model;
   bool open[2] = {true, true};
@@ -197,7 +196,7 @@ Growth::extend(Piece& piece, double low, double high, bool lock) const
     }
     for (int k = 0; k < 2; ++k)
       if (open[k])
-        open[k] = advance(piece, k == 0 ? -1 : 1, k == 0 ? low : high, gap[k]);
+        open[k] = advance(piece, k == 0 ? -1 : 1, k == 0 ? low : high, bridge, gap[k]);
     if (m.length() >= fitted + std::max(bin_length, 0.05 * fitted)) {
       if (!fit(m, candidates_.points, piece.members))
         return false;

@@ -27,6 +27,7 @@ struct Bin {
 };
 
 constexpr double bin_length = 2; ///< metres
+constexpr double growth_gap = 8; ///< metres, bridged while growing
 constexpr double ring_radius =
     0.8; ///< metres, of the surroundings a bin is compared with
 
@@ -49,7 +50,8 @@ public:
   extend(Piece& piece,
          double low = -std::numeric_limits<double>::infinity(),
          double high = std::numeric_limits<double>::infinity(),
-         bool lock = false) const;
+         bool lock = false,
+         double bridge = growth_gap) const;
 
   /** \brief Takes as members the free points within \a reach of the model, begin to
    * end, and fits again. False when too few are left. */
@@ -83,7 +85,7 @@ public:
 
 private:
   bool
-  advance(Piece& piece, int side, double limit, double& gap) const;
+  advance(Piece& piece, int side, double limit, double bridge, double& gap) const;
 
   bool
   lockOnStrongestWire(Piece& piece) const;

@@ -79,6 +79,7 @@ matchEnds(std::vector<Hanging>& wires)
   for (std::size_t w = 0; w < wires.size(); ++w)
     for (int side = 0; side < 2; ++side) {
       const Point at = wires[w].model().at(wires[w].edge(side));
+      wires[w].ends[static_cast<std::size_t>(side)] = {};
       wires[w].ends[static_cast<std::size_t>(side)].place = at;
       ends.push_back({at, static_cast<int>(w), side});
     }

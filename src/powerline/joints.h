@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "powerline/merge.h"
+#include "powerline/underside.h"
 
 namespace linelet::powerline {
 
@@ -69,11 +70,34 @@ meet(const Hanging& a,
      int side_b,
      const Crossarm& arm = {});
 
-/** \brief Drops what only looks like a wire: short pieces with neither continuation nor
- * company, and straight steep ropes without continuation, as cranes have them. Their
+/** \brief Carries wires on, across gaps, as far as those beside them reach. */
+void
+completeByCompany(std::vector<Hanging>& wires,
+                  Growth& growth,
+                  const PowerLineSettings& settings);
+
+/** \brief Adds wires that are short because the data end: they go on from the end of
+ * another wire, or run beside one. */
+void
+addStubs(std::vector<Hanging>& wires,
+         Growth& growth,
+         const std::vector<Seed>& seeds,
+         const Underside& underside,
+         const PowerLineSettings& settings);
+
+/** \brief Whether the data end within a few metres beyond one end of \a model. */
+bool
+leavesData(const SpanModel& model, int side, const Underside& underside);
+
+/** \brief Drops what only looks like a wire. A wire ends at a support or at the border
+ * of the data; short families of wires inside the data with neither, or without sag,
+ * are chords of booms and crossarms, and straight steep loose pieces are ropes. Their
  * points become free. Ends must have been matched. */
 void
-dropUnlikely(std::vector<Hanging>& wires, Growth& growth);
+dropUnlikely(std::vector<Hanging>& wires,
+             Growth& growth,
+             const Underside& underside,
+             const PowerLineSettings& settings);
 
 /** \brief Makes partners of ends that face each other across a support, best first. */
 void

@@ -15,6 +15,7 @@ constexpr double slice = 1;                  // metres of height
 constexpr double pole_radius = 0.4;          // metres
 constexpr double pole_search = 2;            // metres around the attachment points
 constexpr double body_search = 2.5;          // metres around the axis
+constexpr double body_flare = 0.12;          // growth of that per metre downwards
 constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
 constexpr double contrast = 3;    // density of the body over that of its surroundings
@@ -162,7 +163,14 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
     for (Local& p : all)
       p.v -= shift;
   }
-  const double fill = fillOf(all, 0, 0, body_search, low, high);
+  std::set<int> slices;
+  for (const Local& p : all)
+    if (p.z >= low && p.z < high &&
+        std::max(std::abs(p.u), std::abs(p.v)) <=
+            body_search + body_flare * std::max(0.0, tower.lowest_arm - p.z))
+      slices.insert(static_cast<int>((p.z - low) / slice));
+  const double fill = static_cast<double>(slices.size()) /
+                      std::max(1.0, std::floor((high - low) / slice));
   double inside = 0, around = 0;
   for (const Local& p : all) {
     if (p.z < (low + high) / 2 || p.z > high || std::abs(p.u) > body_search)

@@ -3,57 +3,151 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "powerline/evidence.h"
 #include "powerline/joints.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double alone_length = 25;  // metres, a lonely wire must be longer
-constexpr double company_reach = 14; // metres
-constexpr double company_part = 0.5; // of the length
+constexpr double company_reach = 14; // metres between the wires of a line
+constexpr double company_part = 0.5; // of the length of the shorter
 constexpr double steep = 0.12;       // slope between the ends
-constexpr double straight = 5e-5;    // 1/metres; a wire with a = 10 km
+constexpr double least_bend = 1e-4;  // z2 of a wire, 1/metres: a = 5 km
+constexpr double clear_bend = 2e-4;  // of a line so short that it hangs from poles
+constexpr double long_line = 60;     // metres, from which a line speaks for itself
+constexpr double short_line = 25;    // metres, the least inside the data
+constexpr double clean_part = 0.75;  // of the length of short wires at the border
 
-bool
-hasPartner(const Hanging& wire)
+struct Family {
+  double longest = 0; ///< longest chain of joined wires, metres
+  double single = 0;  ///< longest wire, metres
+  double bend = 0, weight = 0;
+  double clean = 0, occupied = 0; ///< bins
+  bool border = false;            ///< a wire leaves the data
+  std::size_t wires = 0;
+  bool joined = false; ///< some wires meet
+};
+
+double
+chainLength(const std::vector<Hanging>& wires, std::size_t start)
 {
-  return wire.ends[0].partner >= 0 || wire.ends[1].partner >= 0;
+  double length = wires[start].model().length();
+  for (int side = 0; side < 2; ++side) {
+    std::size_t w = start;
+    int out = side;
+    for (std::size_t steps = 0; steps < wires.size(); ++steps) {
+      const End& end = wires[w].ends[static_cast<std::size_t>(out)];
+      if (end.partner < 0 || static_cast<std::size_t>(end.partner) == start)
+        break;
+      w = static_cast<std::size_t>(end.partner);
+      out = 1 - end.partner_side;
+      length += wires[w].model().length();
+    }
+  }
+  return length;
 }
 
 bool
-unlikely(const std::vector<Hanging>& wires, std::size_t w)
+plausible(const Family& family)
 {
-  const SpanModel& m = wires[w].model();
-  if (hasPartner(wires[w]))
-    return false;
-  const double slope =
-      std::abs(SpanModel::value(m.z, m.end) - SpanModel::value(m.z, m.begin)) /
-      m.length();
-  if (slope > steep &&
-      m.z[2] - 2 * m.uncertainty(0) / (m.length() * m.length()) < straight)
-    return true;
-  if (m.length() >= alone_length)
-    return false;
-  return std::none_of(wires.begin(), wires.end(), [&](const Hanging& other) {
-    if (&other == &wires[w])
-      return false;
-    const Parallel parallel = compare(m, other.model());
-    return parallel.overlap >= company_part * m.length() &&
-           parallel.distance <= company_reach;
-  });
+  const double bend = family.bend / family.weight;
+  if (family.longest >= long_line)
+    return family.joined || family.border || bend >= least_bend;
+  if (family.border)
+    return family.clean >= clean_part * family.occupied &&
+           (family.wires > 1 || family.single >= short_line);
+  return family.single >= short_line && bend >= clear_bend;
 }
 
 } // namespace
 
 void
-dropUnlikely(std::vector<Hanging>& wires, Growth& growth)
+dropUnlikely(std::vector<Hanging>& wires,
+             Growth& growth,
+             const Underside& underside,
+             const PowerLineSettings& settings)
 {
-  std::vector<int> place(wires.size(), -1);
+  const std::size_t n = wires.size();
+  std::vector<std::size_t> parent(n), order(n);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto root = [&](std::size_t w) {
+    while (parent[w] != w)
+      w = parent[w] = parent[parent[w]];
+    return w;
+  };
+  const auto unite = [&](std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  const auto left = [&](std::size_t w) {
+    return std::min(wires[w].ends[0].place.x(), wires[w].ends[1].place.x());
+  };
+  const auto right = [&](std::size_t w) {
+    return std::max(wires[w].ends[0].place.x(), wires[w].ends[1].place.x());
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return left(a) != left(b) ? left(a) < left(b) : a < b;
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    const Hanging& a = wires[order[i]];
+    for (const End& end : a.ends)
+      if (end.partner >= 0)
+        unite(order[i], static_cast<std::size_t>(end.partner));
+    for (std::size_t k = i + 1;
+         k < n && left(order[k]) <= right(order[i]) + company_reach;
+         ++k) {
+      const Hanging& b = wires[order[k]];
+      const Parallel parallel = compare(a.model(), b.model());
+      if (parallel.distance <= company_reach &&
+          parallel.overlap >=
+              company_part * std::min(a.model().length(), b.model().length()))
+        unite(order[i], order[k]);
+    }
+  }
+
+  std::vector<Family> families(n);
+  std::vector<char> rope(n, 0);
+  for (std::size_t w = 0; w < n; ++w) {
+    const SpanModel& m = wires[w].model();
+    Family& family = families[root(w)];
+    const double weight = std::pow(m.length(), 3);
+    // What the points say, not what the prior of the fit does.
+    const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
+    family.bend += weight * (m.z[2] - vague);
+    family.weight += weight;
+    const double chain = chainLength(wires, w);
+    family.longest = std::max(family.longest, chain);
+    family.single = std::max(family.single, m.length());
+    ++family.wires;
+    if (chain < long_line) {
+      const Piece& piece = wires[w].strand.piece;
+      growth.claim(piece, Growth::nobody);
+      const Evidence evidence = weigh(growth, piece, settings);
+      growth.claim(piece, 0);
+      family.clean += evidence.clean;
+      family.occupied += evidence.occupied;
+    }
+    bool loose = chain < long_line;
+    for (int side = 0; side < 2; ++side) {
+      const bool joined = wires[w].ends[static_cast<std::size_t>(side)].partner >= 0;
+      const bool border = leavesData(m, side, underside);
+      family.border = family.border || border;
+      family.joined = family.joined || joined;
+      loose = loose && !border;
+    }
+    const double rise = SpanModel::value(m.z, m.end) - SpanModel::value(m.z, m.begin);
+    rope[w] = loose && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
+  }
+
+  std::vector<int> place(n, -1);
   std::vector<Hanging> kept;
-  for (std::size_t w = 0; w < wires.size(); ++w) {
-    if (!unlikely(wires, w)) {
+  for (std::size_t w = 0; w < n; ++w) {
+    if (rope[w] == 0 && plausible(families[root(w)])) {
       place[w] = static_cast<int>(kept.size());
       kept.push_back(wires[w]);
       continue;
@@ -62,11 +156,12 @@ dropUnlikely(std::vector<Hanging>& wires, Growth& growth)
     for (const Piece& companion : wires[w].strand.companions)
       growth.claim(companion, Growth::nobody);
   }
-  // Who has a partner is kept, and so is the partner.
   for (Hanging& wire : kept)
     for (End& end : wire.ends)
-      if (end.partner >= 0)
+      if (end.partner >= 0) {
         end.partner = place[static_cast<std::size_t>(end.partner)];
+        end.fixed = end.partner >= 0;
+      }
   wires = std::move(kept);
 }
 

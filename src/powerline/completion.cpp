@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include "powerline/evidence.h"
+#include "powerline/joints.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double company_reach = 14; // metres between wires of one span
+constexpr double company_part = 0.7; // of the length of the wire that is to grow
+constexpr double overshoot = 1;      // metres beyond the end of the company
+constexpr double border_step = 5;    // metres beyond an end
+constexpr double border_reach = 2;   // metres around that place
+constexpr double stub_reach = 8;     // metres from the end of a wire to its stub
+constexpr double stub_gap = 0.5;     // metres between them where they meet
+constexpr double least_stub = 4;     // metres
+constexpr double least_cosine = 0.99;
+
+// A stub has the length that the data leave it.
+bool
+goesOn(const std::vector<Hanging>& wires,
+       const Hanging& stub,
+       const Underside& underside)
+{
+  const SpanModel& m = stub.model();
+  for (int side = 0; side < 2; ++side) {
+    if (!leavesData(m, 1 - side, underside))
+      continue;
+    const Point near = m.at(stub.edge(side));
+    for (const Hanging& wire : wires) {
+      for (int other = 0; other < 2; ++other) {
+        if ((wire.model().at(wire.edge(other)) - near).norm() > stub_reach ||
+            wire.outward(other).dot(stub.outward(side)) > -0.5)
+          continue;
+        const Meeting meeting = meet(wire, other, stub, side);
+        if (meeting.gap <= stub_gap &&
+            std::abs(meeting.b - stub.edge(side)) <= stub_reach)
+          return true;
+      }
+      const Parallel parallel = compare(m, wire.model());
+      if (parallel.overlap >= company_part * m.length() &&
+          parallel.distance <= company_reach &&
+          std::abs(m.direction.dot(wire.model().direction)) >= least_cosine)
+        return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+bool
+leavesData(const SpanModel& model, int side, const Underside& underside)
+{
+  const Point p =
+      model.at(side == 0 ? model.begin - border_step : model.end + border_step);
+  return underside.emptyAround(p.x(), p.y(), border_reach);
+}
+
+void
+completeByCompany(std::vector<Hanging>& wires,
+                  Growth& growth,
+                  const PowerLineSettings& settings)
+{
+  for (Hanging& wire : wires) {
+    Piece& piece = wire.strand.piece;
+    const SpanModel& m = piece.model;
+    double low = m.begin, high = m.end;
+    for (const Hanging& other : wires) {
+      if (&other == &wire)
+        continue;
+      const Parallel parallel = compare(m, other.model());
+      if (parallel.overlap < company_part * m.length() ||
+          parallel.distance > company_reach)
+        continue;
+      const double from = m.along(other.model().at(other.model().begin));
+      const double to = m.along(other.model().at(other.model().end));
+      low = std::min({low, from, to});
+      high = std::max({high, from, to});
+    }
+    if (low > m.begin - bin_length && high < m.end + bin_length)
+      continue;
+    Piece longer = piece;
+    growth.claim(piece, Growth::nobody);
+    if (growth.extend(
+            longer, low - overshoot, high + overshoot, false, settings.max_gap) &&
+        longer.model.length() > m.length() && weigh(growth, longer, settings).accepted)
+      piece = std::move(longer);
+    growth.claim(piece, 0);
+  }
+}
+
+void
+addStubs(std::vector<Hanging>& wires,
+         Growth& growth,
+         const std::vector<Seed>& seeds,
+         const Underside& underside,
+         const PowerLineSettings& settings)
+{
+  PowerLineSettings relaxed = settings;
+  relaxed.min_length = std::min(least_stub, settings.min_length);
+  const Points& points = growth.candidates().points;
+  std::vector<char> tried(points.size(), 0);
+  const std::size_t count = wires.size();
+  for (const Seed& seed : seeds) {
+    const Point& p = points[seed.candidate];
+    if (tried[seed.candidate] != 0 || growth.owner(seed.candidate) != Growth::nobody)
+      continue;
+    const bool near = std::any_of(wires.begin(),
+                                  wires.begin() + static_cast<std::ptrdiff_t>(count),
+                                  [&](const Hanging& w) {
+                                    return std::min((w.ends[0].place - p).norm(),
+                                                    (w.ends[1].place - p).norm()) <
+                                           2 * stub_reach + settings.min_length;
+                                  });
+    if (!near)
+      continue;
+    for (Piece& piece : growth.grow(seed)) {
+      for (const Index i : piece.members)
+        tried[i] = 1;
+      Hanging stub;
+      stub.strand.piece = std::move(piece);
+      if (!weigh(growth, stub.strand.piece, relaxed).accepted ||
+          !goesOn(wires, stub, underside))
+        continue;
+      growth.claim(stub.strand.piece, 0);
+      wires.push_back(std::move(stub));
+    }
+  }
+}
+
+} // namespace linelet::powerline

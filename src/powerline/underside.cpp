@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/underside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace linelet::powerline {
+
+Underside::Underside(const Points& points)
+{
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  std::size_t count = 0;
+  for (const Point& p : points)
+    if (p.allFinite()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+      ++count;
+    }
+  if (count == 0)
+    return;
+  // A stray point far away must not blow the raster up.
+  const double most = 4.0 * static_cast<double>(count) + 1e6;
+  const Point extent = high - low;
+  while ((extent.x() / cell_ + 1) * (extent.y() / cell_ + 1) > most)
+    cell_ *= 2;
+  x_ = low.x();
+  y_ = low.y();
+  columns_ = static_cast<std::ptrdiff_t>(extent.x() / cell_) + 1;
+  rows_ = static_cast<std::ptrdiff_t>(extent.y() / cell_) + 1;
+  lowest_.assign(static_cast<std::size_t>(columns_ * rows_),
+                 std::numeric_limits<float>::quiet_NaN());
+  for (const Point& p : points)
+    if (p.allFinite()) {
+      const auto c = static_cast<std::ptrdiff_t>((p.x() - x_) / cell_);
+      const auto r = static_cast<std::ptrdiff_t>((p.y() - y_) / cell_);
+      float& lowest = lowest_[static_cast<std::size_t>(r * columns_ + c)];
+      lowest = std::fmin(lowest, static_cast<float>(p.z()));
+    }
+}
+
+float
+Underside::lowestAt(double x, double y) const
+{
+  const double c = std::floor((x - x_) / cell_), r = std::floor((y - y_) / cell_);
+  if (!(c >= 0 && r >= 0 && c < static_cast<double>(columns_) &&
+        r < static_cast<double>(rows_)))
+    return std::numeric_limits<float>::quiet_NaN();
+  return lowest_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(r) * columns_ +
+                                          static_cast<std::ptrdiff_t>(c))];
+}
+
+bool
+Underside::emptyAround(double x, double y, double reach) const
+{
+  for (double dx = -reach; dx <= reach; dx += cell_)
+    for (double dy = -reach; dy <= reach; dy += cell_)
+      if (!std::isnan(lowestAt(x + dx, y + dy)))
+        return false;
+  return true;
+}
+
+} // namespace linelet::powerline
