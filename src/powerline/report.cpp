@@ -50,7 +50,7 @@ td.bad{color:#c8102e;font-weight:700;background:#fdf0f2}
 .ink{fill:none;stroke:#1d232a;stroke-width:1.4}
 .north{fill:#1d232a}
 .grid{fill:none;stroke:#e4e8ec;stroke-width:1}
-.tick{fill:#5d6873}
+.tick{fill:#5d6873;paint-order:stroke;stroke:#fff;stroke-width:3px}
 .end{text-anchor:end}
 .middle{text-anchor:middle}
 .ground{fill:#e9e1d2;stroke:#9a8564;stroke-width:1.2}

@@ -112,6 +112,23 @@ frameOf(const Content& content)
   return frame;
 }
 
+/** Gives pixels without a point the highest shade beside them, twice: thin clouds shall
+ * not look torn. */
+void
+fillHoles(std::vector<std::uint8_t>& pixels, std::size_t columns, std::size_t rows)
+{
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::vector<std::uint8_t> before = pixels;
+    for (std::size_t row = 1; row + 1 < rows; ++row)
+      for (std::size_t column = 1; column + 1 < columns; ++column) {
+        const std::size_t i = row * columns + column;
+        if (before[i] == 0)
+          pixels[i] = std::max(std::max(before[i - 1], before[i + 1]),
+                               std::max(before[i - columns], before[i + columns]));
+      }
+  }
+}
+
 /** Height above ground of the highest point of every cell, as a picture. */
 void
 addPicture(Markup& page, const Content& content, const Frame& frame)
@@ -150,6 +167,7 @@ addPicture(Markup& page, const Content& content, const Frame& frame)
                                  static_cast<std::size_t>(column)];
     pixel = std::max(pixel, shade);
   }
+  fillHoles(pixels, columns, rows);
   page << "<image x=\"0\" y=\"0\" width=\""
        << static_cast<double>(columns) * cell * frame.scale << "\" height=\""
        << static_cast<double>(rows) * cell * frame.scale
