@@ -15,8 +15,12 @@ namespace {
 
 constexpr double widest_tube = 0.3; // metres
 constexpr double tube_part = 1.25;  // of the tolerance of a wire
-constexpr double support_part =
-    1.0;                         // metres of a wire's end that are given to its support
+// Metres of a wire's end that are given to its support: fittings, and where the line
+// turns the insulators, which then lie in line with the wire (longer ones at sharper
+// turns).
+constexpr double fittings = 1, strain_rate = 0.28, longest_strain = 4.5;
+constexpr double tension_angle =
+    10;                          // degrees; a line that turns less hangs below its arms
 constexpr double plan_cell = 16; // metres
 
 struct Best {
@@ -53,6 +57,26 @@ offer(std::vector<Best>& best,
                                       best[i] = {d, wire};
                                   });
   }
+}
+
+double
+endPart(const Tower& tower)
+{
+  const double fitting = tower.pole ? 0.3 : fittings;
+  return std::clamp(
+      fitting + strain_rate * (tower.turn - tension_angle), fitting, longest_strain);
+}
+
+// Whether a point of a wire is so near its end that it belongs to the support there.
+bool
+endsAt(const Wire& wire, const Point& p, const std::vector<Tower>& towers, int support)
+{
+  const Tower& tower = towers[static_cast<std::size_t>(support)];
+  const auto within = [&](int id, const Point& end) {
+    return id == support + 1 && tower.seen &&
+           (p - end).head<2>().norm() <= endPart(tower);
+  };
+  return within(wire.front_support, wire.front) || within(wire.back_support, wire.back);
 }
 
 class TowerIndex {
@@ -136,19 +160,15 @@ labelPoints(PowerLineNetwork& network,
     const auto* near = points[i].allFinite() ? index.near(points[i]) : nullptr;
     if (near == nullptr)
       continue;
+    const int id = network.wire_id[i];
+    const Wire* wire =
+        id != 0 ? &network.wires[static_cast<std::size_t>(id - 1)] : nullptr;
     for (const std::size_t t : *near) {
-      if (!belongsTo(towers[t], hanging, points[i]))
+      if (wire != nullptr ? !endsAt(*wire, points[i], towers, static_cast<int>(t))
+                          : !belongsTo(towers[t], hanging, points[i]))
         continue;
-      if (network.wire_id[i] != 0) {
-        const Wire& wire =
-            network.wires[static_cast<std::size_t>(network.wire_id[i] - 1)];
-        const double end = std::min((points[i] - wire.front).head<2>().norm(),
-                                    (points[i] - wire.back).head<2>().norm());
-        if (end > support_part)
-          continue;
-        network.wire_id[i] = network.span_id[i] = 0;
-        network.wire_distance[i] = std::numeric_limits<float>::quiet_NaN();
-      }
+      network.wire_id[i] = network.span_id[i] = 0;
+      network.wire_distance[i] = std::numeric_limits<float>::quiet_NaN();
       network.classes[i] = pylon_class;
       ++network.supports[t].points;
       break;

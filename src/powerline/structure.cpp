@@ -19,6 +19,8 @@ constexpr double body_flare = 0.12;          // growth of that per metre downwar
 constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
 constexpr double contrast = 3;    // density of the body over that of its surroundings
+constexpr double arm_depth = 3;   // metres, crossarms reach below their wires
+constexpr double arm_tip = 2;     // metres, and beyond them
 constexpr double widest_foot = 8; // metres, half width
 
 struct Local {
@@ -209,7 +211,7 @@ belongsTo(const Tower& tower, const std::vector<Hanging>& wires, const Point& p)
       tower.half_width + tower.flare * std::max(0.0, tower.lowest_arm - at.z) + 0.4;
   if (std::max(std::abs(at.u), std::abs(at.v)) <= width)
     return true;
-  if (at.z < tower.lowest_arm - 1.5 || std::abs(at.v) > std::max(width, 2.5))
+  if (at.z < tower.lowest_arm - arm_depth || std::abs(at.v) > std::max(width, 2.5))
     return false;
   double reach = 0;
   const Eigen::Vector2d across(-tower.arm.along.y(), tower.arm.along.x());
@@ -217,10 +219,10 @@ belongsTo(const Tower& tower, const std::vector<Hanging>& wires, const Point& p)
     const Point& end = wires[static_cast<std::size_t>(wire)]
                            .ends[static_cast<std::size_t>(side)]
                            .place;
-    if (end.z() > at.z - 6 && end.z() < at.z + 3)
+    if (end.z() > at.z - 6 && end.z() < at.z + arm_depth)
       reach = std::max(reach, std::abs(across.dot(end.head<2>() - tower.arm.centre)));
   }
-  return std::abs(at.u) <= reach + 1;
+  return std::abs(at.u) <= reach + arm_tip;
 }
 
 } // namespace linelet::powerline

@@ -22,6 +22,7 @@ struct Tower {
   double lowest_arm = 0;                 ///< height of the lowest attachment point
   double half_width = 0;                 ///< of the body at the lowest arm, metres
   double flare = 0;                      ///< growth of half_width per metre downwards
+  double turn = 0;                       ///< change of direction of the line, degrees
   double reach = 0;  ///< largest distance of an attachment point from the axis
   bool pole = false; ///< all points near one axis
   bool seen = false; ///< points stand there; else inferred from the wires alone
