@@ -171,6 +171,22 @@ shortest(double value)
   return {text.data(), result.ptr};
 }
 
+Kernel
+kernelCalled(std::string_view name)
+{
+  std::string message = "unknown weighting '" + std::string(name) + "', use one of";
+  for (const auto& [kernel, known] : Names<Kernel>::table) {
+    if (name == known)
+      return kernel;
+    message += " " + std::string(known);
+    if (kernel == Kernel::FermiDirac)
+      message += ":M,T";
+    else if (kernel == Kernel::Step)
+      message += ":S";
+  }
+  throw std::invalid_argument(message);
+}
+
 } // namespace
 
 Weighting::Weighting(Kernel kernel) : kernel_(kernel)
@@ -192,7 +208,7 @@ Weighting::Weighting(Kernel kernel) : kernel_(kernel)
 Weighting::Weighting(std::string_view text) : Weighting()
 {
   const std::size_t colon = text.find(':');
-  const auto kernel = fromName<Kernel>(text.substr(0, colon));
+  const Kernel kernel = kernelCalled(text.substr(0, colon));
   if (colon == std::string_view::npos) {
     *this = Weighting(kernel);
     return;

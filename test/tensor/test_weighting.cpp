@@ -205,10 +205,12 @@ TEST(Weighting, IsNeverNegativeAndCompactKernelsStayZeroBeyondTheRadius)
     for (int i = 0; i <= 4000; ++i) {
       const double x = i / 2000.0;
       ASSERT_GE(weighting(x), 0) << name << " at " << x;
-      if (compact && x >= 1)
+      if (compact && x >= 1) {
         ASSERT_EQ(weighting(x), 0) << name << " at " << x;
-      else if (!compact)
+      }
+      else if (!compact) {
         ASSERT_NEAR(weighting(x), formula(x), 1e-12) << name << " at " << x;
+      }
     }
   }
   // What an overshoot would otherwise be: -2^(9-20x) at sin = -1.
@@ -236,7 +238,9 @@ TEST(Weighting, RefusesWhatItDoesNotKnow)
 {
   using testing::HasSubstr;
   EXPECT_THAT(messageOf("gauss"),
-              testing::AllOf(HasSubstr("'gauss'"), HasSubstr("cs-rbf-10")));
+              testing::AllOf(HasSubstr("'gauss'"),
+                             HasSubstr("cs-rbf-10"),
+                             HasSubstr("fermi-dirac:M,T step:S")));
   for (const char* text : {"",
                            ":",
                            "linear:1",
