@@ -24,6 +24,8 @@ int
 runTensor(const std::vector<std::string>& arguments);
 int
 runMultiscale(const std::vector<std::string>& arguments);
+int
+runImage(const std::vector<std::string>& arguments);
 
 /** \brief `generate corridor`: gets the arguments behind that name. */
 int
@@ -37,6 +39,12 @@ int
 runEvaluate(const std::vector<std::string>& arguments);
 int
 runBenchmark(const std::vector<std::string>& arguments);
+
+int
+runPowerlines(const std::vector<std::string>& arguments);
+
+int
+runDevices(const std::vector<std::string>& arguments);
 
 /** \brief All commands, in the order of `linelet --help`. */
 const std::vector<Command>&
