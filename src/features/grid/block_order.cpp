@@ -17,7 +17,8 @@ BlockFrame::BlockFrame(const Point& low, const Point& high, double edge)
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);
     counts_[axis] = static_cast<std::int64_t>((high[a] - low_[a]) * inverse_edge_) + 2;
-    while ((std::int64_t{1} << bits_[axis]) < counts_[axis])
+    // Room for the block behind the last one, which is asked for.
+    while ((std::int64_t{1} << bits_[axis]) <= counts_[axis])
       ++bits_[axis];
   }
 }

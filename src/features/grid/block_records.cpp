@@ -8,13 +8,13 @@
 namespace linelet::grid {
 
 PointDistributionTensor
-BlockSweep::inDouble(std::size_t query)
+BlockSweep::inDouble(std::size_t query, const PointList& candidates)
 {
   // In the order of Engine::Tree, so that even the rounding is the same.
   exact_.clear();
-  for (std::size_t i = 0; i < region_.size; ++i)
-    if (isNeighbour(query, region_.id[i]))
-      exact_.emplace_back(job_.surface.index(region_.id[i]), region_.id[i]);
+  for (std::size_t i = 0; i < candidates.size; ++i)
+    if (isNeighbour(query, candidates.id[i]))
+      exact_.emplace_back(job_.surface.index(candidates.id[i]), candidates.id[i]);
   if (exact_.empty())
     return unknownTensor(0);
   std::sort(exact_.begin(), exact_.end());
@@ -46,11 +46,9 @@ BlockSweep::write()
   const double area = job_.radius * job_.radius;
   const auto f = [](double value) { return static_cast<float>(value); };
   for (std::size_t i = 0; i < count; ++i) {
-    PointDistributionTensor& record = job_.records[job_.queries.index(first_ + i)];
-    if (!known_[i]) {
-      record = inDouble(i);
+    if (!known_[i])
       continue;
-    }
+    PointDistributionTensor& record = job_.records[job_.queries.index(first_ + i)];
     const double l1 = eigen_[0][i], l2 = eigen_[1][i], l3 = eigen_[2][i];
     const double inverse = 1 / (l1 + l2 + l3);
     record = {f(tensors_[0][i] * area),

@@ -7,13 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "weight_error.h"
-
 namespace linelet::grid {
 
 namespace {
 
 // Queries that share one list of candidates: fewer make shorter lists, more of them.
+
 constexpr std::size_t last_queries = 8;
 constexpr std::size_t branches = 8;
 
@@ -34,9 +33,26 @@ toFloat(const Point& p)
 BlockSweep::BlockSweep(const SweepJob& job)
     : job_(job),
       kernels_(sweepKernels()),
-      weight_error_absolute_(weightError(job.settings.weighting).absolute),
-      weight_error_relative_(weightError(job.settings.weighting).relative)
+      method_(methodFor(job.settings)),
+      sums_(method_ == Method::Sums),
+      weight_error_(weightError(job.settings.weighting))
 {
+}
+
+BlockSweep::Method
+BlockSweep::methodFor(const TensorSettings& settings)
+{
+  const bool centred = settings.centroid != Centroid::QueryPoint;
+  // At its step rounding would decide; the medians iterate to the last digit.
+  if (settings.weighting.kernel() == Kernel::Step ||
+      (centred && settings.centroid_weighting.kernel() == Kernel::Step) ||
+      settings.centroid == Centroid::Median ||
+      settings.centroid == Centroid::WeightedMedian)
+    return Method::Double;
+  if (settings.weighting.kernel() == Kernel::Const &&
+      settings.centroid != Centroid::WeightedMean)
+    return Method::Sums;
+  return centred ? Method::Centre : Method::Weights;
 }
 
 void
@@ -50,7 +66,7 @@ BlockSweep::operator()(std::size_t block)
   queries_.resize(count);
   radii_.assign(count, 1.0);
   for (std::size_t i = 0; i < count; ++i) {
-    queries_[i] = (job_.queries.point(first_ + i) - origin_) / job_.radius;
+    queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radius);
     if (job_.radii != nullptr)
       radii_[i] = (*job_.radii)[job_.queries.index(first_ + i)] / job_.radius;
   }
@@ -134,10 +150,6 @@ BlockSweep::refine(const Part& queries,
                    const Moments& inside,
                    std::size_t depth)
 {
-  // Only for const do all neighbours count alike for every query.
-  const bool sums = job_.settings.weighting.kernel() == Kernel::Const &&
-                    (job_.settings.centroid == Centroid::QueryPoint ||
-                     job_.settings.centroid == Centroid::Mean);
   const double near = queries.shortest - queries.size - margin;
   const double far = queries.longest + queries.size + margin;
   const Ball ball{toFloat(queries.center),
@@ -149,7 +161,7 @@ BlockSweep::refine(const Part& queries,
   PointList& kept = last ? last_ : levels_[depth];
   kept.reserve(list.size);
   Moments here;
-  kernels_.classify(list, ball, last, kept, sums ? &here : nullptr);
+  kernels_.classify(list, ball, last, kept, sums_ ? &here : nullptr);
   Moments all = here.relativeTo(-queries.center);
   all += inside;
   if (last) {
@@ -157,10 +169,14 @@ BlockSweep::refine(const Part& queries,
     return;
   }
   const std::size_t count = queries.end - queries.begin;
-  const std::size_t step =
-      std::max((count + branches - 1) / branches, std::min(count, last_queries));
-  for (std::size_t begin = queries.begin; begin < queries.end; begin += step)
-    refine(part(begin, std::min(begin + step, queries.end)), kept, all, depth + 1);
+  const std::size_t leaves = (count + last_queries - 1) / last_queries;
+  const std::size_t parts = std::min(leaves, branches);
+  for (std::size_t i = 0; i < parts; ++i)
+    refine(part(queries.begin + count * i / parts,
+                queries.begin + count * (i + 1) / parts),
+           kept,
+           all,
+           depth + 1);
 }
 
 void
@@ -173,24 +189,27 @@ BlockSweep::solve(const Part& queries, const Moments& inside)
 void
 BlockSweep::solveOne(const Part& queries, std::size_t query, const Moments& inside)
 {
-  const TensorSettings& settings = job_.settings;
   Moments t;
   bool good = false;
-  if (settings.weighting.kernel() == Kernel::Step ||
-      settings.centroid_weighting.kernel() == Kernel::Step ||
-      settings.centroid == Centroid::Median ||
-      settings.centroid == Centroid::WeightedMedian)
-    good = false;
-  else if (settings.weighting.kernel() == Kernel::Const &&
-           settings.centroid != Centroid::WeightedMean)
+  switch (method_) {
+  case Method::Sums:
     good = constTensor(queries, query, inside, t);
-  else if (settings.centroid == Centroid::QueryPoint)
+    break;
+  case Method::Weights:
     good = weightedTensor(queries, query, t);
-  else
+    break;
+  case Method::Centre:
     good = centredTensor(queries, query, t);
+    break;
+  case Method::Double:
+    break;
+  }
   known_[query] = good;
-  if (!good)
+  if (!good) {
+    job_.records[job_.queries.index(first_ + query)] =
+        inDouble(query, sums_ ? region_ : last_);
     return;
+  }
   const double scale = 1 / t.count;
   const std::array<double, 6> entries = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
   for (std::size_t entry = 0; entry < 6; ++entry)
@@ -298,17 +317,20 @@ BlockSweep::decide(std::size_t query, const Float3& at, Band band)
 Float3
 BlockSweep::local(std::size_t query, const Point& center) const
 {
-  return toFloat(queries_[query] - center);
+  // The steps in which a point of the list came to its coordinates: a query that is a
+  // point of the list is at distance 0 from itself.
+  const Float3 q = toFloat(queries_[query]), c = toFloat(center);
+  return {q[0] - c[0], q[1] - c[1], q[2] - c[2]};
 }
 
 Band
 BlockSweep::band(const Part& queries, std::size_t query) const
 {
-  // Rounding of a coordinate of the list, of its difference to the center and of that
-  // of the query; each changes the distance, which is about the radius.
+  // Rounding of a coordinate of the list and of the query, and of their differences to
+  // the center; each changes the distance, which is about the radius.
   const double radius = radii_[query];
   const double far = queries.longest + queries.size;
-  const double coordinates = std::sqrt(3.0) * (reach_ + far + queries.size);
+  const double coordinates = std::sqrt(3.0) * (2 * reach_ + far + queries.size);
   // Rounding of |p|^2 (three steps) and of the three steps to |p - q|^2 from it.
   const double steps = 3 * far * far + 3 * (far * far + 2 * far * queries.size);
   const double error = float_rounding * 1.25 * (2 * radius * coordinates + steps + 2);
@@ -323,8 +345,8 @@ BlockSweep::precise(const Moments& t, double spread, std::size_t neighbours) con
   const double trace = t.trace();
   // Errors of single weights are rounding, and add up as such.
   const double weights =
-      4 * weight_error_absolute_ * std::sqrt(static_cast<double>(neighbours)) +
-      weight_error_relative_ * spread;
+      4 * weight_error_.absolute * std::sqrt(static_cast<double>(neighbours)) +
+      weight_error_.relative * spread;
   const double sums = 5e-7 * spread;
   const double coordinates =
       4 * float_rounding * (reach_ + 1) * std::sqrt(std::max(0.0, t.count * trace));

@@ -12,6 +12,7 @@
 
 #include "block_order.h"
 #include "sweep_kernels.h"
+#include "weight_error.h"
 
 namespace linelet::grid {
 
@@ -46,6 +47,17 @@ public:
   operator()(std::size_t block);
 
 private:
+  /** \brief How a tensor is computed. */
+  enum class Method {
+    Sums,    ///< const around the query or the mean: sums of moments
+    Weights, ///< a kernel around the query
+    Centre,  ///< a kernel around a mean of the neighbours
+    Double   ///< neighbours from the lists, all else in double
+  };
+
+  static Method
+  methodFor(const TensorSettings& settings);
+
   /** \brief Part of the queries of the block, and the ball around them. */
   struct Part {
     std::size_t begin, end;
@@ -103,14 +115,16 @@ private:
   precise(const Moments& t, double spread, std::size_t neighbours) const;
 
   PointDistributionTensor
-  inDouble(std::size_t query);
+  inDouble(std::size_t query, const PointList& candidates);
 
   void
   write();
 
   const SweepJob& job_;
-  const SweepKernels& kernels_;
-  double weight_error_absolute_, weight_error_relative_;
+  SweepKernels kernels_;
+  Method method_;
+  bool sums_; ///< certain neighbours leave the lists as sums
+  WeightError weight_error_;
 
   std::size_t first_ = 0;      // slot of the first query of the block
   Point origin_;               // center of the block

@@ -22,7 +22,7 @@ namespace grid {
 namespace {
 
 // Blocks hold that many points, or are as wide as float allows.
-constexpr double least_crowding = 48;
+constexpr double least_crowding = 16;
 constexpr double widest_block = 4;
 
 /** \brief Box of the finite ones of a set of points. */

@@ -30,7 +30,7 @@ public:
   void
   reserve(std::size_t count)
   {
-    if (count <= capacity_)
+    if (x != nullptr && count <= capacity_)
       return;
     capacity_ = count + count / 4 + 256;
     const std::size_t stride = (capacity_ + 2 * padding) / padding * padding;

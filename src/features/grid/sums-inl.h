@@ -160,10 +160,12 @@ weightedSumsOf(const W& weight,
       const V dz = hn::Sub(hn::Load(f, list.z + i), qz);
       const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
       const auto within = hn::Le(squared, low);
+      reached += hn::CountTrue(f, hn::Le(squared, high));
+      if (hn::AllFalse(f, within))
+        continue;
       const V w = hn::IfThenElseZero(within, weight(hn::Mul(squared, factor)));
       part.addWeighted(w, dx, dy, dz);
       found += hn::CountTrue(f, within);
-      reached += hn::CountTrue(f, hn::Le(squared, high));
     }
     total.add(part);
   }

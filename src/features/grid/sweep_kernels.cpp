@@ -57,11 +57,10 @@ namespace linelet::grid {
 
 HWY_EXPORT(kernels);
 
-const SweepKernels&
+SweepKernels
 sweepKernels()
 {
-  static const SweepKernels best = HWY_DYNAMIC_DISPATCH(kernels)();
-  return best;
+  return HWY_DYNAMIC_DISPATCH(kernels)();
 }
 
 } // namespace linelet::grid

@@ -59,8 +59,8 @@ struct EigenBatch {
   std::array<double*, 3> normal;       ///< e1
 };
 
-/** \brief The inner loops, compiled for every instruction set; see sweep_targets.h for
- * the one that this machine runs. Lists are padded on the way in and out. */
+/** \brief The inner loops, compiled for every instruction set. Lists are padded on the
+ * way in and out. */
 struct SweepKernels {
   const char* target; ///< name of the instruction set
   std::size_t lanes;  ///< floats in a vector
@@ -126,7 +126,7 @@ struct SweepKernels {
 };
 
 /** \brief The inner loops for the best instruction set of this machine. */
-const SweepKernels&
+SweepKernels
 sweepKernels();
 
 } // namespace linelet::grid

@@ -22,9 +22,12 @@ weightError(const Weighting& weighting)
   case Kernel::FermiDirac:
     // The exponent is in units of the temperature.
     return {0, 5e-7 + 4 * rounding / weighting.parameters()[1]};
+  case Kernel::EaseBounce: // differences of numbers of about 5
+    return {2e-6, 1e-6};
+  case Kernel::EaseElastic: // a sine of up to 13 pi
+    return {2e-6, 1e-6};
   default:
-    // They end in 0, where rounding of x is all that counts; a steep kernel is steep
-    // by at most 13 pi / 2 w(0).
+    // They end in 0, where rounding of x is all that counts.
     return {4 * rounding * weighting(0), 1e-6};
   }
 }

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "features/test_grid_engine.h"
+
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include <linelet/tensor/weighting.h>
+
+using namespace linelet;
+using namespace linelet::test;
+
+namespace {
+
+Weighting
+weightingOf(Kernel kernel)
+{
+  if (kernel == Kernel::FermiDirac)
+    return Weighting::fermiDirac(0.5, 0.03);
+  if (kernel == Kernel::Step)
+    return Weighting::step(0.7);
+  return {kernel};
+}
+
+/** \brief Half in a thin wire, half around it. */
+Points
+wireScene(std::size_t count, unsigned seed)
+{
+  Points points = uniformPoints(count / 2, {10, 10, 10}, seed);
+  for (const Point& p : uniformPoints(count / 2, {10, 0.002, 0.002}, seed + 1))
+    points.emplace_back(p.x(), 0.3 * p.x() + p.y(), 0.1 * p.x() + p.z());
+  return points;
+}
+
+} // namespace
+
+TEST(GridEngine, AgreesForEveryKernelAndCentroid)
+{
+  const Points points = wireScene(1500, 7);
+  for (const auto& kernel : Names<Kernel>::table)
+    for (const auto& centroid : Names<Centroid>::table) {
+      SCOPED_TRACE(std::string(kernel.second) + " " + std::string(centroid.second));
+      // The medians are slow, and the same code for every kernel.
+      if ((centroid.first == Centroid::Median ||
+           centroid.first == Centroid::WeightedMedian) &&
+          kernel.first != Kernel::Const && kernel.first != Kernel::FermiDirac1)
+        continue;
+      TensorSettings settings;
+      settings.radius = 1;
+      settings.weighting = weightingOf(kernel.first);
+      settings.centroid = centroid.first;
+      EXPECT_TRUE(gridAgrees(points, settings, {}, 80));
+      // Every kernel also weights centroids.
+      if (centroid.first == Centroid::WeightedMean) {
+        settings.centroid_weighting = settings.weighting;
+        settings.weighting = Weighting();
+        EXPECT_TRUE(gridAgrees(points, settings, {}, 80));
+      }
+    }
+}
+
+TEST(GridEngine, AgreesOnRandomClouds)
+{
+  const unsigned first_seed = std::random_device()();
+  for (unsigned i = 0; i < 60; ++i) {
+    const unsigned seed = first_seed + i;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    boost::random::mt19937 random(seed);
+    const auto uniform = [&](double low, double high) {
+      return boost::random::uniform_real_distribution<double>(low, high)(random);
+    };
+    const auto power = [&](double low, double high) {
+      return std::pow(10, uniform(low, high));
+    };
+    const auto count = static_cast<std::size_t>(power(0, 3.7));
+    const Point extent(power(-2, 2), power(-2, 2), power(-2, 2));
+    Points points = uniformPoints(count, extent, seed);
+    const Point offset(uniform(-1e3, 1e3), uniform(-1e3, 1e3), uniform(-1e3, 1e3));
+    const double step = uniform(0, 1) < 0.3 ? extent.maxCoeff() / 64 : 0;
+    for (Point& p : points) {
+      // Points on a lattice: distances equal to the radius, and duplicates.
+      if (step > 0)
+        p = (p / step).array().round() * step;
+      p += offset;
+    }
+    TensorSettings settings;
+    settings.radius = step > 0 ? 5 * step : extent.maxCoeff() * power(-2, 0.3);
+    settings.weighting = weightingOf(
+        Names<Kernel>::table[static_cast<std::size_t>(uniform(0, 33.99))].first);
+    if (i % 2 == 0)
+      settings.weighting = i % 4 == 0 ? Kernel::Const : Kernel::FermiDirac1;
+    settings.centroid =
+        Names<Centroid>::table[static_cast<std::size_t>(uniform(0, 2.99))].first;
+    SCOPED_TRACE(std::to_string(count) + " points, radius " +
+                 std::to_string(settings.radius) + ", " + settings.weighting.name() +
+                 ", " + std::string(nameOf(settings.centroid)));
+    EXPECT_TRUE(gridAgrees(points, settings, {}, 100));
+  }
+}
+
+TEST(GridEngine, AgreesOnAdversarialClouds)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::pair<std::string, Points>> clouds;
+  clouds.emplace_back("all in one cell", uniformPoints(1200, {0.5, 0.5, 0.5}, 1));
+  clouds.emplace_back("one point a cell", uniformPoints(1200, {60, 60, 60}, 2));
+  Points border;
+  for (int i = 0; i < 1200; ++i)
+    border.emplace_back(0.01 * i, 1.0, 2.0);
+  clouds.emplace_back("a line along the border of cells", border);
+  clouds.emplace_back("huge aspect ratio", uniformPoints(1200, {1e6, 1e-3, 1}, 3));
+  Points twice = uniformPoints(500, {3, 3, 3}, 4);
+  twice.insert(twice.end(), twice.begin(), twice.end());
+  clouds.emplace_back("duplicates", twice);
+  clouds.emplace_back("one place", Points(500, Point(1, 2, 3)));
+  clouds.emplace_back("one point", Points(1, Point(1, 2, 3)));
+  clouds.emplace_back("two points", Points{Point(0, 0, 0), Point(1 - 1e-12, 0, 0)});
+  Points pair_far = uniformPoints(40, {1e-6, 1e-6, 1e-6}, 5);
+  pair_far.emplace_back(0.99, 0, 0);
+  clouds.emplace_back("a speck and one far point", pair_far);
+  Points outlier = uniformPoints(500, {5, 5, 5}, 6);
+  outlier.emplace_back(1e9, -1e9, 1e9);
+  clouds.emplace_back("an outlier beyond all blocks", outlier);
+  Points holes = uniformPoints(500, {4, 4, 4}, 7);
+  holes[3].x() = nan;
+  holes[77] = Point(0, std::numeric_limits<double>::infinity(), 0);
+  holes[499] = Point(nan, nan, nan);
+  clouds.emplace_back("points that are not finite", holes);
+  clouds.emplace_back("nothing but NaN", Points(5, Point(nan, 0, 0)));
+  clouds.emplace_back("empty", Points());
+
+  for (const auto& [name, points] : clouds)
+    for (const char* weight : {"const", "fermi-dirac-1", "quadratic"})
+      for (const Centroid centroid :
+           {Centroid::QueryPoint, Centroid::Mean, Centroid::WeightedMean})
+        for (const double radius : {1.0, 1e-4, 50.0}) {
+          if (radius == 50.0 && centroid == Centroid::WeightedMean)
+            continue; // slow in the reference, and nothing new
+          SCOPED_TRACE(name + ", " + weight + ", " + std::string(nameOf(centroid)) +
+                       ", radius " + std::to_string(radius));
+          TensorSettings settings;
+          settings.radius = radius;
+          settings.weighting = Weighting(weight);
+          settings.centroid = centroid;
+          EXPECT_TRUE(gridAgrees(points, settings, {}, 25));
+        }
+}
+
+TEST(GridEngine, TakesARadiusForEveryPoint)
+{
+  const Points points = wireScene(4000, 11);
+  NeighbourhoodSizes sizes;
+  boost::random::mt19937 random(5);
+  boost::random::uniform_real_distribution<double> exponent(-2, 0.6);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sizes.radii.push_back(std::pow(10, exponent(random)));
+  sizes.radii[0] = 0;
+  sizes.radii[10] = -1;
+  sizes.radii[20] = std::numeric_limits<double>::infinity();
+  for (const char* weight : {"const", "fermi-dirac-1"})
+    for (const Centroid centroid : {Centroid::QueryPoint, Centroid::WeightedMean}) {
+      TensorSettings settings;
+      settings.weighting = Weighting(weight);
+      settings.centroid = centroid;
+      EXPECT_TRUE(gridAgrees(points, settings, sizes));
+    }
+}
+
+TEST(GridEngine, TakesQueriesThatAreNoPointsOfTheSurface)
+{
+  const Points surface = uniformPoints(3000, {8, 8, 8}, 21);
+  Points queries = uniformPoints(300, {14, 14, 14}, 22);
+  queries.emplace_back(1e12, 0, 0);
+  queries.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  TensorSettings settings;
+  settings.radius = 1.5;
+  for (const char* weight : {"const", "fermi-dirac-1"}) {
+    settings.weighting = Weighting(weight);
+    settings.engine = Engine::Tree;
+    EXPECT_TRUE(agree(estimateTensorsOnGrid(surface, queries, settings),
+                      estimateTensors(surface, queries, settings)));
+  }
+}
+
+TEST(GridEngine, GivesTheSameBitsForAnyNumberOfThreads)
+{
+  const Points points = wireScene(6000, 31);
+  TensorSettings settings;
+  settings.radius = 0.8;
+  for (const char* weight : {"const", "fermi-dirac-1"}) {
+    settings.weighting = Weighting(weight);
+    settings.threads = 1;
+    const auto one = estimateTensorsOnGrid(points, points, settings);
+    settings.threads = 3;
+    const auto three = estimateTensorsOnGrid(points, points, settings);
+    EXPECT_EQ(0,
+              std::memcmp(one.data(), three.data(), one.size() * sizeof one.front()));
+  }
+}
+
+TEST(GridEngine, FarFromTheOriginChangesNothing)
+{
+  Points points = wireScene(3000, 41);
+  for (Point& p : points)
+    p += Point(5e5, 5.5e6, 300);
+  TensorSettings settings;
+  settings.radius = 1;
+  for (const Centroid centroid : {Centroid::QueryPoint, Centroid::Mean}) {
+    settings.centroid = centroid;
+    settings.weighting = Kernel::Const;
+    EXPECT_TRUE(gridAgrees(points, settings));
+  }
+}
+
+TEST(GridEngine, StopsWhenAsked)
+{
+  struct Impatient : Monitor {
+    bool
+    cancelled() const override
+    {
+      return true;
+    }
+  } monitor;
+  const Points points = uniformPoints(2000, {10, 10, 10}, 51);
+  TensorSettings settings;
+  settings.radius = 1;
+  EXPECT_THROW(estimateTensorsOnGrid(points, points, settings, {}, &monitor),
+               Cancelled);
+}
