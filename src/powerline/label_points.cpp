@@ -21,6 +21,7 @@ constexpr double tube_part = 1.25;  // of the tolerance of a wire
 constexpr double fittings = 1, strain_rate = 0.28, longest_strain = 4.5;
 constexpr double tension_angle =
     10;                          // degrees; a line that turns less hangs below its arms
+constexpr double foot = 2;       // metres above ground, below is grass
 constexpr double plan_cell = 16; // metres
 
 struct Best {
@@ -158,7 +159,8 @@ labelPoints(PowerLineNetwork& network,
   const TowerIndex index(towers);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto* near = points[i].allFinite() ? index.near(points[i]) : nullptr;
-    if (near == nullptr)
+    if (near == nullptr ||
+        points[i].z() < network.ground.heightAt(points[i].x(), points[i].y()) + foot)
       continue;
     const int id = network.wire_id[i];
     const Wire* wire =

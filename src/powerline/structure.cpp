@@ -200,7 +200,7 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
 bool
 belongsTo(const Tower& tower, const std::vector<Hanging>& wires, const Point& p)
 {
-  if (!tower.seen || p.z() < tower.base + 2 || p.z() > tower.top + 0.3)
+  if (!tower.seen || p.z() > tower.top + 0.3)
     return false;
   const Local at = local(tower, p);
   if (tower.pole)

@@ -12,14 +12,14 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double company_reach = 14; // metres between the wires of a line
-constexpr double company_part = 0.5; // of the length of the shorter
-constexpr double steep = 0.12;       // slope between the ends
-constexpr double least_bend = 1e-4;  // z2 of a wire, 1/metres: a = 5 km
-constexpr double clear_bend = 2e-4;  // of a line so short that it hangs from poles
-constexpr double long_line = 60;     // metres, from which a line speaks for itself
-constexpr double short_line = 25;    // metres, the least inside the data
-constexpr double clean_part = 0.75;  // of the length of short wires at the border
+constexpr double company_reach = 14;  // metres between the wires of a line
+constexpr double company_part = 0.35; // of the length of the longer
+constexpr double steep = 0.12;        // slope between the ends
+constexpr double least_bend = 1e-4;   // z2 of a wire, 1/metres: a = 5 km
+constexpr double clear_bend = 2e-4;   // of a line so short that it hangs from poles
+constexpr double long_line = 60;      // metres, from which a line speaks for itself
+constexpr double short_line = 25;     // metres, the least inside the data
+constexpr double clean_part = 0.75;   // of the length of short wires at the border
 
 struct Family {
   double longest = 0; ///< longest chain of joined wires, metres
@@ -105,7 +105,7 @@ dropUnlikely(std::vector<Hanging>& wires,
       const Parallel parallel = compare(a.model(), b.model());
       if (parallel.distance <= company_reach &&
           parallel.overlap >=
-              company_part * std::min(a.model().length(), b.model().length()))
+              company_part * std::max(a.model().length(), b.model().length()))
         unite(order[i], order[k]);
     }
   }
