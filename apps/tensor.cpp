@@ -13,6 +13,7 @@
 #include <linelet/search/scale_unit.h>
 
 #include "commands.h"
+#include "device_engine.h"
 #include "frame.h"
 #include "options.h"
 
@@ -165,7 +166,7 @@ runTensor(const std::vector<std::string>& arguments)
       "or a field the radius is chosen: three times the scale unit D.");
   TensorSettings settings;
   io::ReadOptions reading;
-  std::string input, output, radius_field, knn_field;
+  std::string input, output, radius_field, knn_field, device;
   frame.app.add_option("INPUT", input, "point file")->required();
   frame.app.add_option("OUTPUT", output, "point file, format by ending")->required();
   addOptions(frame.app, settings);
@@ -175,6 +176,10 @@ runTensor(const std::vector<std::string>& arguments)
       "--knn-field",
       knn_field,
       "attribute that holds the number of nearest points of every point");
+  frame.app.add_option("--device",
+                       device,
+                       "OpenCL device by number or part of its name; linelet devices "
+                       "lists them");
   frame.app.add_flag(
       "--lenient", reading.lenient, "read what is whole of a file that ends too early");
   frame.parse(arguments);
@@ -194,7 +199,9 @@ runTensor(const std::vector<std::string>& arguments)
     settings.radius = chooseRadius(scale_unit, input);
   }
   const Records records =
-      estimateTensors(cloud.points, cloud.points, settings, sizes, &frame.monitor);
+      settings.engine == Engine::OpenCL
+          ? estimateOnDevice(device, cloud.points, settings, sizes, frame)
+          : estimateTensors(cloud.points, cloud.points, settings, sizes, &frame.monitor);
   const double tensor_seconds = watch.lap();
 
   std::size_t unknown = 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,14 @@ bool
 isSize(double radius)
 {
   return radius > 0 && std::isfinite(radius);
+}
+
+std::string
+text(double value)
+{
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
 }
 
 /** \brief A size of grid cell that suits most of the radii. */
@@ -111,7 +120,7 @@ validate(const TensorSettings& settings,
     throw std::invalid_argument("more than one size of neighbourhood is given: say "
                                 "either one radius, or one k, or sizes point by point");
   if (settings.radius != 0 && !isSize(settings.radius))
-    throw std::invalid_argument("radius " + std::to_string(settings.radius) +
+    throw std::invalid_argument("radius " + text(settings.radius) +
                                 " is not a positive finite number");
   const std::size_t given = std::max(sizes.radii.size(), sizes.counts.size());
   if (given != 0 && given != queries)
@@ -244,6 +253,10 @@ estimateTensors(const Points& surface,
 {
   validate(settings, sizes, queries.size());
   // The place where engines are chosen.
+  if (settings.engine == Engine::OpenCL)
+    throw std::invalid_argument(
+        "the engine opencl runs through opencl::TensorEngine or "
+        "PointDistributionTensorEstimationOCL");
   if (chosenEngine(settings, sizes) == Engine::Grid) {
     if (settings.radius > 0 || !sizes.radii.empty())
       return estimateTensorsOnGrid(surface, queries, settings, sizes, monitor);

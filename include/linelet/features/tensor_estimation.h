@@ -21,18 +21,20 @@ namespace linelet {
 
 /** \brief What finds the neighbours. All engines give the same neighbours. */
 enum class Engine {
-  Auto, ///< Grid for radii, Tree for the k nearest
-  Tree, ///< a kd-tree
-  Grid  ///< a uniform grid
+  Auto,  ///< Grid for radii, Tree for the k nearest
+  Tree,  ///< a kd-tree
+  Grid,  ///< a uniform grid
+  OpenCL ///< an OpenCL device; runs through opencl::TensorEngine alone
 };
 
 template <>
 struct Names<Engine> {
   static constexpr std::string_view kind = "engine";
-  static constexpr std::array<std::pair<Engine, std::string_view>, 3> table = {{
+  static constexpr std::array<std::pair<Engine, std::string_view>, 4> table = {{
       {Engine::Auto, "auto"},
       {Engine::Tree, "tree"},
       {Engine::Grid, "grid"},
+      {Engine::OpenCL, "opencl"},
   }};
 };
 
@@ -51,9 +53,12 @@ template <class Visit>
 void
 describe(TensorSettings& s, Visit&& visit)
 {
-  visit("radius", s.radius, "radius of every neighbourhood, unit of the cloud");
+  visit("radius", s.radius, "radius of every neighbourhood, in the unit of the cloud");
   visit("knn", s.k, "number of nearest points that make a neighbourhood, instead");
-  visit("weight", s.weighting, "weighting of the tensor");
+  visit("weight",
+        s.weighting,
+        "weighting of the tensor: the name of a kernel ('?' lists them), "
+        "fermi-dirac:M,T or step:S");
   visit("centroid", s.centroid, "point of reference");
   visit("centroid-weight", s.centroid_weighting, "weighting of weighted centroids");
   visit("engine", s.engine, "what finds the neighbours");
