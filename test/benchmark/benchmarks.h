@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace linelet::benchmarking {
+
+/** \brief Registers the benchmarks of the tensor engine. Counters: us_per_point (CPU
+ * time), x_pcl (how many times as fast as pcl::NormalEstimationOMP with the same
+ * threads in the same run, building of the search structures included), Gpairs/s,
+ * of_peak (share of the inner loop's speed on data in the cache). */
+void
+addTensorBenchmarks();
+
+/** \brief Registers the benchmarks of neighbour search: building, radius search, k
+ * nearest, as ratios to FLANN and nanoflann. */
+void
+addSearchBenchmarks();
+
+} // namespace linelet::benchmarking

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// linelet-benchmark --benchmark_filter=tensor/volume prints the table of the README.
+
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include <linelet/features/grid_tensor_engine.h>
+
+#include "benchmarks.h"
+
+int
+main(int argc, char** argv)
+{
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 2;
+  benchmark::AddCustomContext("instruction set",
+                              std::string(linelet::gridInstructionSet()));
+  linelet::benchmarking::addTensorBenchmarks();
+  linelet::benchmarking::addSearchBenchmarks();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
