@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "source.h"
+#include "columns.h"
 
 namespace linelet::io {
 
@@ -142,7 +142,7 @@ LasSteps::LasSteps(const Cloud& cloud) : points_(cloud.points), shift_(cloud.shi
     replaced_ = true;
   }
   native_ = false;
-  choose();
+  choose(cloud);
 }
 
 double
@@ -167,7 +167,7 @@ LasSteps::holds() const
 }
 
 void
-LasSteps::choose()
+LasSteps::choose(const Cloud& cloud)
 {
   grid_ = LasGrid{};
   if (points_.empty())
@@ -177,24 +177,20 @@ LasSteps::choose()
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
+  const int decimals = formOf(cloud).decimals;
+  constexpr double reach = 0x1p32 + 0.5; // steps
   for (int axis = 0; axis < 3; ++axis) {
-    grid_.offset[axis] = std::floor(shift_[axis] + low[axis]);
+    grid_.offset[axis] = std::ceil(shift_[axis] + (low[axis] + high[axis]) / 2);
     const double extent = high[axis] - low[axis] + 1;
-    double& scale = grid_.scale[axis];
-    scale = 1e-3;
-    while (extent / scale > 2e9)
-      scale *= 10;
-    // Finer, as long as the integers reach and there is something finer to tell.
-    const auto told = [&](const Point& point) {
-      const double place = shift_[axis] - grid_.offset[axis] + point[axis];
-      return std::abs(std::round(place / scale) * scale - place) <= 1e-3 * scale;
-    };
-    for (double divisor = 1e4; divisor < 1e10 && extent * divisor < 2e9;
-         divisor *= 10) {
-      if (std::all_of(points_.begin(), points_.end(), told))
-        break;
-      scale = 1 / divisor;
-    }
+    // At least millimetres, finer as far as the coordinates tell and the integers
+    // reach.
+    double divisor = 1e3;
+    for (int finer = 3; finer < (decimals < 0 ? 9 : decimals); ++finer)
+      if (extent * divisor * 10 < reach)
+        divisor *= 10;
+    while (extent * divisor > reach)
+      divisor /= 10;
+    grid_.scale[axis] = 1 / divisor;
   }
 }
 

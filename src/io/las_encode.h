@@ -62,7 +62,7 @@ private:
   bool
   holds() const;
   void
-  choose();
+  choose(const Cloud& cloud);
 
   const Points& points_;
   Point shift_;

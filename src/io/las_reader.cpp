@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
 
 #include "las_header.h"
 #include "readers.h"
@@ -99,12 +98,12 @@ public:
       source_.advance(block.count);
     }
     keepRaw();
-    if (source_.references) {
-      std::string problem;
-      cloud_.wkt = origin_->wkt = lasReferenceSystem(*origin_, problem);
-      if (!problem.empty())
-        source_.warn(problem);
-    }
+    cloud_.format = "LAS 1." + std::to_string(header_.minor) + ", point format " +
+                    std::to_string(origin_->format);
+    std::string problem;
+    cloud_.wkt = origin_->wkt = lasReferenceSystem(*origin_, problem);
+    if (!problem.empty())
+      source_.warn(problem);
     cloud_.las = std::move(origin_);
     return std::move(cloud_);
   }
@@ -139,22 +138,17 @@ private:
   void
   makeColumns()
   {
-    std::map<std::string, int> names; // how often each was asked for
+    UniqueNames names;
     for (const LasField& field : lasFields(origin_->format)) {
-      names[std::string(field.name)] = 1;
       const ValueType type = field.isAngleStep() ? ValueType::Float32 : field.type;
       cloud_.columns.push_back(
-          {std::string(field.name), makeValues(type, header_.count), {}});
+          {names.take(std::string(field.name)), makeValues(type, header_.count), {}});
     }
     for (LasExtra& extra : origin_->extras) {
       const std::string_view text(&extra.descriptor[160], 32);
       for (std::size_t c = 0; c < extra.columns.size(); ++c) {
         std::string& name = extra.columns[c];
-        if (name.empty())
-          name = "extra";
-        const std::string asked = name;
-        while (++names[name] > 1)
-          name = asked + "_" + std::to_string(++names[asked]);
+        name = names.take(name.empty() ? "extra" : name);
         const ValueType type = extra.scaled[c] ? ValueType::Float64 : extra.type;
         cloud_.columns.push_back({name,
                                   makeValues(type, header_.count),

@@ -58,4 +58,17 @@ cleanName(std::string_view text)
   return name.substr(first, name.find_last_not_of(' ') - first + 1);
 }
 
+std::string
+UniqueNames::take(const std::string& asked)
+{
+  const auto [place, fresh] = used_.emplace(asked, 1);
+  if (fresh)
+    return asked;
+  std::string name;
+  do
+    name = asked + "_" + std::to_string(++place->second);
+  while (!used_.emplace(name, 1).second);
+  return name;
+}
+
 } // namespace linelet::io

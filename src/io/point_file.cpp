@@ -19,7 +19,15 @@ struct Format {
   void (*write)(const Target& target, const Cloud& cloud);
 };
 
-constexpr std::array<Format, 1> formats = {{{".las", readLas, writeLas}}};
+constexpr std::array<Format, 8> formats = {
+    {{".las", readLas, writeLas},
+     {".pcd", readPcd, writePcd},
+     {".ply", readPly, writePly},
+     {".xyz", readText, writeText},
+     {".txt", readText, writeText},
+     {".csv", readText, writeText},
+     {".xy", readText, nullptr},
+     {".obj", readObjVertices, writeObjVertices}}};
 
 const Format&
 formatOf(const std::string& path)
@@ -59,6 +67,8 @@ writeCloud(const std::string& path,
            Monitor* monitor)
 {
   const Format& format = formatOf(path);
+  if (format.write == nullptr)
+    throw FileError(path + ": .xy files are read only; use .xyz");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
   format.write({path, warnings, monitor}, cloud);

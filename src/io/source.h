@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,6 @@ struct Source {
   ReadOptions options;
   std::vector<std::string>* warnings = nullptr;
   Monitor* monitor = nullptr;
-  bool references = true; ///< whether to look up reference systems (in PROJ's tables)
 
   /** \throws FileError "NAME: WHAT" */
   [[noreturn]] void
@@ -79,6 +79,17 @@ store(char* at, T value)
 /** \brief \a text as a name: valid UTF-8 without control characters, trimmed. */
 std::string
 cleanName(std::string_view text);
+
+/** \brief Gives out names, none of them twice. */
+class UniqueNames {
+public:
+  /** \brief \a asked, or where that is taken with _2, _3, ... behind it. */
+  std::string
+  take(const std::string& asked);
+
+private:
+  std::map<std::string, int> used_; ///< name -> largest number behind it
+};
 
 /** \brief Number of points between two looks at the monitor. */
 constexpr std::size_t block_points = 8192;

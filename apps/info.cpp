@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <unordered_set>
+
+#include <linelet/io/point_file.h>
+#include <linelet/search/scale_unit.h>
+
+#include "commands.h"
+#include "frame.h"
+
+namespace linelet::apps {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Bounds {
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high = -low;
+};
+
+Bounds
+boundsOf(const Points& points)
+{
+  Bounds bounds;
+  for (const Point& point : points)
+    if (point.allFinite()) {
+      bounds.low = bounds.low.cwiseMin(point);
+      bounds.high = bounds.high.cwiseMax(point);
+    }
+  return bounds;
+}
+
+/** Points per square unit of the ground plan: of the cells of side \a side that hold
+ * any, so that gaps in the survey do not count. */
+double
+densityOf(const Points& points, const Bounds& bounds, double side)
+{
+  const Point extent = (bounds.high - bounds.low) / side;
+  if (!(side > 0) || !(extent.head<2>().maxCoeff() < 1e9))
+    return std::numeric_limits<double>::quiet_NaN();
+  std::unordered_set<std::uint64_t> cells;
+  std::size_t count = 0;
+  for (const Point& point : points) {
+    if (!point.allFinite())
+      continue;
+    const Point cell = (point - bounds.low) / side;
+    cells.insert(static_cast<std::uint64_t>(cell.x()) << 32 |
+                 static_cast<std::uint64_t>(cell.y()));
+    ++count;
+  }
+  return static_cast<double>(count) / (static_cast<double>(cells.size()) * side * side);
+}
+
+/** Names that ASPRS gives to the classes. */
+std::string
+className(int number)
+{
+  static const std::array<const char*, 23> names = {"never classified",
+                                                    "unassigned",
+                                                    "ground",
+                                                    "low vegetation",
+                                                    "medium vegetation",
+                                                    "high vegetation",
+                                                    "building",
+                                                    "low noise",
+                                                    "model key point",
+                                                    "water",
+                                                    "rail",
+                                                    "road",
+                                                    "overlap",
+                                                    "wire guard",
+                                                    "wire conductor",
+                                                    "tower",
+                                                    "wire connector",
+                                                    "bridge deck",
+                                                    "high noise",
+                                                    "overhead structure",
+                                                    "ignored ground",
+                                                    "snow",
+                                                    "temporal exclusion"};
+  if (number >= 0 && number < static_cast<int>(names.size()))
+    return names[static_cast<std::size_t>(number)];
+  return number < 64 ? "reserved" : "user's own";
+}
+
+ordered_json
+classesOf(const io::Cloud& cloud)
+{
+  std::map<int, std::size_t> counts;
+  if (const io::Column* column = cloud.find("classification"))
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      ++counts[static_cast<int>(io::valueAt(*column, i))];
+  ordered_json classes = ordered_json::array();
+  for (const auto& [number, count] : counts)
+    classes.push_back(
+        {{"class", number}, {"name", className(number)}, {"points", count}});
+  return classes;
+}
+
+ordered_json
+attributesOf(const io::Cloud& cloud)
+{
+  ordered_json attributes = ordered_json::array();
+  for (const io::Column& column : cloud.columns) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+      const double value = io::valueAt(column, i);
+      low = std::min(low, value); // NaN is never less
+      high = std::max(high, value);
+    }
+    ordered_json attribute = {{"name", column.name},
+                              {"type", io::typeName(column.values)}};
+    attribute["minimum"] = low <= high ? ordered_json(low) : ordered_json();
+    attribute["maximum"] = low <= high ? ordered_json(high) : ordered_json();
+    if (!column.description.empty())
+      attribute["description"] = column.description;
+    attributes.push_back(attribute);
+  }
+  return attributes;
+}
+
+ordered_json
+numberOrNull(double value)
+{
+  return std::isfinite(value) ? ordered_json(value) : ordered_json();
+}
+
+ordered_json
+describe(const std::string& path, const io::Cloud& cloud, unsigned threads)
+{
+  ordered_json out;
+  out["file"] = path;
+  out["format"] = cloud.format;
+  out["points"] = cloud.points.size();
+  const Bounds bounds = boundsOf(cloud.points);
+  const bool any = bounds.low.x() <= bounds.high.x();
+  for (const auto& [name, corner] :
+       {std::pair("minimum", bounds.low), std::pair("maximum", bounds.high)}) {
+    const Point world = cloud.shift + corner;
+    out["bounds"][name] =
+        any ? ordered_json({world.x(), world.y(), world.z()}) : ordered_json();
+  }
+  out["reference_system"] = io::referenceName(cloud.wkt);
+  const double unit = scaleUnit(cloud.points, 1024, 1, threads);
+  const double density = any ? densityOf(cloud.points, bounds, 5 * unit) : NAN;
+  out["scale_unit"] = numberOrNull(unit);
+  out["density"] = numberOrNull(density);
+  out["spacing"] = numberOrNull(1 / std::sqrt(density));
+  out["classes"] = classesOf(cloud);
+  out["attributes"] = attributesOf(cloud);
+  return out;
+}
+
+void
+printNumber(const char* label, const ordered_json& value, const char* meaning)
+{
+  if (value.is_null())
+    std::printf("%-17s unknown\n", label);
+  else
+    std::printf("%-17s %.4g %s\n", label, value.get<double>(), meaning);
+}
+
+void
+print(const ordered_json& info)
+{
+  const auto text = [&](const char* key) { return info[key].get<std::string>(); };
+  std::printf("%-17s %s\n", "file", text("file").c_str());
+  std::printf("%-17s %s\n", "format", text("format").c_str());
+  std::printf("%-17s %zu\n", "points", info["points"].get<std::size_t>());
+  const std::string system = text("reference_system");
+  std::printf(
+      "%-17s %s\n", "reference system", system.empty() ? "unknown" : system.c_str());
+  for (int axis = 0; axis < 3 && !info["bounds"]["minimum"].is_null(); ++axis)
+    std::printf(
+        "%-17s %.6f to %.6f\n",
+        std::string(1, "xyz"[axis]).c_str(),
+        info["bounds"]["minimum"][static_cast<std::size_t>(axis)].get<double>(),
+        info["bounds"]["maximum"][static_cast<std::size_t>(axis)].get<double>());
+  printNumber(
+      "scale unit D", info["scale_unit"], "(median distance to the 6th neighbour)");
+  printNumber("density", info["density"], "points a square unit");
+  printNumber("spacing", info["spacing"], "units, of the ground plan");
+  for (const auto& entry : info["classes"])
+    std::printf("class %-11d %10zu  %s\n",
+                entry["class"].get<int>(),
+                entry["points"].get<std::size_t>(),
+                entry["name"].get<std::string>().c_str());
+  for (const auto& attribute : info["attributes"]) {
+    std::printf("attribute         %-22s %-8s",
+                attribute["name"].get<std::string>().c_str(),
+                attribute["type"].get<std::string>().c_str());
+    if (!attribute["minimum"].is_null())
+      std::printf(" %.10g to %.10g",
+                  attribute["minimum"].get<double>(),
+                  attribute["maximum"].get<double>());
+    std::printf("\n");
+  }
+}
+
+} // namespace
+
+int
+runInfo(const std::vector<std::string>& arguments)
+{
+  Frame frame("info", "What a point file holds");
+  std::string path;
+  io::ReadOptions options;
+  frame.app.add_option("FILE", path, "point file")->required();
+  frame.app.add_flag(
+      "--lenient", options.lenient, "read what is whole of a file that ends too early");
+  frame.parse(arguments);
+
+  std::vector<std::string> warnings;
+  const io::Cloud cloud = io::readCloud(path, options, &warnings, &frame.monitor);
+  frame.warn(warnings);
+  frame.summary = describe(path, cloud, frame.threads);
+  print(frame.summary);
+  return frame.finish();
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "source.h"
+#include "values.h"
+
+namespace linelet::io {
+
+/** \brief The names that Cloud uses for what other software calls \a names:
+ * ReturnNumber, returnnumber, scalar_Return_Number, ... are return_number, unless that
+ * is among them already; others stay as they are. */
+std::vector<std::string>
+canonicalNames(const std::vector<std::string>& names);
+
+/** \brief \a name without white space and separators, for headers made of words. */
+std::string
+wordName(std::string_view name);
+
+/** \brief Makes a cloud of columns among which are x, y and z. Packed colours (rgb,
+ * rgba) are taken apart.
+ *
+ * The shift is a whole number near the points where these are far from the origin, so
+ * that subtracting it loses nothing. */
+Cloud
+cloudFromColumns(const Source& source, std::vector<Column> columns);
+
+/** \brief red, green and blue with 8 bits each where the cloud has no more than that:
+ * bytes, or 16 bit values whose lower half is empty, as LAS stores 8 bit colours. */
+std::optional<std::array<std::vector<std::uint8_t>, 3>>
+byteColours(const Cloud& cloud);
+
+/** \brief Whether \a name is red, green or blue. */
+bool
+isColour(std::string_view name);
+
+/** \brief How the coordinates of a cloud were most likely written down. */
+struct CoordinateForm {
+  bool floats = true; ///< every world coordinate is a float
+  int decimals = -1;  ///< of all world coordinates, -1: more than 9
+
+  /** \brief Whether a float is near enough to tell the coordinate. */
+  bool fits_float = true;
+};
+
+CoordinateForm
+formOf(const Cloud& cloud);
+
+/** \brief Appends a world coordinate in \a form. */
+void
+appendCoordinate(std::string& text, double value, const CoordinateForm& form);
+
+/** \brief Writes \a column's value at \a i as text. */
+void
+appendValue(std::string& text, const Column& column, std::size_t i);
+
+} // namespace linelet::io

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// libFuzzer harness of one reader, LINELET_READER, and, where it is defined, the writer
+// LINELET_WRITER that gets what was read. Whatever the bytes are, the reader makes a
+// cloud whose parts fit together or throws FileError.
+
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <unordered_set>
+
+#include "readers.h"
+#include "writers.h"
+
+using namespace linelet::io;
+
+namespace {
+
+void
+check(const Cloud& cloud)
+{
+  std::unordered_set<std::string_view> names;
+  for (const Column& column : cloud.columns)
+    if (column.name.empty() || size(column.values) != cloud.points.size() ||
+        !names.insert(column.name).second)
+      std::abort();
+  if (!cloud.shift.allFinite())
+    std::abort();
+}
+
+/** False where the bytes are refused. */
+bool
+tryReading(std::string_view bytes, bool lenient)
+{
+  std::vector<std::string> warnings;
+  Source source{"input", bytes, {lenient}, &warnings, nullptr};
+  try {
+    const Cloud cloud = LINELET_READER(source);
+    check(cloud);
+#ifdef LINELET_WRITER
+    LINELET_WRITER({"/dev/null", &warnings, nullptr}, cloud);
+#endif
+    return true;
+  }
+  catch (const FileError& error) {
+    if (std::string_view(error.what()).find('\n') != std::string_view::npos)
+      std::abort(); // the message is one line
+    return false;
+  }
+}
+
+} // namespace
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t length)
+{
+  const std::string_view bytes(reinterpret_cast<const char*>(data), length);
+  if (!tryReading(bytes, false))
+    tryReading(bytes, true);
+  return 0;
+}
