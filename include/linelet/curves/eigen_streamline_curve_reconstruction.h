@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <pcl/memory.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/PolygonMesh.h>
+#include <pcl/surface/reconstruction.h>
+#include <pcl/Vertices.h>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/curves/reconstruct_curves.h>
+
+namespace linelet {
+
+/** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL chain.
+ *
+ * The result proper is a \ref CurveNetwork, see \ref reconstruct. The overloads of
+ * pcl::SurfaceReconstruction give the same as a PolygonMesh or as vertices, one polygon
+ * a curve, its vertices in order; a closed curve repeats the index of its first vertex.
+ * PCL's own writers of meshes fill polygons: write curves with linelet::io instead.
+ *
+ * Points that are not finite are left out. Without input, with an index beyond the
+ * cloud or a parameter out of range the result is empty, with a message through
+ * PCL_ERROR; a cloud without a curve gives an empty result without a message.
+ * Neighbours are found in a grid of its own: setSearchMethod has no effect.
+ *
+ * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal; for
+ * other types define PCL_NO_PRECOMPILE before the first include, or include
+ * impl/eigen_streamline_curve_reconstruction.hpp. */
+template <typename PointInT>
+class EigenStreamlineCurveReconstruction : public pcl::SurfaceReconstruction<PointInT> {
+  using Base = pcl::SurfaceReconstruction<PointInT>;
+
+public:
+  using Ptr = pcl::shared_ptr<EigenStreamlineCurveReconstruction>;
+  using ConstPtr = pcl::shared_ptr<const EigenStreamlineCurveReconstruction>;
+
+  EigenStreamlineCurveReconstruction() { this->check_tree_ = false; }
+
+  /** \brief Curves begun; 0 (default): as many as the points ask for. */
+  void
+  setStartPoints(unsigned count)
+  {
+    settings_.start_points = count;
+  }
+  unsigned
+  getStartPoints() const
+  {
+    return settings_.start_points;
+  }
+
+  /** \brief Steps of one trace; 0 (default): chosen. */
+  void
+  setMaxIterations(unsigned count)
+  {
+    settings_.max_iterations = count;
+  }
+  unsigned
+  getMaxIterations() const
+  {
+    return settings_.max_iterations;
+  }
+
+  /** \brief The widest gap that is bridged, in the unit of the cloud; 0 (default):
+   * chosen. */
+  void
+  setDistanceCutoff(double distance)
+  {
+    settings_.distance_cutoff = distance;
+  }
+  double
+  getDistanceCutoff() const
+  {
+    return settings_.distance_cutoff;
+  }
+
+  void
+  setPreset(Preset preset)
+  {
+    settings_.preset = preset;
+  }
+  Preset
+  getPreset() const
+  {
+    return settings_.preset;
+  }
+
+  /** \brief 0: what OpenMP offers. The result is the same for any number. */
+  void
+  setNumberOfThreads(unsigned nr_threads = 0)
+  {
+    settings_.threads = nr_threads;
+  }
+  unsigned
+  getNumberOfThreads() const
+  {
+    return settings_.threads;
+  }
+
+  /** \brief All parameters at once, those of Preset::Published included. */
+  void
+  setSettings(const ReconstructionSettings& settings)
+  {
+    settings_ = settings;
+  }
+  const ReconstructionSettings&
+  getSettings() const
+  {
+    return settings_;
+  }
+
+  /** \brief The curves through the input points, or those that setIndices names. */
+  CurveNetwork
+  reconstruct();
+
+  void
+  reconstruct(pcl::PolygonMesh& output) override;
+
+  void
+  reconstruct(pcl::PointCloud<PointInT>& points,
+              std::vector<pcl::Vertices>& polygons) override;
+
+protected:
+  using Base::deinitCompute;
+  using Base::indices_;
+  using Base::initCompute;
+  using Base::input_;
+
+  std::string
+  getClassName() const override
+  {
+    return "EigenStreamlineCurveReconstruction";
+  }
+
+  void
+  performReconstruction(pcl::PolygonMesh& output) override;
+
+  void
+  performReconstruction(pcl::PointCloud<PointInT>& points,
+                        std::vector<pcl::Vertices>& polygons) override;
+
+private:
+  bool
+  refuse(const char* reason) const;
+  bool
+  chosenPoints(Points& points);
+
+  ReconstructionSettings settings_;
+};
+
+extern template class EigenStreamlineCurveReconstruction<pcl::PointXYZ>;
+extern template class EigenStreamlineCurveReconstruction<pcl::PointXYZI>;
+extern template class EigenStreamlineCurveReconstruction<pcl::PointXYZRGB>;
+extern template class EigenStreamlineCurveReconstruction<pcl::PointNormal>;
+extern template class EigenStreamlineCurveReconstruction<pcl::PointXYZINormal>;
+
+} // namespace linelet
+
+#ifdef PCL_NO_PRECOMPILE
+#include <linelet/curves/impl/eigen_streamline_curve_reconstruction.hpp>
+#endif

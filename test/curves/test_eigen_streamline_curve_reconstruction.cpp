@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <pcl/console/print.h>
+#include <pcl/conversions.h>
+
+#include <linelet/curves/eigen_streamline_curve_reconstruction.h>
+#include <linelet/evaluation/measures.h>
+#include <linelet/evaluation/test_cloud.h>
+
+using namespace linelet;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Reconstruction = EigenStreamlineCurveReconstruction<pcl::PointXYZ>;
+
+namespace {
+
+Cloud::Ptr
+cloudOf(evaluation::Geometry geometry)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  for (const Point& p : evaluation::sample(geometry, {}))
+    cloud->emplace_back(float(p.x()), float(p.y()), float(p.z()));
+  cloud->header.frame_id = "map";
+  return cloud;
+}
+
+class CurveReconstructionInPcl : public ::testing::TestWithParam<Preset> {
+protected:
+  void
+  SetUp() override
+  {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+    reconstruction.setPreset(GetParam());
+  }
+
+  Reconstruction reconstruction;
+};
+
+} // namespace
+
+TEST_P(CurveReconstructionInPcl, FindsTheCurve)
+{
+  reconstruction.setInputCloud(cloudOf(evaluation::Geometry::Helix));
+  EXPECT_TRUE(evaluation::measure(reconstruction.reconstruct(),
+                                  evaluation::truthOf(evaluation::Geometry::Helix))
+                  .success);
+}
+
+TEST_P(CurveReconstructionInPcl, MeshAndVerticesAreTheCurves)
+{
+  const auto cloud = cloudOf(evaluation::Geometry::Circle);
+  reconstruction.setInputCloud(cloud);
+  const CurveNetwork curves = reconstruction.reconstruct();
+  ASSERT_EQ(curves.curves.size(), 1u);
+  ASSERT_TRUE(curves.curves[0].closed);
+
+  // Through the base class, as PCL code would.
+  pcl::SurfaceReconstruction<pcl::PointXYZ>& base = reconstruction;
+  pcl::PolygonMesh mesh;
+  mesh.polygons.resize(7); // leftovers of the caller
+  base.reconstruct(mesh);
+  Cloud points;
+  std::vector<pcl::Vertices> polygons(3);
+  base.reconstruct(points, polygons);
+
+  Cloud mesh_points;
+  pcl::fromPCLPointCloud2(mesh.cloud, mesh_points);
+  ASSERT_EQ(polygons.size(), 1u);
+  ASSERT_EQ(mesh.polygons.size(), 1u);
+  EXPECT_EQ(mesh.polygons[0].vertices, polygons[0].vertices);
+  EXPECT_EQ(mesh.header.frame_id, "map");
+  EXPECT_EQ(points.header.frame_id, "map");
+  const std::size_t count = curves.curves[0].points.size();
+  ASSERT_EQ(points.size(), count);
+  ASSERT_EQ(mesh_points.size(), count);
+  ASSERT_EQ(polygons[0].vertices.size(), count + 1) << "a closed curve comes back";
+  EXPECT_EQ(polygons[0].vertices.back(), polygons[0].vertices.front());
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(points[i].x, float(curves.curves[0].points[i].x()));
+    EXPECT_EQ(mesh_points[i].y, float(curves.curves[0].points[i].y()));
+  }
+}
+
+TEST_P(CurveReconstructionInPcl, WithoutInputTheResultIsEmpty)
+{
+  EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
+  pcl::PolygonMesh mesh;
+  mesh.polygons.resize(2);
+  reconstruction.reconstruct(mesh);
+  EXPECT_TRUE(mesh.polygons.empty());
+  Cloud points;
+  std::vector<pcl::Vertices> polygons(2);
+  reconstruction.reconstruct(points, polygons);
+  EXPECT_TRUE(points.empty());
+  EXPECT_TRUE(polygons.empty());
+}
+
+TEST_P(CurveReconstructionInPcl, EmptyAndUnusableCloudsGiveNoCurve)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  auto cloud = pcl::make_shared<Cloud>();
+  reconstruction.setInputCloud(cloud);
+  EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
+  for (const pcl::PointXYZ& point :
+       {pcl::PointXYZ(1, 2, 3), pcl::PointXYZ(nan, nan, nan)}) {
+    auto repeated = pcl::make_shared<Cloud>();
+    repeated->resize(100, point);
+    repeated->is_dense = false;
+    reconstruction.setInputCloud(repeated);
+    EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
+  }
+}
+
+TEST_P(CurveReconstructionInPcl, IndicesChooseThePoints)
+{
+  auto both = cloudOf(evaluation::Geometry::Line);
+  const std::size_t line = both->size();
+  for (const auto& point : *cloudOf(evaluation::Geometry::Circle))
+    both->emplace_back(point.x, point.y, point.z + 50);
+  both->emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.F, 0.F);
+  both->is_dense = false;
+  auto indices = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = line; i < both->size(); ++i)
+    indices->push_back(static_cast<pcl::index_t>(i));
+  reconstruction.setInputCloud(both);
+  reconstruction.setIndices(indices);
+  const CurveNetwork curves = reconstruction.reconstruct();
+  ASSERT_EQ(curves.curves.size(), 1u);
+  for (const Point& p : curves.curves[0].points)
+    EXPECT_NEAR(p.z(), 50, 0.1);
+
+  indices->push_back(static_cast<pcl::index_t>(both->size()));
+  EXPECT_TRUE(reconstruction.reconstruct().curves.empty()) << "no such point";
+}
+
+TEST_P(CurveReconstructionInPcl, ParametersOutOfRangeGiveAnEmptyResult)
+{
+  reconstruction.setInputCloud(cloudOf(evaluation::Geometry::Line));
+  reconstruction.setDistanceCutoff(-1);
+  EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets,
+                         CurveReconstructionInPcl,
+                         ::testing::Values(Preset::Refined, Preset::Published),
+                         [](const auto& info) {
+                           return std::string(nameOf(info.param));
+                         });
