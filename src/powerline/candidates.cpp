@@ -166,7 +166,11 @@ findCandidates(const Points& points, const Ground& ground, double min_height)
     height.push_back(static_cast<float>(h));
   }
   UniformGrid grid(above, 1);
-  return {std::move(above), std::move(input), std::move(height), std::move(grid)};
+  return {std::move(above),
+          std::move(input),
+          std::move(height),
+          std::move(grid),
+          min_height};
 }
 
 std::vector<Seed>

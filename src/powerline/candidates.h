@@ -19,6 +19,7 @@ struct Candidates {
   Indices input;             ///< index of each in the input
   std::vector<float> height; ///< above ground, metres
   UniformGrid grid;
+  double least_height; ///< above ground, of all of them, metres
 };
 
 /** \brief Points higher above \a ground than \a min_height, in input order. */

@@ -118,6 +118,7 @@ extractPowerLines(const Points& points,
       hanging.push_back({std::move(strand), {}});
     stages.begin("supports");
     completeByCompany(hanging, growth, settings);
+    splitAtPoles(hanging, growth);
     matchEnds(hanging);
     dropUnlikely(hanging, growth, underside, settings);
     addStubs(hanging, growth, seeds, underside, settings);

@@ -76,6 +76,12 @@ completeByCompany(std::vector<Hanging>& wires,
                   Growth& growth,
                   const PowerLineSettings& settings);
 
+/** \brief Splits low wires where a pole stands below them: in a dip of the terrain a
+ * line runs over its poles without a kink. What sticks out beyond a last pole is cut
+ * off. */
+void
+splitAtPoles(std::vector<Hanging>& wires, Growth& growth);
+
 /** \brief Adds wires that are short because the data end: they go on from the end of
  * another wire, or run beside one. */
 void
