@@ -13,6 +13,7 @@ reconstructCurves(const Points& points,
                   const ReconstructionSettings& settings,
                   Monitor* monitor)
 {
+  validate(settings);
   if (settings.preset == Preset::Published)
     return reconstructPublished(points, settings, monitor);
   RefinedSettings refined;
