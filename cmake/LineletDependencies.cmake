@@ -29,6 +29,9 @@ if(LINELET_BUILD_IO OR LINELET_BUILD_APPS)
 endif()
 if(LINELET_BUILD_APPS)
   find_package(CLI11 REQUIRED)
+  # Pictures: raster images, lettering and PNG, nothing that needs a display.
+  find_package(VTK 9 REQUIRED
+    COMPONENTS CommonDataModel IOImage RenderingCore RenderingFreeType)
 endif()
 if(LINELET_BUILD_TESTS)
   find_package(GTest REQUIRED)

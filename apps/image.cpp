@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <linelet/io/point_file.h>
+
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+#include "picture/pictures.h"
+
+namespace linelet::apps {
+
+namespace {
+
+Canvas
+draw(const io::Cloud& cloud,
+     const PictureSettings& settings,
+     const MultiScaleSettings& shapes,
+     const std::string& file,
+     Monitor* monitor)
+{
+  switch (settings.kind) {
+  case PictureKind::Profile:
+    return pictureOfProfile(cloud, settings, shapes, file, monitor);
+  case PictureKind::Graphs:
+    return pictureOfPoint(cloud, settings, shapes, file);
+  case PictureKind::Cloud:
+    break;
+  }
+  return pictureOfCloud(cloud, settings, shapes, file, monitor);
+}
+
+} // namespace
+
+int
+runImage(const std::vector<std::string>& arguments)
+{
+  Frame frame(
+      "image",
+      "Draws a PNG picture, without a display: the cloud, coloured and seen "
+      "from any side, with curves over it; a multi-scale feature image, whose "
+      "columns are places along a line and whose rows are radii; or the graphs "
+      "of linearity, planarity and sphericity of one point over the radius, with "
+      "the extrema and the optimal radius. Coordinates on the command line are "
+      "those of the file.");
+  PictureSettings settings;
+  MultiScaleSettings shapes;
+  shapes.centroid = Centroid::Median;
+  io::ReadOptions reading;
+  std::string input, output;
+  frame.app.add_option("INPUT", input, "point file")->required();
+  frame.app.add_option("OUTPUT", output, "picture, .png")->required();
+  addOptions(frame.app, settings);
+  addOptions(frame.app, shapes);
+  frame.app.add_flag(
+      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  frame.parse(arguments);
+  shapes.threads = frame.threads;
+  if (frame.app.count("--kind") == 0) {
+    if (!settings.along.empty() || !settings.probe.empty())
+      settings.kind = PictureKind::Profile;
+    else if (!settings.point.empty())
+      settings.kind = PictureKind::Graphs;
+  }
+  // Medians of every neighbourhood of a whole cloud take their time.
+  if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
+    shapes.centroid = Centroid::QueryPoint;
+  constexpr unsigned least = 200, most = 10000;
+  if (settings.width < least || settings.height < least || settings.width > most ||
+      settings.height > most)
+    throw std::runtime_error("width and height must be between 200 and 10000 pixels");
+
+  std::vector<std::string> warnings;
+  const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  frame.warn(warnings);
+  if (cloud.points.empty())
+    throw std::runtime_error(input + ": there are no points to draw");
+  draw(cloud, settings, shapes, input, &frame.monitor).save(output);
+  std::printf("%s: %s, %u x %u pixels\n",
+              output.c_str(),
+              std::string(nameOf(settings.kind)).c_str(),
+              settings.width,
+              settings.height);
+  frame.summary["kind"] = nameOf(settings.kind);
+  frame.summary["points"] = cloud.points.size();
+  return frame.finish();
+}
+
+} // namespace linelet::apps

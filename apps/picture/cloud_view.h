@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/support/points.h>
+
+#include "canvas.h"
+
+namespace linelet::apps {
+
+/** \brief A cloud as it is to be shown. */
+struct CloudView {
+  Points points;             ///< those that are not finite are left out
+  std::vector<Color> colors; ///< one a point
+  CurveNetwork curves;       ///< drawn over the points
+  std::string title;
+  std::string unit;       ///< of length, for the scale bar; may be empty
+  double azimuth = 210;   ///< where the eye is, degrees clockwise from north (y)
+  double elevation = 35;  ///< degrees above the horizon, 90: from above
+  double point_size = 0;  ///< diameter in pixels; 0: by density
+  double curve_width = 3; ///< pixels
+};
+
+/** \brief Parallel projection with depth-shaded points, the curves on top, a scale bar
+ * that is true for horizontal lengths across the view. The lowest \a bottom pixels stay
+ * free for a legend. */
+Canvas
+drawCloud(const CloudView& view, int width, int height, double bottom);
+
+} // namespace linelet::apps

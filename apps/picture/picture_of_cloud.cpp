@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <linelet/io/vector_file.h>
+
+#include "axes.h"
+#include "cloud_view.h"
+#include "pictures.h"
+
+namespace linelet::apps {
+
+namespace {
+
+double
+median(std::vector<double>& values)
+{
+  const auto middle =
+      values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median over the scales of each factor, through the map.
+std::vector<Color>
+colorsByShape(const Points& points,
+              const MultiScaleSettings& settings,
+              ShapeColors colors,
+              Monitor* monitor)
+{
+  std::vector<Color> result(points.size(), ink::grid);
+  std::array<std::vector<double>, 3> factors;
+  multiScaleShapes(
+      points,
+      points,
+      settings,
+      [&](std::size_t point, const ShapeGraph& graph) {
+        for (auto& values : factors)
+          values.clear();
+        for (const ScaleShape& shape : graph)
+          if (!std::isnan(shape.linearity)) {
+            factors[0].push_back(static_cast<double>(shape.linearity));
+            factors[1].push_back(static_cast<double>(shape.planarity));
+            factors[2].push_back(static_cast<double>(shape.sphericity));
+          }
+        if (!factors[0].empty())
+          result[point] = shapeColor(
+              colors, median(factors[0]), median(factors[1]), median(factors[2]));
+      },
+      monitor);
+  return result;
+}
+
+/// Values with the range that colours are spread over: nearly all, but no outlier.
+struct Scalars {
+  std::string name;
+  std::vector<double> values;
+  double low = 0, high = 1;
+};
+
+Scalars
+scalars(const io::Cloud& cloud, const std::string& name, const std::string& file)
+{
+  Scalars result;
+  result.name = name;
+  const bool height = name == "height" || name == "grey";
+  const io::Column* column = height ? nullptr : cloud.find(name);
+  if (!height && column == nullptr) {
+    std::string names;
+    for (const io::Column& other : cloud.columns)
+      names += " " + other.name;
+    throw std::runtime_error(
+        file + ": there is no attribute '" + name +
+        "' to colour by; use shape, height, grey, rgb or one of its "
+        "own:" +
+        (names.empty() ? " none" : names));
+  }
+  std::vector<double> known;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    result.values.push_back(height ? cloud.points[i].z() + cloud.shift.z()
+                                   : io::valueAt(*column, i));
+    if (std::isfinite(result.values.back()))
+      known.push_back(result.values.back());
+  }
+  if (known.empty())
+    return result;
+  std::sort(known.begin(), known.end());
+  const auto quantile = [&](double part) {
+    return known[static_cast<std::size_t>(part *
+                                          static_cast<double>(known.size() - 1))];
+  };
+  result.low = quantile(0.01);
+  result.high = quantile(0.99);
+  if (!(result.high > result.low)) {
+    result.low = known.front();
+    result.high = known.back();
+  }
+  return result;
+}
+
+double
+relative(const Scalars& scalars, double value)
+{
+  return scalars.high > scalars.low
+             ? std::clamp(
+                   (value - scalars.low) / (scalars.high - scalars.low), 0.0, 1.0)
+             : 0.5;
+}
+
+std::vector<Color>
+colorsByScalar(const Scalars& scalars, bool grey)
+{
+  std::vector<Color> colors;
+  for (const double value : scalars.values) {
+    const double t = relative(scalars, value);
+    colors.push_back(!std::isfinite(value) ? ink::grid
+                     : grey ? mix({0.62, 0.63, 0.66}, {0.90, 0.90, 0.92}, t)
+                            : scalarColor(t));
+  }
+  return colors;
+}
+
+std::vector<Color>
+colorsByRgb(const io::Cloud& cloud, const std::string& file)
+{
+  const io::Column* channels[3] = {
+      cloud.find("red"), cloud.find("green"), cloud.find("blue")};
+  double largest = 0;
+  for (const io::Column* channel : channels) {
+    if (channel == nullptr)
+      throw std::runtime_error(file + ": there are no colours (red, green, blue); use "
+                                      "--color height");
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      largest = std::max(largest, io::valueAt(*channel, i));
+  }
+  const double full =
+      largest > 255 ? 65535 : 255; // LAS says 16 bits, many files mean 8
+  std::vector<Color> colors(cloud.points.size());
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      colors[i][c] = io::valueAt(*channels[c], i) / full;
+  return colors;
+}
+
+constexpr double legend_height = 58;
+
+void
+drawScalarLegend(Canvas& canvas, const Scalars& scalars)
+{
+  constexpr double left = 24, bar_width = 320, bar_height = 14;
+  const double top = canvas.height() - 42;
+  const Axis axis(scalars.low, scalars.high, left, left + bar_width, false);
+  constexpr int steps = 160;
+  for (int i = 0; i < steps; ++i)
+    canvas.rectangle({left + bar_width * i / steps, top},
+                     bar_width / steps,
+                     bar_height,
+                     scalarColor((i + 0.5) / steps));
+  for (const double value : axis.ticks()) {
+    canvas.line({axis.pixel(value), top + bar_height},
+                {axis.pixel(value), top + bar_height + 4},
+                1,
+                ink::frame);
+    canvas.text({axis.pixel(value), top + bar_height + 14},
+                numberText(value),
+                text_size - 2,
+                ink::text,
+                Align::Center);
+  }
+  canvas.text({left + bar_width + 16, top + bar_height / 2}, scalars.name, text_size);
+}
+
+} // namespace
+
+Canvas
+pictureOfCloud(const io::Cloud& cloud,
+               const PictureSettings& settings,
+               const MultiScaleSettings& shapes,
+               const std::string& file,
+               Monitor* monitor)
+{
+  CloudView view;
+  view.points = cloud.points;
+  view.title = settings.title;
+  view.azimuth = settings.azimuth;
+  view.elevation = settings.elevation;
+  view.point_size = settings.point_size;
+  view.curve_width = settings.curve_width;
+  if (cloud.wkt.find("metre") != std::string::npos)
+    view.unit = "m";
+  if (!settings.curves.empty())
+    view.curves = io::readCurves(settings.curves, cloud.shift);
+
+  const bool by_shape = settings.color == "shape", by_rgb = settings.color == "rgb";
+  const bool grey = settings.color == "grey";
+  Scalars values;
+  if (by_shape)
+    view.colors = colorsByShape(cloud.points, shapes, settings.colors, monitor);
+  else if (by_rgb)
+    view.colors = colorsByRgb(cloud, file);
+  else {
+    values = scalars(cloud, settings.color, file);
+    view.colors = colorsByScalar(values, grey);
+  }
+  const bool legend = by_shape || (!by_rgb && !grey);
+  Canvas canvas = drawCloud(view,
+                            static_cast<int>(settings.width),
+                            static_cast<int>(settings.height),
+                            legend ? legend_height : 8);
+  if (by_shape) {
+    const auto pure = shapeColors(settings.colors);
+    drawLegend(canvas,
+               {24, canvas.height() - 28.0},
+               {{pure[0], "linear"},
+                {pure[1], "planar"},
+                {pure[2], "spherical, median over all radii"}});
+  }
+  else if (legend)
+    drawScalarLegend(canvas, values);
+  return canvas;
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <linelet/features/multi_scale.h>
+#include <linelet/io/cloud.h>
+#include <linelet/support/names.h>
+
+#include "canvas.h"
+
+namespace linelet::apps {
+
+/** \brief What a picture shows. */
+enum class PictureKind {
+  Cloud,   ///< the points, coloured
+  Profile, ///< the multi-scale feature image along a line
+  Graphs   ///< the graphs of one point
+};
+
+/** \brief What is drawn, and how. */
+struct PictureSettings {
+  PictureKind kind = PictureKind::Cloud;
+  ShapeColors colors = ShapeColors::Classic;
+  unsigned width = 1200, height = 760;
+  // Cloud
+  std::string color = "shape";
+  std::string curves;
+  double azimuth = 210, elevation = 35;
+  double point_size = 0;
+  double curve_width = 3;
+  // Profile and graphs
+  std::string along;
+  std::vector<double> probe;
+  std::vector<double> point;
+  double length = 0;
+  unsigned columns = 400, rows = 64;
+  std::string title;
+};
+
+template <class Visit>
+void
+describe(PictureSettings& s, Visit&& visit)
+{
+  visit("kind",
+        s.kind,
+        "what to draw; --along and --probe make it a profile, --point graphs");
+  visit("colors", s.colors, "of linearity, planarity, sphericity");
+  visit("width", s.width, "of the picture, pixels");
+  visit("height", s.height, "of the picture, pixels");
+  visit("color",
+        s.color,
+        "cloud: shape (median of the factors over all radii), height, grey, rgb, or an "
+        "attribute of the file");
+  visit("curves", s.curves, "cloud: polylines to draw over it (.obj)");
+  visit("azimuth", s.azimuth, "cloud: where the eye is, degrees clockwise from north");
+  visit("elevation", s.elevation, "cloud: of the eye, degrees; 90: from above");
+  visit("point-size", s.point_size, "cloud: pixels; 0: by density");
+  visit("curve-width", s.curve_width, "cloud: pixels");
+  visit("along", s.along, "profile: along the first curve of this file (.obj)");
+  visit("probe", s.probe, "profile: along the polyline x,y,z,x,y,z,...");
+  visit("point",
+        s.point,
+        "graphs of the point nearest to x,y,z, or of that number; with --kind profile: "
+        "along its direction");
+  visit("length", s.length, "profile along the direction of a point; 0: 30 D");
+  visit("columns", s.columns, "profile: positions along the line");
+  visit("rows", s.rows, "profile: radii, unless --radii are given");
+  visit("title", s.title, "of the picture; empty: says what it shows");
+}
+
+/** \brief The points of \a cloud, coloured as \a settings say.
+ * \throws std::runtime_error where there is no such attribute */
+Canvas
+pictureOfCloud(const io::Cloud& cloud,
+               const PictureSettings& settings,
+               const MultiScaleSettings& shapes,
+               const std::string& file,
+               Monitor* monitor);
+
+/** \brief The multi-scale feature image along the line that \a settings name. */
+Canvas
+pictureOfProfile(const io::Cloud& cloud,
+                 const PictureSettings& settings,
+                 const MultiScaleSettings& shapes,
+                 const std::string& file,
+                 Monitor* monitor);
+
+/** \brief The graphs of the point that \a settings name. */
+Canvas
+pictureOfPoint(const io::Cloud& cloud,
+               const PictureSettings& settings,
+               const MultiScaleSettings& shapes,
+               const std::string& file);
+
+} // namespace linelet::apps
+
+namespace linelet {
+
+template <>
+struct Names<apps::PictureKind> {
+  static constexpr std::string_view kind = "kind of picture";
+  static constexpr std::array<std::pair<apps::PictureKind, std::string_view>, 3> table =
+      {{{apps::PictureKind::Cloud, "cloud"},
+        {apps::PictureKind::Profile, "profile"},
+        {apps::PictureKind::Graphs, "graphs"}}};
+};
+
+} // namespace linelet

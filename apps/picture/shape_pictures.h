@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/features/linearity_graph.h>
+#include <linelet/features/multi_scale_types.h>
+#include <linelet/support/points.h>
+
+#include "canvas.h"
+
+namespace linelet::apps {
+
+/** \brief The shapes of neighbourhoods along a line, at many radii. */
+struct ShapeProfile {
+  std::string title;
+  std::string position_label;     ///< what runs along the picture
+  std::vector<double> positions;  ///< of the columns, rising, evenly spaced
+  std::vector<double> radii;      ///< of the rows, rising
+  std::vector<ShapeGraph> graphs; ///< one a column
+  std::vector<double> chosen;     ///< optimal radius of each column, NaN: none
+};
+
+/** \brief Multi-scale feature image: a column a position, a row a radius (small at the
+ * bottom), coloured by shape; the optimal radius as a dotted line. White where there is
+ * no shape. */
+Canvas
+drawShapeProfile(const ShapeProfile& profile,
+                 ShapeColors colors,
+                 int width,
+                 int height);
+
+/** \brief The graphs of one point. */
+struct PointGraphs {
+  std::string title;
+  std::vector<double> radii; ///< of the scales
+  ShapeGraph graph;          ///< at these
+  std::vector<double> fine_radii;
+  ShapeGraph fine_graph;   ///< at many radii, for the lines between the scales
+  LinearityGraph analysis; ///< of the graph at the scales
+};
+
+/** \brief CL, CP and CS of a point over the radius, with the local extrema of the
+ * linearity and the chosen radius marked. */
+Canvas
+drawPointGraphs(const PointGraphs& graphs, ShapeColors colors, int width, int height);
+
+} // namespace linelet::apps
