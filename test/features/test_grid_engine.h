@@ -87,6 +87,7 @@ gridAgrees(const Points& surface,
            const NeighbourhoodSizes& sizes = {},
            std::size_t at_most = 400)
 {
+  settings.threads = 1; // clouds too small for more
   const auto grid = estimateTensorsOnGrid(surface, surface, settings, sizes);
   settings.engine = Engine::Tree;
   const std::size_t step = std::max<std::size_t>(1, surface.size() / at_most);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <hwy/cache_control.h>
+
 #include "key_sort.h"
 
 namespace linelet::grid {
@@ -118,6 +120,9 @@ BlockOrder::BlockOrder(const Points& points,
       const auto block = static_cast<std::size_t>(b);
       const BlockFrame::Cell here = frame.cell(keys_[block]);
       places.clear();
+      // Points lie anywhere in memory: ask for all of them before the first is needed.
+      for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
+        hwy::Prefetch(&points[index_[slot]]);
       for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
         places.push_back(std::uint64_t{frame.curvePlace(points[index_[slot]], here)}
                              << 32 |

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include <hwy/cache_control.h>
+
 namespace linelet::grid {
 
 namespace {
@@ -66,6 +68,7 @@ BlockSweep::operator()(std::size_t block)
   queries_.resize(count);
   radii_.assign(count, 1.0);
   for (std::size_t i = 0; i < count; ++i) {
+    hwy::Prefetch(&job_.records[job_.queries.index(first_ + i)]);
     queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radius);
     if (job_.radii != nullptr)
       radii_[i] = (*job_.radii)[job_.queries.index(first_ + i)] / job_.radius;
@@ -226,7 +229,7 @@ BlockSweep::constTensor(const Part& queries,
   const Band limits = band(queries, query);
   Moments sums;
   const Found found = kernels_.constSums(last_, at, limits, sums);
-  if (found.doubtful > 0)
+  if (found.doubtful)
     for (const Index place : decide(query, at, limits))
       sums.add(1, {last_.x[place], last_.y[place], last_.z[place]});
   // From the part to the query, exactly.
@@ -248,7 +251,7 @@ BlockSweep::weightedTensor(const Part& queries, std::size_t query, Moments& t)
   const Found found = kernels_.weightedSums(
       last_, at, limits, job_.settings.weighting, static_cast<float>(inverse), t);
   std::size_t neighbours = found.certain;
-  if (found.doubtful > 0)
+  if (found.doubtful)
     for (const Index place : decide(query, at, limits)) {
       const Point offset(double{last_.x[place]} - double{at[0]},
                          double{last_.y[place]} - double{at[1]},
@@ -267,7 +270,7 @@ BlockSweep::centredTensor(const Part& queries, std::size_t query, Moments& t)
   const Band limits = band(queries, query);
   dense_.reserve(last_.size);
   const Found found = kernels_.neighbours(last_, at, limits, dense_);
-  if (found.doubtful > 0) {
+  if (found.doubtful) {
     for (const Index place : decide(query, at, limits)) {
       dense_.x[dense_.size] = last_.x[place] - at[0];
       dense_.y[dense_.size] = last_.y[place] - at[1];

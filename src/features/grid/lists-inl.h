@@ -154,11 +154,12 @@ neighbours(const PointList& list, const Float3& query, Band band, PointList& out
   const hn::RebindToUnsigned<F> u;
   const V qx = constant(query[0]), qy = constant(query[1]), qz = constant(query[2]);
   const V low = constant(band.low), high = constant(band.high);
-  std::size_t size = 0, reached = 0;
+  std::size_t size = 0;
+  auto doubtful = hn::FirstN(f, 0);
   for (std::size_t i = 0; i < list.size; i += hn::Lanes(f)) {
     const Seen s = seen(list, i, qx, qy, qz);
     const auto keep = hn::Le(s.squared, low);
-    reached += hn::CountTrue(f, hn::Le(s.squared, high));
+    doubtful = hn::Or(doubtful, hn::AndNot(keep, hn::Le(s.squared, high)));
     append(f, s.dx, keep, out.x + size);
     append(f, s.dy, keep, out.y + size);
     append(f, s.dz, keep, out.z + size);
@@ -167,7 +168,7 @@ neighbours(const PointList& list, const Float3& query, Band band, PointList& out
   }
   out.size = size;
   out.pad();
-  return {size, reached - size};
+  return {size, !hn::AllFalse(f, doubtful)};
 }
 
 void

@@ -115,7 +115,7 @@ constSums(const PointList& list, const Float3& query, Band band, Moments& sums)
           qz = constant(2 * query[2]);
   const V low = constant(band.low - square), high = constant(band.high - square);
   Sums<true> total;
-  std::size_t reached = 0;
+  auto doubtful = hn::FirstN(f, 0);
   for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
     const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
     ChunkSums<true> part;
@@ -125,14 +125,14 @@ constSums(const PointList& list, const Float3& query, Band band, Moments& sums)
       V s = hn::NegMulAdd(qx, x, hn::Load(f, list.h + i));
       s = hn::NegMulAdd(qy, y, s);
       s = hn::NegMulAdd(qz, z, s);
-      part.addMasked(hn::Le(s, low), x, y, z);
-      reached += hn::CountTrue(f, hn::Le(s, high));
+      const auto within = hn::Le(s, low);
+      part.addMasked(within, x, y, z);
+      doubtful = hn::Or(doubtful, hn::AndNot(within, hn::Le(s, high)));
     }
     total.add(part);
   }
   total.addTo(sums);
-  const auto found = static_cast<std::size_t>(total.total.count);
-  return {found, reached - found};
+  return {static_cast<std::size_t>(total.total.count), !hn::AllFalse(f, doubtful)};
 }
 
 template <class W>
@@ -150,7 +150,8 @@ weightedSumsOf(const W& weight,
   const V low = constant(band.low), high = constant(band.high);
   const V factor = constant(scale);
   Sums<false> total;
-  std::size_t found = 0, reached = 0;
+  std::size_t found = 0;
+  auto doubtful = hn::FirstN(f, 0);
   for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
     const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
     ChunkSums<false> part;
@@ -160,7 +161,7 @@ weightedSumsOf(const W& weight,
       const V dz = hn::Sub(hn::Load(f, list.z + i), qz);
       const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
       const auto within = hn::Le(squared, low);
-      reached += hn::CountTrue(f, hn::Le(squared, high));
+      doubtful = hn::Or(doubtful, hn::AndNot(within, hn::Le(squared, high)));
       if (hn::AllFalse(f, within))
         continue;
       const V w = hn::IfThenElseZero(within, weight(hn::Mul(squared, factor)));
@@ -170,7 +171,7 @@ weightedSumsOf(const W& weight,
     total.add(part);
   }
   total.addTo(sums);
-  return {found, reached - found};
+  return {found, !hn::AllFalse(f, doubtful)};
 }
 
 Found

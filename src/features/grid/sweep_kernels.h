@@ -44,9 +44,10 @@ struct Ball {
   float outside; ///< and beyond which it is of none
 };
 
-/** \brief How many points lie in a ball for certain, and how many in its band. */
+/** \brief How many points lie in a ball for certain, and whether any do in its band. */
 struct Found {
-  std::size_t certain, doubtful;
+  std::size_t certain;
+  bool doubtful;
 };
 
 /** \brief Eigen-analysis of many tensors: entries one after the other, each of \a count
