@@ -62,11 +62,13 @@ finitePoints(const Points& points)
 struct Candidates {
   using DistanceType = double;
 
-  double reach;
+  double reach, beyond;
   std::vector<std::size_t>& slots;
 
   Candidates(double squared_radius, std::vector<std::size_t>& collected)
-      : reach(squared_radius * (1 + 1e-12)), slots(collected)
+      : reach(squared_radius * (1 + 1e-12)),
+        beyond(std::nextafter(reach, std::numeric_limits<double>::infinity())),
+        slots(collected)
   {
   }
 
@@ -94,7 +96,7 @@ struct Candidates {
   double
   worstDist() const
   {
-    return std::nextafter(reach, std::numeric_limits<double>::infinity());
+    return beyond;
   }
 };
 
@@ -105,7 +107,19 @@ struct KdTree::Tree {
   using Sorted =
       nanoflann::KDTreeSingleIndexAdaptor<Distance, PointSet, 3, std::size_t>;
 
-  explicit Tree(const Points& points) : set(finitePoints(points)), sorted(3, set) {}
+  explicit Tree(const Points& points) : set(finitePoints(points)), sorted(3, set)
+  {
+    // What lies in one leaf shall lie side by side in memory, too.
+    PointSet by_leaf;
+    by_leaf.points.reserve(set.points.size());
+    by_leaf.indices.reserve(set.points.size());
+    for (std::size_t& slot : sorted.vAcc) {
+      by_leaf.points.push_back(set.points[slot]);
+      by_leaf.indices.push_back(set.indices[slot]);
+      slot = by_leaf.points.size() - 1;
+    }
+    set = std::move(by_leaf);
+  }
 
   /** \brief Slots of the points that may lie within a radius, and a few beyond. */
   const std::vector<std::size_t>&
