@@ -134,8 +134,10 @@ toWorld(CorridorScan& scan, const CorridorSettings& settings, corridor::Random& 
     p.x() = c * x - s * y;
     p.y() = s * x + c * y;
   };
-  for (Point& p : scan.points)
+  for (Point& p : scan.points) {
     turn(p);
+    p = (p * 1000).array().round() / 1000; // a point file says millimetres
+  }
   for (CorridorWire& wire : scan.wires)
     for (Point& p : wire.points)
       turn(p);

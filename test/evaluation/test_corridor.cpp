@@ -98,7 +98,7 @@ TEST(Corridor, BundledSceneIsMadeByTheCommandThatItsReadmeNames)
   ASSERT_NE(classes, nullptr);
   const Point offset = scan.shift - file.shift;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    ASSERT_LT((scan.points[i] + offset - file.points[i]).cwiseAbs().maxCoeff(), 0.00051)
+    ASSERT_LT((scan.points[i] + offset - file.points[i]).cwiseAbs().maxCoeff(), 1e-6)
         << "point " << i;
     ASSERT_EQ(io::valueAt(*classes, i), scan.classification[i]) << "point " << i;
   }
