@@ -82,7 +82,7 @@ checkFront(const Source& source, LasHeader& header, LasOrigin& origin)
     source.warn("LAS version 1.5 is read as 1.4; what is new in it is kept unread");
 
   const auto format = static_cast<unsigned char>(bytes[las_at::format]);
-  if ((format & 0xC0U) != 0)
+  if ((format & 0xC0U) != 0 && (format & 0x3FU) <= 10)
     source.fail(
         "LAZ: the points are compressed (point format byte " + std::to_string(format) +
         " at byte 104); decompress it first, for example with `laszip -i in.laz "

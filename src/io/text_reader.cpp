@@ -166,8 +166,14 @@ private:
         break;
       line.remove_prefix(end + 1);
     }
-    if (words_.size() > 1 && words_.back().empty())
-      words_.pop_back(); // a separator at the end of the line
+  }
+
+  /** Forgets what is behind a separator at the end of the line: nothing. */
+  void
+  dropEnd(std::size_t columns)
+  {
+    if (words_.size() > columns && words_.back().empty())
+      words_.pop_back();
   }
 
   void
@@ -193,6 +199,7 @@ private:
     begun_ = true;
     setSeparator(line);
     split(line);
+    dropEnd(1);
     if (std::none_of(words_.begin(), words_.end(), isNumber)) {
       takeNames();
       numbers_.resize(names_.size());
@@ -229,6 +236,7 @@ private:
   addRow(std::string_view line)
   {
     split(line);
+    dropEnd(names_.size());
     if (words_.size() != names_.size()) {
       if (words_.size() < names_.size() && lines_.rest().empty() && rows_ > 0) {
         source_.endsEarly("the file ends within line " +
