@@ -232,13 +232,12 @@ findGround(const Points& points,
   std::vector<float> surface = g.heights;
   for (int radius = 1; radius <= largest_radius; ++radius) {
     const std::vector<float> opened = openRaster(surface, g.columns, g.rows, radius);
-    // A ridge of the steepest terrain loses this much more than at the radius before.
+    // Terrain of the steepest slope loses this much more than at the radius before.
     const float limit = static_cast<float>(step + terrain_slope * g.cell);
     for (std::size_t i = 0; i < surface.size(); ++i)
-      if (surface[i] > opened[i] + limit) {
-        surface[i] = opened[i];
+      if (surface[i] > opened[i] + limit)
         g.heights[i] = unknown;
-      }
+    surface = opened;
   }
   fillHoles(g.heights, g.columns, g.rows);
   refine(raster, points);

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "powerline/evidence.h"
+#include "powerline/find_ground.h"
+#include "powerline/joints.h"
+#include "powerline/scene_builder.h"
+
+namespace linelet::powerline {
+namespace {
+
+using test::SceneBuilder;
+
+Indices
+everyIndex(const Points& points)
+{
+  Indices all(points.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = static_cast<Index>(i);
+  return all;
+}
+
+/** Wires grown in a scene, before bundles and supports are sorted out. */
+std::vector<Piece>
+grown(const Points& points, const PowerLineSettings& settings = {})
+{
+  const Ground ground = findGround(points, {}, false);
+  const Candidates candidates = findCandidates(points, ground, settings.min_height);
+  Growth growth(candidates, settings);
+  return growAll(growth, findSeeds(candidates, 1, nullptr), settings, nullptr);
+}
+
+TEST(SpanModel, KeepsItsCurveWhenReframed)
+{
+  SpanModel m;
+  m.origin = {10, -4};
+  m.direction = Eigen::Vector2d(3, 1).normalized();
+  m.t = {0.2, 0.03, 1e-5};
+  m.z = {20, -0.05, 4e-4};
+  m.begin = -40;
+  m.end = 110;
+  const SpanModel turned = m.reframed();
+  EXPECT_NEAR(turned.t[1], 0, 1e-12);
+  for (double s = m.begin; s <= m.end; s += 15)
+    EXPECT_LT(turned.distance(m.at(s)), 0.01);
+}
+
+TEST(Fit, SurvivesAThirdOfOutliers)
+{
+  SceneBuilder scene(31);
+  const Point from(0, 0, 20), to(120, 40, 25);
+  scene.wire(from, to, 1200, 3, 0.03);
+  scene.box({20, 5, 14}, {90, 30, 30}, 150);
+  SpanModel m;
+  m.direction = (to - from).head<2>().normalized();
+  m.z = {19, 0.0, 0};
+  m.z[1] = 5.0 / std::hypot(120, 40);
+  ASSERT_TRUE(fit(m, scene.points, everyIndex(scene.points), 3));
+  ASSERT_TRUE(fit(m, scene.points, everyIndex(scene.points), 0.6));
+  ASSERT_TRUE(fit(m, scene.points, everyIndex(scene.points)));
+  for (double s = 0; s < 126; s += 6)
+    EXPECT_LT(m.distance(SceneBuilder::onWire(from, to, 1200, s)), 0.05);
+  EXPECT_FALSE(fit(m, scene.points, {0, 1}));
+}
+
+TEST(FindKinks, SeesASupportAndNoSag)
+{
+  SceneBuilder scene(33);
+  scene.wire({0, 0, 9}, {40, 0, 9}, 400, 3, 0.03);
+  scene.wire({40, 0, 9}, {85, 0, 9.5}, 400, 3, 0.03);
+  Piece piece;
+  piece.members = everyIndex(scene.points);
+  piece.model.end = 85;
+  piece.model.z[0] = 9;
+  const std::vector<double> kinks = findKinks(piece, scene.points);
+  ASSERT_EQ(kinks.size(), 1u);
+  EXPECT_NEAR(kinks[0], 40, 1.5);
+
+  SceneBuilder one(35);
+  one.wire({0, 0, 9}, {85, 0, 9}, 400, 3, 0.03);
+  piece.members = everyIndex(one.points);
+  EXPECT_TRUE(findKinks(piece, one.points).empty());
+}
+
+TEST(Growth, FollowsAWireAcrossSmallGaps)
+{
+  SceneBuilder scene(37);
+  scene.ground(-5, -15, 165, 15, 4);
+  scene.wire({0, 0, 18}, {160, 0, 18}, 900, 4, 0.04, 70, 76);
+  const std::vector<Piece> pieces = grown(scene.points);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_GT(pieces[0].model.length(), 158);
+  EXPECT_LT(pieces[0].model.length(), 161);
+  EXPECT_LT(pieces[0].model.sigma, 0.06);
+}
+
+TEST(Growth, TellsCloseWiresApart)
+{
+  for (const double apart : {0.45, 0.6, 1.0}) {
+    SceneBuilder scene(39);
+    scene.ground(-5, -15, 105, 15, 4);
+    for (int k = 0; k < 4; ++k)
+      scene.wire({0, k * apart, 10}, {100, k * apart, 10}, 700, 3, 0.03);
+    const std::vector<Piece> pieces = grown(scene.points);
+    ASSERT_EQ(pieces.size(), 4u) << apart;
+    for (const Piece& piece : pieces) {
+      const double y = piece.model.at(0).y() / apart;
+      EXPECT_NEAR(y, std::round(y), 0.1 / apart);
+      EXPECT_GT(piece.model.length(), 95);
+    }
+  }
+}
+
+/** A wire of a parabola in the plane y = 0 turned about z by \a angle degrees. */
+Hanging
+hanging(const Point& support, double angle, double slope, double length)
+{
+  Hanging wire;
+  SpanModel& m = wire.strand.piece.model;
+  m.origin = support.head<2>();
+  m.direction = {std::cos(angle * M_PI / 180), std::sin(angle * M_PI / 180)};
+  m.z = {support.z(), slope, 3e-4};
+  m.begin = 2; // points end 2 m before the support
+  m.end = length;
+  wire.ends[0].place = m.at(m.begin);
+  wire.ends[1].place = m.at(m.end);
+  return wire;
+}
+
+TEST(Meet, IsWhereTheCurvesCross)
+{
+  // Both run through the support, at an angle in plan, or with a kink alone.
+  const Point support(50, 20, 30);
+  for (const double angle : {0.0, 5.0, 30.0}) {
+    const Hanging a = hanging(support, 0, -0.1, 150);
+    const Hanging b = hanging(support, 180 + angle, -0.1, 120);
+    const Meeting m = meet(a, 0, b, 0);
+    EXPECT_LT((m.place - support).norm(), 0.1) << angle;
+    EXPECT_LT(m.gap, 0.02);
+  }
+}
+
+TEST(MatchEnds, PairsEveryWireWithItsContinuation)
+{
+  std::vector<Hanging> wires;
+  for (int k = 0; k < 4; ++k)
+    wires.push_back(hanging({0, 0.5 * k, 20}, 0, -0.08, 100));
+  for (int k = 3; k >= 0; --k)
+    wires.push_back(hanging({0, 0.5 * k, 20}, 172, -0.08, 90));
+  wires.push_back(hanging({3, -4, 15}, 90, -0.08, 60)); // crosses the line
+  matchEnds(wires);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(wires[static_cast<std::size_t>(k)].ends[0].partner, 7 - k);
+    EXPECT_EQ(wires[static_cast<std::size_t>(7 - k)].ends[0].partner, k);
+    EXPECT_EQ(wires[static_cast<std::size_t>(k)].ends[0].place,
+              wires[static_cast<std::size_t>(7 - k)].ends[0].place);
+    EXPECT_EQ(wires[static_cast<std::size_t>(k)].ends[1].partner, -1);
+  }
+  EXPECT_EQ(wires[8].ends[0].partner, -1);
+}
+
+} // namespace
+} // namespace linelet::powerline

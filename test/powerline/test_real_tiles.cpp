@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <gtest/gtest.h>
+
+#include <linelet/io/point_file.h>
+#include <linelet/powerline/extract_power_lines.h>
+
+#include "test_data.h"
+
+namespace linelet::powerline {
+namespace {
+
+struct Tile {
+  Points points;
+  std::vector<std::uint8_t> truth;
+};
+
+/** Reads a tile, every \a thin-th point on average. */
+Tile
+read(const std::string& name, unsigned thin = 1)
+{
+  const io::Cloud cloud = io::readCloud(test::dataPath(name).string());
+  const io::Column* classes = cloud.find("classification");
+  Tile tile;
+  boost::random::mt19937 random(1);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (thin == 1 || random() % thin == 0) {
+      tile.points.push_back(cloud.points[i]);
+      tile.truth.push_back(static_cast<std::uint8_t>(io::valueAt(*classes, i)));
+    }
+  return tile;
+}
+
+double
+f1(double hit, double extra, double missed)
+{
+  return 2 * hit / (2 * hit + extra + missed);
+}
+
+/** Scores of one class; places where \a skip says so do not count. */
+template <class Skip>
+double
+score(const Tile& tile, const PowerLineNetwork& n, int wanted, Skip&& skip)
+{
+  double hit = 0, extra = 0, missed = 0;
+  for (std::size_t i = 0; i < tile.truth.size(); ++i) {
+    if (skip(tile.points[i]))
+      continue;
+    const bool is = tile.truth[i] == wanted, found = n.classes[i] == wanted;
+    hit += is && found;
+    extra += !is && found;
+    missed += is && !found;
+  }
+  return f1(hit, extra, missed);
+}
+
+/** Whether a place lies within 6 m (plan) of a point of class 15, by a raster of 6 m.
+ */
+class NearPylon {
+public:
+  explicit NearPylon(const Tile& tile)
+  {
+    for (std::size_t i = 0; i < tile.truth.size(); ++i)
+      if (tile.truth[i] == pylon_class)
+        cells_[cell(tile.points[i], 0, 0)].push_back(tile.points[i]);
+  }
+
+  bool
+  operator()(const Point& p) const
+  {
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        if (const auto found = cells_.find(cell(p, dx, dy)); found != cells_.end())
+          for (const Point& q : found->second)
+            if ((p - q).head<2>().norm() <= 6)
+              return true;
+    return false;
+  }
+
+private:
+  static std::pair<int, int>
+  cell(const Point& p, int dx, int dy)
+  {
+    return {static_cast<int>(std::floor(p.x() / 6)) + dx,
+            static_cast<int>(std::floor(p.y() / 6)) + dy};
+  }
+
+  std::map<std::pair<int, int>, Points> cells_;
+};
+
+bool
+everywhere(const Point&)
+{
+  return false;
+}
+
+/** How many vectors' points are mostly of another class than wire and pylon. */
+int
+falseWires(const Tile& tile, const PowerLineNetwork& n)
+{
+  std::map<int, std::pair<int, int>> count;
+  for (std::size_t i = 0; i < tile.truth.size(); ++i)
+    if (n.wire_id[i] != 0) {
+      auto& [right, all] = count[n.wire_id[i]];
+      right += tile.truth[i] == wire_class || tile.truth[i] == pylon_class;
+      ++all;
+    }
+  int wrong = 0;
+  for (const auto& [id, c] : count)
+    wrong += 2 * c.first < c.second;
+  return wrong;
+}
+
+class HighVoltage : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(HighVoltage, IsFoundAsWellAsPeopleLabelIt)
+{
+  LINELET_NEEDS_DATA(GetParam());
+  const Tile tile = read(GetParam());
+  const PowerLineNetwork n = extractPowerLines(tile.points);
+  EXPECT_GE(score(tile, n, wire_class, everywhere), 0.985);
+  EXPECT_GE(score(tile, n, wire_class, NearPylon(tile)), 0.995);
+  EXPECT_GE(score(tile, n, pylon_class, everywhere), 0.92);
+  EXPECT_EQ(falseWires(tile, n), 0);
+  ASSERT_EQ(n.supports.size(), 1u);
+  ASSERT_EQ(n.circuits.size(), 1u);
+  ASSERT_EQ(n.spans.size(), 2u);
+  // Eight wires a span: two earth wires, six twin bundles of one or two vectors each.
+  for (const Span& span : n.spans) {
+    EXPECT_GE(span.wires.size(), 8u);
+    EXPECT_LE(span.wires.size(), 14u);
+    std::vector<Point> places;
+    for (const int id : span.wires) {
+      const Wire& wire = n.wires[static_cast<std::size_t>(id - 1)];
+      EXPECT_NEAR(wire.span_length, span.length, 0.1 * span.length);
+      EXPECT_LE(wire.rms, 0.11);
+      const Point end = wire.front_support != 0 ? wire.front : wire.back;
+      bool known = false;
+      for (const Point& place : places)
+        known = known || (place - end).norm() < 0.7;
+      if (!known)
+        places.push_back(end);
+    }
+    EXPECT_EQ(places.size(), 8u);
+  }
+}
+
+TEST_P(HighVoltage, IsFoundInAQuarterOfThePoints)
+{
+  LINELET_NEEDS_DATA(GetParam());
+  const Tile tile = read(GetParam(), 4);
+  const PowerLineNetwork n = extractPowerLines(tile.points);
+  EXPECT_GE(score(tile, n, wire_class, everywhere), 0.97);
+  EXPECT_EQ(falseWires(tile, n), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tiles,
+                         HighVoltage,
+                         ::testing::Values("lidar/ahn4_12BZ1_21_thin8.las",
+                                           "lidar/ahn4_12AN2_20_thin8.las"));
+
+TEST(Pylon, OfALatticeGivesNoWires)
+{
+  for (const char* number : {"003", "005", "007", "010"}) {
+    const std::string name =
+        std::string("lidar/uav_towers/uavtower_") + number + ".las";
+    LINELET_NEEDS_DATA(name);
+    const Tile tile = read(name);
+    EXPECT_EQ(falseWires(tile, extractPowerLines(tile.points)), 0) << name;
+    double lattice = 0, wires = 0;
+    const PowerLineNetwork n = extractPowerLines(tile.points);
+    for (std::size_t i = 0; i < tile.truth.size(); ++i)
+      if (n.classes[i] == wire_class) {
+        ++wires;
+        lattice += tile.truth[i] == pylon_class;
+      }
+    EXPECT_LE(lattice, 0.1 * wires) << name;
+  }
+}
+
+} // namespace
+} // namespace linelet::powerline
