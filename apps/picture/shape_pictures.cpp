@@ -90,7 +90,7 @@ drawShapeProfile(const ShapeProfile& profile, ShapeColors colors, int width, int
     if (!std::isnan(profile.chosen[i])) {
       const Spot at = {(columns[i] + columns[i + 1]) / 2, y.pixel(profile.chosen[i])};
       canvas.disc(at, 2.2, ink::paper);
-      canvas.disc(at, 1.5, ink::mark);
+      canvas.disc(at, 1.5, ink::text);
     }
   drawAxes(canvas, x, profile.position_label, y, "radius r", false);
   canvas.text({left_margin, 26},
@@ -102,7 +102,7 @@ drawShapeProfile(const ShapeProfile& profile, ShapeColors colors, int width, int
               true);
   drawShapeLegend(canvas, {left_margin, 62}, colors);
   if (!profile.chosen.empty()) {
-    canvas.disc({left_margin + 487, 62}, 3, ink::mark);
+    canvas.disc({left_margin + 487, 62}, 3, ink::text);
     canvas.text({left_margin + 500, 62}, "optimal radius", text_size);
   }
   return canvas;

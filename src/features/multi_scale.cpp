@@ -11,6 +11,7 @@
 #include <string>
 
 #include <features/scale_sweep.h>
+#include <linelet/features/fourth_order.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
@@ -273,6 +274,30 @@ multiScaleShapes(const Points& surface,
         sink(query, graphs[query - begin]);
   }
   return result;
+}
+
+std::vector<FourthOrderTensor>
+fourthOrderTensors(const Points& surface,
+                   const Points& queries,
+                   const MultiScaleSettings& settings,
+                   ScaleWeight weight,
+                   Monitor* monitor)
+{
+  const std::vector<double> radii = multiScaleRadii(surface, settings, monitor).radii;
+  std::vector<FourthOrderTensor> tensors(queries.size());
+  if (monitor != nullptr)
+    monitor->begin("fourth order", queries.size());
+  sweepQueries(gridFor(surface, radii.back()),
+               queries,
+               0,
+               queries.size(),
+               radii,
+               settings,
+               monitor,
+               [&](std::size_t query, const ScaleSweep& sweep) {
+                 tensors[query] = fourthOrderTensor(sweep.tensors(), weight);
+               });
+  return tensors;
 }
 
 } // namespace linelet
