@@ -120,15 +120,27 @@ clipWires(CorridorScan& scan,
       wire = place[static_cast<std::size_t>(wire)];
 }
 
-/** Turns the scene's frame to a random heading at a place in northern Germany. */
+/** Where the scene lies: a heading and a place in northern Germany. */
+struct Placement {
+  explicit Placement(corridor::Random& random)
+  {
+    heading = random.uniform(0, 2 * corridor::pi);
+    origin.x() = 565000 + 10.0 * random.integer(0, 2000);
+    origin.y() = 5930000 + 10.0 * random.integer(0, 2000);
+    origin.z() = 5.0 * random.integer(2, 60);
+  }
+
+  double heading;
+  Point origin;
+};
+
 void
-toWorld(CorridorScan& scan, const CorridorSettings& settings, corridor::Random& random)
+toWorld(CorridorScan& scan,
+        const CorridorSettings& settings,
+        const Placement& placement)
 {
-  const double heading = random.uniform(0, 2 * corridor::pi);
-  const double c = std::cos(heading), s = std::sin(heading);
-  scan.shift.x() = 565000 + 10.0 * random.integer(0, 2000);
-  scan.shift.y() = 5930000 + 10.0 * random.integer(0, 2000);
-  scan.shift.z() = 5.0 * random.integer(2, 60);
+  const double c = std::cos(placement.heading), s = std::sin(placement.heading);
+  scan.shift = placement.origin;
   const auto turn = [&](Point& p) {
     const double x = p.x() - 0.5 * settings.length, y = p.y();
     p.x() = c * x - s * y;
@@ -156,9 +168,11 @@ simulateCorridor(const CorridorSettings& settings, Monitor* monitor)
     addPoleLine(scene, settings, static_cast<int>(line), random);
   addGaps(scene, settings.gaps, random);
   addObjects(scene, settings, random);
+  // Before the scan, so that another scan of the same scene lies at the same place.
+  const Placement placement(random);
   CorridorScan result = scan(scene, settings, random, monitor);
   clipWires(result, std::move(scene.wires), settings);
-  toWorld(result, settings, random);
+  toWorld(result, settings, placement);
   return result;
 }
 

@@ -305,6 +305,20 @@ TEST(Corridor, NothingIsSeenThroughRoofs)
   EXPECT_EQ(inside, 0U);
 }
 
+TEST(Corridor, AnotherScanOfTheSameSceneLiesAtTheSamePlace)
+{
+  CorridorSettings s = smallScene(12);
+  const CorridorScan one = simulateCorridor(s);
+  s.density = 3;
+  s.thin_ground = 4;
+  s.strips = 2;
+  const CorridorScan two = simulateCorridor(s);
+  EXPECT_EQ(one.shift, two.shift);
+  ASSERT_EQ(one.wires.size(), two.wires.size());
+  for (std::size_t w = 0; w < one.wires.size(); ++w)
+    EXPECT_EQ(one.wires[w].points, two.wires[w].points);
+}
+
 TEST(Corridor, ThinsTheGroundOnly)
 {
   CorridorSettings s = smallScene(12);
