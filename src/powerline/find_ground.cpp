@@ -166,7 +166,7 @@ openRaster(const std::vector<float>& raster, int columns, int rows, int radius)
 }
 
 void
-fillHoles(std::vector<float>& raster, int columns, int rows)
+fillHoles(std::vector<float>& raster, int columns, int rows, Fill fill)
 {
   if (std::none_of(
           raster.begin(), raster.end(), [](float v) { return std::isnan(v); }) ||
@@ -180,12 +180,18 @@ fillHoles(std::vector<float>& raster, int columns, int rows)
   for (std::size_t i = 0; i < raster.size(); ++i)
     if (!std::isnan(raster[i])) {
       const std::size_t c = (i / width / 2) * half_width + i % width / 2;
-      coarse[c] += raster[i];
+      if (fill == Fill::Smooth)
+        coarse[c] += raster[i];
+      else if (count[c] == 0 || raster[i] < coarse[c])
+        coarse[c] = raster[i];
       ++count[c];
     }
   for (std::size_t i = 0; i < coarse.size(); ++i)
-    coarse[i] = count[i] > 0 ? coarse[i] / static_cast<float>(count[i]) : unknown;
-  fillHoles(coarse, half_columns, half_rows);
+    if (count[i] == 0)
+      coarse[i] = unknown;
+    else if (fill == Fill::Smooth)
+      coarse[i] /= static_cast<float>(count[i]);
+  fillHoles(coarse, half_columns, half_rows, fill);
   Ground surface;
   surface.cell = 2;
   surface.x = surface.y = 0.5;
@@ -227,9 +233,13 @@ findGround(const Points& points,
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
-  fillHoles(g.heights, g.columns, g.rows);
-  repairPits(g.heights, g.columns, g.rows);
+  // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   std::vector<float> surface = g.heights;
+  fillHoles(surface, g.columns, g.rows, Fill::Low);
+  repairPits(surface, g.columns, g.rows);
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    if (!std::isnan(g.heights[i]))
+      g.heights[i] = surface[i];
   for (int radius = 1; radius <= largest_radius; ++radius) {
     const std::vector<float> opened = openRaster(surface, g.columns, g.rows, radius);
     // Terrain of the steepest slope loses this much more than at the radius before.

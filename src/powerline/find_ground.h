@@ -24,10 +24,16 @@ findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
            bool use_classes);
 
-/** \brief Fills the cells of a raster that are NaN from those around, smoothly (by
- * averages over ever larger cells). Leaves a raster without any value as it is. */
+/** \brief How \ref fillHoles looks at larger cells. */
+enum class Fill {
+  Smooth, ///< by the mean of what is known in them
+  Low     ///< by its minimum
+};
+
+/** \brief Fills the cells of a raster that are NaN from those around, by ever larger
+ * cells. Leaves a raster without any value as it is. */
 void
-fillHoles(std::vector<float>& raster, int columns, int rows);
+fillHoles(std::vector<float>& raster, int columns, int rows, Fill fill = Fill::Smooth);
 
 /** \brief Opening (erosion, then dilation) with a square of 2 \a radius + 1 cells. */
 std::vector<float>

@@ -19,6 +19,7 @@ constexpr double least_bend = 1e-4;   // z2 of a wire, 1/metres: a = 5 km
 constexpr double clear_bend = 2e-4;   // of a line so short that it hangs from poles
 constexpr double long_line = 60;      // metres, from which a line speaks for itself
 constexpr double short_line = 25;     // metres, the least inside the data
+constexpr std::size_t many = 4;       // wires of a family that prove each other
 constexpr double clean_part = 0.75;   // of the length of short wires at the border
 
 struct Family {
@@ -57,7 +58,7 @@ plausible(const Family& family)
   if (family.longest >= long_line)
     return family.joined || family.border || bend >= least_bend;
   if (family.border)
-    return family.clean >= clean_part * family.occupied &&
+    return (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= short_line);
   return family.single >= short_line && bend >= clear_bend;
 }
