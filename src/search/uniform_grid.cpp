@@ -28,15 +28,7 @@ UniformGrid::UniformGrid(const Points& points, double row_size) : row_size_(row_
     max_ = max_.cwiseMax(points[i]);
   }
 
-  // Wider rows rather than a table that outgrows the points.
-  const double most_rows = 4.0 * static_cast<double>(indices_.size()) + 64;
-  const Point extent = max_ - min_;
-  while ((std::floor(extent.y() / row_size_) + 1) *
-             (std::floor(extent.z() / row_size_) + 1) >
-         most_rows)
-    row_size_ *= 2;
-  for (int axis = 0; axis < 2; ++axis)
-    rows_[axis] = static_cast<std::size_t>(extent[axis + 1] / row_size_) + 1;
+  layRows(points);
 
   std::vector<std::size_t> row_of(points.size());
   row_begin_.assign(rows_[0] * rows_[1] + 1, 0);
@@ -64,11 +56,45 @@ UniformGrid::UniformGrid(const Points& points, double row_size) : row_size_(row_
     points_.push_back(points[i]);
 }
 
+void
+UniformGrid::layRows(const Points& points)
+{
+  const auto rows = [&](const Point& extent) {
+    return (std::floor(extent.y() / row_size_) + 1) *
+           (std::floor(extent.z() / row_size_) + 1);
+  };
+  const double most_rows = 4.0 * static_cast<double>(indices_.size()) + 64;
+  row_low_ = min_;
+  Point extent = max_ - min_;
+  if (rows(extent) > most_rows) {
+    // A few points far away must not make the rows of all others wide: what lies beyond
+    // the rows belongs to the outermost ones.
+    constexpr std::size_t sample = 4096;
+    const std::size_t step = std::max<std::size_t>(1, indices_.size() / sample);
+    for (int axis = 1; axis < 3; ++axis) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < indices_.size(); i += step)
+        values.push_back(points[indices_[i]][axis]);
+      std::sort(values.begin(), values.end());
+      const std::size_t tail = values.size() / 50;
+      const double low = values[tail], high = values[values.size() - 1 - tail];
+      const double margin = (high - low) / 4;
+      row_low_[axis] = std::max(min_[axis], low - margin);
+      extent[axis] = std::min(max_[axis], high + margin) - row_low_[axis];
+    }
+  }
+  // Wider rows rather than a table that outgrows the points.
+  while (rows(extent) > most_rows)
+    row_size_ *= 2;
+  for (int axis = 0; axis < 2; ++axis)
+    rows_[axis] = static_cast<std::size_t>(extent[axis + 1] / row_size_) + 1;
+}
+
 std::size_t
 UniformGrid::row(double coordinate, int axis) const
 {
   const double last = static_cast<double>(rows_[axis - 1] - 1);
-  const double r = std::floor((coordinate - min_[axis]) / row_size_);
+  const double r = std::floor((coordinate - row_low_[axis]) / row_size_);
   return static_cast<std::size_t>(std::clamp(r, 0.0, last));
 }
 
@@ -94,11 +120,13 @@ UniformGrid::nearest(const Point& query, double max_distance) const
   if (points_.empty() || !query.allFinite())
     return none;
   // Radii double until something is found or the whole set was within reach.
-  const double reach =
-      std::min(max_distance,
-               std::max((query - min_).cwiseAbs().maxCoeff(),
-                        (query - max_).cwiseAbs().maxCoeff()) * 2 + row_size_);
-  for (double radius = std::min(row_size_, reach);; radius = std::min(2 * radius, reach)) {
+  const double reach = std::min(max_distance,
+                                std::max((query - min_).cwiseAbs().maxCoeff(),
+                                         (query - max_).cwiseAbs().maxCoeff()) *
+                                        2 +
+                                    row_size_);
+  for (double radius = std::min(row_size_, reach);;
+       radius = std::min(2 * radius, reach)) {
     Index best = none;
     double best_squared = std::numeric_limits<double>::infinity();
     forEachWithin(query, radius, [&](Index i, double squared) {
@@ -120,12 +148,15 @@ UniformGrid::nearestK(const Point& query, std::size_t count) const
     return result;
   count = std::min(count, points_.size());
   const double reach = std::max((query - min_).cwiseAbs().maxCoeff(),
-                                (query - max_).cwiseAbs().maxCoeff()) * 2 + row_size_;
+                                (query - max_).cwiseAbs().maxCoeff()) *
+                           2 +
+                       row_size_;
   std::vector<std::pair<double, Index>> found;
   for (double radius = row_size_;; radius *= 2) {
     found.clear();
-    forEachWithin(
-        query, radius, [&](Index i, double squared) { found.emplace_back(squared, i); });
+    forEachWithin(query, radius, [&](Index i, double squared) {
+      found.emplace_back(squared, i);
+    });
     if (found.size() >= count || radius >= reach)
       break;
   }

@@ -76,3 +76,20 @@ TEST(UniformGrid, SurvivesDegenerateSets)
   EXPECT_EQ(far.nearest(Point(9e5, 9e5, 9e5)), 1u);
   EXPECT_EQ(far.countWithin(Point(0, 0, 0), std::numeric_limits<double>::infinity()), 2u);
 }
+
+// Would one far point make the rows of all others wide, queries would visit them all.
+TEST(UniformGrid, FindsWhatBruteForceFindsBesideFarPoints)
+{
+  Points points = randomPoints(3000, Point(10, 10, 10), 3);
+  points.emplace_back(1e7, -1e7, 1e7);
+  points.emplace_back(-1e7, 1e7, 5);
+  points.emplace_back(5, 5, -1e9);
+  const UniformGrid grid(points, 0.5);
+  for (const std::size_t i : {0u, 17u, 2999u, 3000u, 3001u, 3002u})
+    for (const double radius : {0.0, 0.7, 4.0, 3e7}) {
+      Indices found = grid.within(points[i], radius);
+      std::sort(found.begin(), found.end());
+      EXPECT_EQ(found, bruteForce(points, points[i], radius));
+    }
+  EXPECT_EQ(grid.nearest(Point(9e6, -9e6, 9e6)), 3000u);
+}

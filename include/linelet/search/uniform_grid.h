@@ -16,8 +16,8 @@ namespace linelet {
  * Space is cut into square columns along x (the rows); within a row the points lie
  * sorted by x, so that the neighbours of a query in one row are one run of memory. A
  * point belongs to the neighbourhood of radius r when its squared distance, computed in
- * double, is at most r^2; every engine of linelet decides this case alike. Points with a
- * coordinate that is not finite are left out. Queries are thread-safe. */
+ * double, is at most r^2; every engine of linelet decides this case alike. Points with
+ * a coordinate that is not finite are left out. Queries are thread-safe. */
 class UniformGrid {
 public:
   /** \brief Returned where there is no such point. */
@@ -83,6 +83,10 @@ private:
   void
   forEachSlot(const Point& query, double radius, Visit&& visit) const;
 
+  /** \brief Chooses place, width and number of the rows. */
+  void
+  layRows(const Points& points);
+
   std::size_t
   row(double coordinate, int axis) const;
 
@@ -90,6 +94,7 @@ private:
   Indices indices_;                    // input index of each sorted point
   std::vector<std::size_t> row_begin_; // rows_[0] * rows_[1] + 1 entries, y fastest
   double row_size_;
+  Point row_low_ = Point::Zero(); // where the first row begins, in y and z
   Point min_ = Point::Zero();
   Point max_ = Point::Zero();
   std::size_t rows_[2] = {0, 0}; // along y and z
