@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include <linelet/curves/direction_field.h>
 #include <linelet/curves/growth.h>
@@ -119,6 +120,22 @@ limitsOf(const Points& points, double scale_unit, const StreamlineSettings& sett
   return limits;
 }
 
+/** \brief Marks the points that have a vertex within \a distance. */
+void
+coverPoints(std::vector<bool>& covered,
+            const Points& points,
+            const LineLets& lets,
+            double distance)
+{
+  Points vertices;
+  for (const LineLetVertex& vertex : lets.vertices)
+    vertices.push_back(vertex.position);
+  const UniformGrid grid(vertices, distance / 2);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!covered[i])
+      covered[i] = grid.nearest(points[i], distance) != UniformGrid::none;
+}
+
 } // namespace
 
 CurveNetwork
@@ -163,13 +180,11 @@ reconstructPublished(const Points& input,
   grow(lets, field, grid, limits, settings, monitor);
 
   const double cover = settings.cover_distance * scale_unit;
+  std::vector<bool> covered(points.size(), false);
   for (unsigned round = 0; settings.start_points == 0 && round < cover_rounds;
        ++round) {
-    const auto uncovered = [&](Index i) {
-      bool covered = false;
-      lets.forEachNear(points[i], cover, [&](Index, double) { covered = true; });
-      return !covered;
-    };
+    coverPoints(covered, points, lets, cover);
+    const auto uncovered = [&](Index i) { return !covered[i]; };
     const Indices more =
         starts.spread(std::numeric_limits<std::size_t>::max(), 4 * cover, uncovered);
     if (more.empty() || limits.total_steps == 0)
