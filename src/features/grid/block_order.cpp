@@ -116,34 +116,57 @@ BlockOrder::BlockOrder(const Points& points,
   {
     std::vector<std::uint64_t> places;
 #pragma omp for schedule(dynamic, 64)
-    for (std::ptrdiff_t b = 0; b < count; ++b) {
-      const auto block = static_cast<std::size_t>(b);
-      const BlockFrame::Cell here = frame.cell(keys_[block]);
-      places.clear();
-      // Points lie anywhere in memory: ask for all of them before the first is needed.
-      for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
-        hwy::Prefetch(&points[index_[slot]]);
-      for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
-        places.push_back(std::uint64_t{frame.curvePlace(points[index_[slot]], here)}
-                             << 32 |
-                         index_[slot]);
-      std::sort(places.begin(), places.end());
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const std::size_t slot = begin_[block] + i;
-        index_[slot] = static_cast<Index>(places[i] & 0xffffffffu);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          coordinates_[axis][slot] =
-              points[index_[slot]][static_cast<Eigen::Index>(axis)];
-      }
-    }
+    for (std::ptrdiff_t b = 0; b < count; ++b)
+      sortBlock(static_cast<std::size_t>(b), points, frame, places);
+  }
+}
+
+void
+BlockOrder::sortBlock(std::size_t block,
+                      const Points& points,
+                      const BlockFrame& frame,
+                      std::vector<std::uint64_t>& places)
+{
+  const BlockFrame::Cell cell = frame.cell(keys_[block]);
+  // Points lie anywhere in memory: ask for all of them before the first is needed.
+  for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
+    hwy::Prefetch(&points[index_[slot]]);
+  places.clear();
+  for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
+    places.push_back(std::uint64_t{frame.curvePlace(points[index_[slot]], cell)} << 32 |
+                     index_[slot]);
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t slot = begin_[block] + i;
+    index_[slot] = static_cast<Index>(places[i] & 0xffffffffu);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      coordinates_[axis][slot] = points[index_[slot]][static_cast<Eigen::Index>(axis)];
   }
 }
 
 std::size_t
-BlockOrder::lowerBound(std::uint64_t key) const
+BlockOrder::lowerBound(std::uint64_t key, std::size_t hint) const
 {
-  return static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key) -
-                                  keys_.begin());
+  std::size_t low = 0, high = blocks();
+  if (hint < blocks() && keys_[hint] < key) {
+    // In steps that double: near answers need few, in memory that was just read.
+    low = hint;
+    for (std::size_t step = 1; low + step < high; step *= 2) {
+      if (keys_[low + step] >= key) {
+        high = low + step;
+        break;
+      }
+      low += step;
+    }
+  }
+  else if (hint < blocks() && (hint == 0 || keys_[hint - 1] < key))
+    return hint;
+  using Offset = std::vector<std::uint64_t>::difference_type;
+  return static_cast<std::size_t>(
+      std::lower_bound(keys_.begin() + static_cast<Offset>(low),
+                       keys_.begin() + static_cast<Offset>(high),
+                       key) -
+      keys_.begin());
 }
 
 double

@@ -108,9 +108,10 @@ public:
   {
     return begin_[block];
   }
-  /** \brief First block whose key is not less than \a key. */
+  /** \brief First block whose key is not less than \a key.
+   * \param[in] hint where the answer may not be far behind */
   std::size_t
-  lowerBound(std::uint64_t key) const;
+  lowerBound(std::uint64_t key, std::size_t hint) const;
 
   const double*
   coordinate(int axis) const
@@ -134,6 +135,14 @@ public:
   crowding() const;
 
 private:
+  /** \brief Puts the points of a block along the curve and fetches their coordinates.
+   */
+  void
+  sortBlock(std::size_t block,
+            const Points& points,
+            const BlockFrame& frame,
+            std::vector<std::uint64_t>& places);
+
   std::array<std::vector<double>, 3> coordinates_;
   Indices index_;
   std::vector<std::uint64_t> keys_;

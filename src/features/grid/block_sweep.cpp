@@ -122,7 +122,9 @@ BlockSweep::gather(const BlockFrame::Cell& cell)
          ++y) {
       const std::uint64_t last = job_.frame.key({cell[0] + 1, y, z});
       std::size_t block = job_.surface.lowerBound(
-          job_.frame.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}));
+          job_.frame.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}),
+          cursors_[count]);
+      cursors_[count] = block;
       const std::size_t begin = job_.surface.begin(block);
       while (block < job_.surface.blocks() && job_.surface.key(block) <= last)
         ++block;

@@ -136,8 +136,9 @@ private:
   std::array<std::vector<double>, 6> tensors_;
   std::array<std::vector<double>, 9> eigen_;
 
-  PointList region_;             // what any query of the block can reach
-  std::deque<PointList> levels_; // one a depth of refinement
+  std::array<std::size_t, 9> cursors_{}; // where the last block's runs began
+  PointList region_;                     // what any query of the block can reach
+  std::deque<PointList> levels_;         // one a depth of refinement
   PointList last_, dense_;
   Indices doubtful_;
   std::vector<std::pair<Index, std::uint32_t>> exact_;
