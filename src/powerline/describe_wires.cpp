@@ -112,7 +112,9 @@ describeWires(const std::vector<Hanging>& wires,
     wire.back = hanging.ends[1].fixed ? hanging.ends[1].place : c.at(c.to);
     wire.front_support = hanging.ends[0].support + 1;
     wire.back_support = hanging.ends[1].support + 1;
-    wire.conductors = 1 + (hanging.strand.companions.empty() ? 0 : 1);
+    wire.conductors =
+        hanging.strand.piece.thickness > 0 || !hanging.strand.companions.empty() ? 2
+                                                                                 : 1;
     measure(wire, hanging, points);
   }
   for (std::size_t w = 0; w < wires.size(); ++w) {

@@ -11,7 +11,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double largest_rms = 0.16; // metres
+constexpr double largest_rms = 0.16;  // metres
+constexpr double bundle_radius = 0.5; // metres, of a bundle in one vector
+constexpr double bundle_rms = 0.35;   // metres
+constexpr double bundle_density = 6;  // points a metre, else its moat says nothing
 constexpr double steepest_end = 0.6;
 constexpr double least_height = 4;   // metres, mean
 constexpr double hump = 0.10;        // metres of negative sag that noise may cause
@@ -44,21 +47,44 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   e.sag = m.z[2] * m.length() * m.length() / 4;
   e.bins = static_cast<int>(std::ceil(m.length() / bin_length));
   const double step = m.length() / e.bins;
+  const double tolerance = std::max(m.tolerance, piece.thickness);
   for (int k = 0; k < e.bins; ++k) {
     const Bin bin =
-        growth.look(m, m.begin + k * step, m.begin + (k + 1) * step, m.tolerance);
+        growth.look(m, m.begin + k * step, m.begin + (k + 1) * step, tolerance);
     if (bin.tube == 0)
       continue;
     ++e.occupied;
     if (static_cast<double>(bin.moat) <= crowd * static_cast<double>(bin.tube))
       ++e.clean;
   }
-  e.accepted = e.rms <= largest_rms && e.slope <= steepest_end && e.sag >= -hump &&
-               e.height >= least_height && e.occupied >= least_cover * e.bins &&
+  e.accepted = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
+               e.slope <= steepest_end && e.sag >= -hump && e.height >= least_height &&
+               e.occupied >= least_cover * e.bins &&
                e.clean >= clean_part * e.occupied &&
                e.clean * bin_length >= clean_length;
   return e;
 }
+
+namespace {
+
+// Whether a piece is a bundle whose conductors the points do not tell apart: then it
+// fills a wider tube, and the moat lies around that.
+bool
+isBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings)
+{
+  if (piece.model.length() < settings.min_length || piece.model.tolerance < 0.2 ||
+      static_cast<double>(piece.members.size()) < bundle_density * piece.model.length())
+    return false;
+  Piece bundle = piece;
+  bundle.thickness = bundle_radius;
+  if (!growth.collect(bundle, bundle_radius) ||
+      !weigh(growth, bundle, settings).accepted)
+    return false;
+  piece = std::move(bundle);
+  return true;
+}
+
+} // namespace
 
 std::vector<Piece>
 growAll(Growth& growth,
@@ -84,7 +110,8 @@ growAll(Growth& growth,
         continue;
       tried[seeds[k].candidate] = 1;
       for (Piece& piece : growth.grow(seeds[k])) {
-        if (weigh(growth, piece, settings).accepted) {
+        if (weigh(growth, piece, settings).accepted ||
+            isBundle(growth, piece, settings)) {
           growth.claim(piece, static_cast<int>(wires.size()));
           wires.push_back(std::move(piece));
         }

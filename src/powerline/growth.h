@@ -16,7 +16,8 @@ namespace linelet::powerline {
 /** \brief A wire in the making: a model and the candidates that it explains. */
 struct Piece {
   SpanModel model;
-  Indices members; ///< candidates
+  Indices members;      ///< candidates
+  double thickness = 0; ///< radius of a bundle whose conductors cannot be told apart
 };
 
 /** \brief What stands around one bin of a wire. */

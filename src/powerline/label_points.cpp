@@ -124,7 +124,8 @@ labelPoints(PowerLineNetwork& network,
   for (std::size_t w = 0; w < hanging.size(); ++w) {
     const Wire& wire = network.wires[static_cast<std::size_t>(ids[w] - 1)];
     const SpanModel& m = hanging[w].model();
-    const double reach = std::min(widest_tube, tube_part * m.tolerance);
+    const double reach = std::max(std::min(widest_tube, tube_part * m.tolerance),
+                                  hanging[w].strand.piece.thickness);
     const double front = m.along(wire.front), back = m.along(wire.back);
     offer(best,
           candidates,

@@ -65,6 +65,7 @@ join(
     return false;
 
   joined.model = l;
+  joined.thickness = std::max(a.thickness, b.thickness);
   joined.members = longer.members;
   joined.members.insert(
       joined.members.end(), shorter.members.begin(), shorter.members.end());
@@ -137,7 +138,9 @@ mergePieces(Growth& growth,
         growth.claim(pieces[i], Growth::nobody);
         growth.claim(pieces[k], Growth::nobody);
         joined.model = joined.model.reframed();
-        if (!growth.collect(joined, joined.model.tolerance) || !growth.extend(joined)) {
+        if (!growth.collect(joined,
+                            std::max(joined.model.tolerance, joined.thickness)) ||
+            !growth.extend(joined)) {
           growth.claim(pieces[i], 0);
           growth.claim(pieces[k], 0);
           continue;

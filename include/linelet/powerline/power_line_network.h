@@ -77,7 +77,8 @@ struct Wire {
   Point front = Point::Zero(),
         back = Point::Zero();              ///< end points, = curve at its ends
   int front_support = 0, back_support = 0; ///< ids of the supports there; 0: none seen
-  int conductors = 1; ///< wires this vector stands for: 2 and more for a tight bundle
+  int conductors = 1;     ///< 2: stands for a bundle whose conductors the points do not
+                          ///< tell apart everywhere (two or more)
   std::size_t points = 0; ///< cloud points that it explains
   double rms = 0;         ///< of their distances to the curve, metres
   double length = 0;      ///< along the curve, metres
