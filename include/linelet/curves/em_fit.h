@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <linelet/curves/em_banded.h>
+#include <linelet/curves/model_curve.h>
+#include <linelet/search/uniform_grid.h>
+
+namespace linelet {
+
+/** \brief What the fit needs to know of a cloud beside its points. */
+struct CloudFrame {
+  double scale_unit = 0; ///< D, the median distance to the sixth neighbour
+  double diagonal = 0;   ///< of the bounding box
+  double volume = 0;     ///< (an area where the cloud is flat) that outliers fill
+  int dimensions = 3;    ///< 2 where the points lie in a plane
+};
+
+/** \brief Measures \a points (finite, at least one) whose scale unit is \a scale_unit.
+ */
+CloudFrame
+frameOf(const Points& points, double scale_unit);
+
+/** \brief How a fit is run. */
+struct EmSettings {
+  double spacing = 0;     ///< of the nodes
+  double noise = 0;       ///< standard deviation to begin with
+  double least_noise = 0; ///< the standard deviation never falls below this
+  double bending = 1;     ///< q: variance of the direction per length, 1 / length
+  int iterations = 15;
+  int resample_every = 5;
+};
+
+/** \brief A fitted model of a cloud. */
+struct EmFit {
+  ModelCurves curves;
+  double noise = 0;            ///< standard deviation per coordinate
+  double outlier_share = 0;    ///< of the points
+  double log_likelihood = 0;   ///< of the points under the mixture
+  double freedom = 0;          ///< effective parameters of the curves' geometry
+  std::vector<double> outlier; ///< per point the probability that no curve made it
+  std::vector<std::vector<double>> counts; ///< points explained by each edge
+};
+
+/** \brief Fits polylines to points by expectation maximisation.
+ *
+ * The model: a point is uniform in the frame's volume with probability eps, else it
+ * lies at a place of a curve, distributed with a density smooth along the curve, plus
+ * normal noise. The prior on a curve is sum omega |second difference|^2 / (q spacing^3)
+ * with heavy tails: omega = 3 / (1 + |second difference|^2 / (q spacing^3)), so that
+ * corners survive. One object fits one cloud many times and keeps its memory. */
+class EmFitter {
+public:
+  /** \param[in] points finite points; must outlive the fitter, as must \a grid
+   * \param[in] grid the same points */
+  EmFitter(const Points& points, const UniformGrid& grid, const CloudFrame& frame);
+
+  /** \brief Fits \a curves, which give the topology and the start. */
+  EmFit
+  fit(const ModelCurves& curves, const EmSettings& settings);
+
+private:
+  struct Edge {
+    Point from, direction;
+    double length = 0;
+    double weight = 0; // probability of this edge in the mixture
+    std::size_t pairs_begin = 0, pairs_end = 0;
+  };
+  struct CurveState {
+    ModelCurve curve;
+    std::size_t first_edge = 0;
+    double bending = 1, first_bending = 1;
+    std::vector<double> bend_variance;
+  };
+
+  void
+  resampleCurves(double spacing);
+  void
+  collectPairs();
+  void
+  updateEdges();
+  void
+  expect();
+  void
+  maximise(const EmSettings& settings);
+  void
+  maximiseCurve(CurveState& state, const EmSettings& settings);
+  void
+  updateWeights();
+
+  const Points& points_;
+  const UniformGrid& grid_;
+  CloudFrame frame_;
+
+  std::vector<CurveState> states_;
+  std::vector<Edge> edges_;
+  Indices pair_point_;
+  std::vector<double> pair_density_; // then responsibility
+  std::vector<double> pair_place_;   // z, along the edge
+  std::vector<double> pair_off_;     // squared distance from the edge's line
+  std::vector<double> density_;      // per point
+  std::vector<double> edge_count_;
+  double noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
+  double reach_ = 0; // of the pairs collected
+  BandedSystem system_;
+  Points solution_;
+  std::vector<double> inverse_after_next_, bend_weight_;
+  std::vector<double> inverse_diagonal_, inverse_next_, data_diagonal_, data_next_;
+};
+
+} // namespace linelet

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief A curve while it is being worked on: a polyline of nearly equal edges. */
+struct ModelCurve {
+  Points nodes;        ///< vertices; a closed curve does not repeat its first one
+  bool closed = false; ///< whether the last node is joined to the first
+  std::array<int, 2> junction = {-1, -1}; ///< of the front and the back end; -1: free
+
+  /** \brief Number of edges. */
+  std::size_t
+  edges() const
+  {
+    return nodes.size() < 2 ? 0 : nodes.size() - (closed ? 0 : 1);
+  }
+
+  /** \brief Start and end of edge \a e. */
+  const Point&
+  from(std::size_t e) const
+  {
+    return nodes[e];
+  }
+  const Point&
+  to(std::size_t e) const
+  {
+    return nodes[e + 1 == nodes.size() ? 0 : e + 1];
+  }
+};
+
+using ModelCurves = std::vector<ModelCurve>;
+
+/** \brief Length of \a curve, its closing edge included. */
+double
+length(const ModelCurve& curve);
+
+/** \brief Total length of \a curves. */
+double
+length(const ModelCurves& curves);
+
+/** \brief \a curve with nodes at equal arc lengths about \a spacing apart, at least 2
+ * (closed: 4); ends stay where they are. */
+ModelCurve
+resampled(const ModelCurve& curve, double spacing);
+
+/** \brief The point of \a curve at arc length \a s from its front. */
+Point
+pointAt(const ModelCurve& curve, double s);
+
+/** \brief Unit vector that leads out of \a curve at its front (end 0) or back (end 1),
+ * taken over the last \a reach of its length. */
+Point
+outwardDirection(const ModelCurve& curve, int end, double reach);
+
+/** \brief The place of \a curve nearest to \a query. */
+struct Foot {
+  double squared_distance; ///< from the query
+  double arc;              ///< arc length from the front
+  Point point;
+};
+Foot
+nearestOn(const ModelCurve& curve, const Point& query);
+
+} // namespace linelet

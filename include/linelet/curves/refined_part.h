@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+
+#include <linelet/curves/em_fit.h>
+#include <linelet/curves/refined_reconstruction.h>
+
+namespace linelet {
+
+/** \brief Fits one connected part of a cloud: ridges at six bandwidths, each refitted,
+ * the lowest score wins.
+ * \param[in] points finite points
+ * \param[in] stop asked between stages; true: give up, the result is then empty
+ * \return no curve where none explains the points better than uniform scatter does */
+EmFit
+refinePart(const Points& points,
+           const RefinedSettings& settings,
+           const std::function<bool()>& stop);
+
+/** \brief The points of each connected part (linked over \a distance), largest index
+ * sets of at least \a least points, in the order of their first points. */
+std::vector<Indices>
+connectedParts(const Points& points, double distance, std::size_t least);
+
+} // namespace linelet

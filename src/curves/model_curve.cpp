@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/model_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace linelet {
+
+double
+length(const ModelCurve& curve)
+{
+  double sum = 0;
+  for (std::size_t e = 0; e < curve.edges(); ++e)
+    sum += (curve.to(e) - curve.from(e)).norm();
+  return sum;
+}
+
+double
+length(const ModelCurves& curves)
+{
+  double sum = 0;
+  for (const ModelCurve& curve : curves)
+    sum += length(curve);
+  return sum;
+}
+
+ModelCurve
+resampled(const ModelCurve& curve, double spacing)
+{
+  ModelCurve result = curve;
+  const double total = length(curve);
+  if (curve.edges() == 0 || !(total > 0))
+    return result;
+  const double least = curve.closed ? 4 : 1;
+  const auto count =
+      static_cast<std::size_t>(std::max(least, std::round(total / spacing)));
+  const double step = total / static_cast<double>(count);
+  result.nodes.clear();
+  result.nodes.reserve(count + 1);
+  result.nodes.push_back(curve.nodes.front());
+  double walked = 0; // arc length at the start of the current edge
+  for (std::size_t e = 0; e < curve.edges() && result.nodes.size() < count; ++e) {
+    const Point edge = curve.to(e) - curve.from(e);
+    const double edge_length = edge.norm();
+    while (result.nodes.size() < count) {
+      const double want = step * static_cast<double>(result.nodes.size());
+      if (want > walked + edge_length)
+        break;
+      const double t = edge_length > 0 ? (want - walked) / edge_length : 0;
+      result.nodes.emplace_back(curve.from(e) + t * edge);
+    }
+    walked += edge_length;
+  }
+  while (result.nodes.size() < count) // rounding
+    result.nodes.push_back(curve.closed ? curve.nodes.front() : curve.nodes.back());
+  if (!curve.closed)
+    result.nodes.push_back(curve.nodes.back());
+  return result;
+}
+
+Point
+pointAt(const ModelCurve& curve, double s)
+{
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const Point edge = curve.to(e) - curve.from(e);
+    const double edge_length = edge.norm();
+    if (s <= edge_length)
+      return edge_length > 0
+                 ? Point(curve.from(e) + std::max(0.0, s / edge_length) * edge)
+                 : curve.from(e);
+    s -= edge_length;
+  }
+  return curve.closed ? curve.nodes.front() : curve.nodes.back();
+}
+
+Point
+outwardDirection(const ModelCurve& curve, int end, double reach)
+{
+  const std::size_t n = curve.nodes.size();
+  const auto node = [&](std::size_t k) -> const Point& {
+    return curve.nodes[end == 0 ? k : n - 1 - k];
+  };
+  double walked = 0;
+  std::size_t k = 0;
+  while (k + 1 < n && walked < reach) {
+    walked += (node(k + 1) - node(k)).norm();
+    ++k;
+  }
+  const Point chord = node(0) - node(k);
+  const double chord_length = chord.norm();
+  return chord_length > 0 ? Point(chord / chord_length) : Point::Zero();
+}
+
+Foot
+nearestOn(const ModelCurve& curve, const Point& query)
+{
+  Foot best{std::numeric_limits<double>::infinity(), 0, Point::Zero()};
+  double walked = 0;
+  if (curve.nodes.size() == 1)
+    return {(curve.nodes[0] - query).squaredNorm(), 0, curve.nodes[0]};
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const Point edge = curve.to(e) - curve.from(e);
+    const double squared = edge.squaredNorm();
+    const double edge_length = std::sqrt(squared);
+    const double t =
+        squared > 0 ? std::clamp((query - curve.from(e)).dot(edge) / squared, 0.0, 1.0)
+                    : 0.0;
+    const Point foot = curve.from(e) + t * edge;
+    const double distance = (query - foot).squaredNorm();
+    if (distance < best.squared_distance)
+      best = {distance, walked + t * edge_length, foot};
+    walked += edge_length;
+  }
+  return best;
+}
+
+} // namespace linelet

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/model_score.h>
+
+#include <cmath>
+
+namespace linelet {
+
+namespace {
+
+constexpr double parameters_per_curve = 4;
+
+} // namespace
+
+double
+scoreOf(const EmFit& fit, std::size_t points)
+{
+  const double parameters =
+      parameters_per_curve * static_cast<double>(fit.curves.size()) + fit.freedom;
+  return -2 * fit.log_likelihood + parameters * std::log(static_cast<double>(points));
+}
+
+double
+scoreOfNothing(const CloudFrame& frame, std::size_t points)
+{
+  return 2 * static_cast<double>(points) * std::log(frame.volume);
+}
+
+} // namespace linelet

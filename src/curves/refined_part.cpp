@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/refined_part.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <linelet/curves/junction_pairing.h>
+#include <linelet/curves/model_score.h>
+#include <linelet/curves/ridge_trace.h>
+#include <linelet/search/scale_unit.h>
+
+namespace linelet {
+
+namespace {
+
+constexpr std::array<double, 6> bandwidths = {0.5, 0.7, 1, 1.4, 2, 2.8}; // in D
+constexpr std::size_t least_part = 5;
+
+// A part this large is looked at before it is worked on: where hardly any neighbourhood
+// of sampled points is linear, it is a surface or a volume.
+constexpr std::size_t large_part = 5000;
+constexpr std::size_t looked_at = 200;
+constexpr double least_linearity = 0.3;
+
+bool
+looksLinear(const Points& points, const UniformGrid& grid, double scale_unit)
+{
+  std::vector<double> best;
+  const std::size_t stride = points.size() / looked_at;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    double linearity = 0;
+    for (const double radius : {2 * scale_unit, 4 * scale_unit}) {
+      Point first = Point::Zero();
+      Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+      double count = 0;
+      grid.forEachWithin(points[i], radius, [&](Index k, double) {
+        const Point v = points[k] - points[i];
+        first += v;
+        second += v * v.transpose();
+        count += 1;
+      });
+      first /= count;
+      linearity =
+          std::max(linearity, linearityOf(second / count - first * first.transpose()));
+    }
+    best.push_back(linearity);
+  }
+  const auto middle = best.begin() + static_cast<std::ptrdiff_t>(best.size() / 2);
+  std::nth_element(best.begin(), middle, best.end());
+  return *middle >= least_linearity;
+}
+
+} // namespace
+
+EmFit
+refinePart(const Points& points,
+           const RefinedSettings& user,
+           const std::function<bool()>& stop)
+{
+  EmFit best;
+  const double scale_unit =
+      points.size() < least_part ? 0 : scaleUnit(points, 1024, 1, 1);
+  if (!(scale_unit > 0))
+    return best;
+  const CloudFrame frame = frameOf(points, scale_unit);
+  const UniformGrid grid(points, 2 * scale_unit);
+  if (points.size() > large_part && !looksLinear(points, grid, scale_unit))
+    return best;
+
+  EmFitter fitter(points, grid, frame);
+  double best_score = scoreOfNothing(frame, points.size());
+  for (const double share : bandwidths) {
+    if (stop())
+      return {};
+    const double b = share * scale_unit;
+    const RidgeField field(points, b);
+    const Traces traces = traceRidges(field, {user.start_points, user.max_iterations});
+    PairingSettings pairing;
+    pairing.cluster = 2.5 * b;
+    pairing.cut = 1.25 * b;
+    pairing.reach = 3 * b;
+    const ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
+    if (start.empty())
+      continue;
+    EmSettings settings;
+    settings.spacing = std::max(0.4 * scale_unit, 0.24 * b);
+    settings.noise = 0.5 * b;
+    settings.least_noise = 0.1 * scale_unit;
+    settings.bending = 1 / frame.diagonal;
+    EmFit fit = fitter.fit(start, settings);
+    const double score = scoreOf(fit, points.size());
+    if (!fit.curves.empty() && score < best_score) {
+      best_score = score;
+      best = std::move(fit);
+    }
+  }
+  return best;
+}
+
+std::vector<Indices>
+connectedParts(const Points& points, double distance, std::size_t least)
+{
+  const UniformGrid grid(points, distance);
+  std::vector<std::size_t> part(points.size(), UniformGrid::none);
+  std::vector<Indices> parts;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (part[i] != UniformGrid::none || !points[i].allFinite())
+      continue;
+    Indices members{static_cast<Index>(i)};
+    part[i] = i;
+    for (std::size_t k = 0; k < members.size(); ++k)
+      grid.forEachWithin(points[members[k]], distance, [&](Index j, double) {
+        if (part[j] == UniformGrid::none) {
+          part[j] = i;
+          members.push_back(j);
+        }
+      });
+    if (members.size() >= least) {
+      std::sort(members.begin(), members.end());
+      parts.push_back(std::move(members));
+    }
+  }
+  return parts;
+}
+
+} // namespace linelet
