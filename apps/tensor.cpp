@@ -201,7 +201,8 @@ runTensor(const std::vector<std::string>& arguments)
   const Records records =
       settings.engine == Engine::OpenCL
           ? estimateOnDevice(device, cloud.points, settings, sizes, frame)
-          : estimateTensors(cloud.points, cloud.points, settings, sizes, &frame.monitor);
+          : estimateTensors(
+                cloud.points, cloud.points, settings, sizes, &frame.monitor);
   const double tensor_seconds = watch.lap();
 
   std::size_t unknown = 0;
