@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -37,26 +38,52 @@ struct Cost {
   double seconds = 0;   ///< for all points
 };
 
-Cost
-estimateCost(const Points& points, MultiScaleSettings settings)
+/** \brief Points in some neighbourhoods: engines gain from queries that lie together.
+ */
+Points
+clusters(const Points& points, std::size_t centers, std::size_t size)
 {
-  constexpr std::size_t most_samples = 64;
   Points sample;
-  const std::size_t step = points.size() / most_samples + 1;
-  for (std::size_t i = 0; i < points.size(); i += step)
-    sample.push_back(points[i]);
+  for (std::size_t c = 0; c < centers; ++c) {
+    const Point center = points[points.size() * (2 * c + 1) / (2 * centers)];
+    Points sorted = points;
+    size = std::min(size, points.size());
+    std::nth_element(sorted.begin(),
+                     sorted.begin() + static_cast<std::ptrdiff_t>(size - 1),
+                     sorted.end(),
+                     [&](const Point& a, const Point& b) {
+                       return (a - center).squaredNorm() < (b - center).squaredNorm();
+                     });
+    sample.insert(sample.end(),
+                  sorted.begin(),
+                  sorted.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+  return sample;
+}
+
+Cost
+estimateCost(const Points& points, const MultiScaleSettings& settings)
+{
+  constexpr std::size_t centers = 4, size = 250;
+  if (!std::all_of(points.begin(), points.end(), [](const Point& point) {
+        return point.allFinite();
+      }))
+    return {};
+  const Points few = clusters(points, centers, 1),
+               many = clusters(points, centers, size);
   Cost cost;
   const double begin = now();
-  multiScaleShapes(points, {}, settings);
+  multiScaleShapes(points, few, settings);
   const double prepared = now();
-  multiScaleShapes(points, sample, settings, [&](std::size_t, const ShapeGraph& graph) {
+  multiScaleShapes(points, many, settings, [&](std::size_t, const ShapeGraph& graph) {
     cost.neighbors += graph.back().neighbors;
   });
-  const auto count = static_cast<double>(sample.size());
-  cost.neighbors /= count;
+  cost.neighbors /= static_cast<double>(many.size());
+  // Preparation takes the same for few and many.
   const double preparation = prepared - begin;
-  cost.seconds = preparation + std::max(0.0, now() - prepared - preparation) / count *
-                                   static_cast<double>(points.size());
+  const double of_one =
+      std::max(0.0, now() - prepared - preparation) / static_cast<double>(many.size());
+  cost.seconds = preparation + of_one * static_cast<double>(points.size());
   return cost;
 }
 
@@ -212,6 +239,8 @@ runMultiscale(const std::vector<std::string>& arguments)
   planned.radii = result.radii;
   planned.stop_change = 0;
   if (!cloud.points.empty()) {
+    planned.engine =
+        chosenScaleEngine(cloud.points, cloud.points, planned.radii.back(), planned);
     const Cost cost = estimateCost(cloud.points, planned);
     if (cost.seconds > 3)
       std::fprintf(stderr,
@@ -269,6 +298,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   frame.summary["points"] = cloud.points.size();
   frame.summary["scale_unit"] = numberOrNull(scale_unit);
   frame.summary["radii"] = result.radii;
+  frame.summary["engine"] = nameOf(planned.engine);
   frame.summary["noise_rate"] = numberOrNull(noise_rate);
   frame.summary["noise_width"] = numberOrNull(noise_width);
   frame.summary["unknown"] = unknown;

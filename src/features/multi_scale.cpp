@@ -9,13 +9,15 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include <features/multi_scale_grid.h>
 #include <features/scale_sweep.h>
+#include <features/shape_summary.h>
 #include <linelet/features/fourth_order.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
-#include <linelet/tensor/eigen_analysis.h>
 
 namespace linelet {
 
@@ -34,46 +36,7 @@ gridFor(const Points& surface, double largest_radius)
   return UniformGrid(surface, largest_radius / 4);
 }
 
-MultiScaleShape
-summary(const ScaleSweep& sweep,
-        const std::vector<double>& radii,
-        const LinearityGraphSettings& settings)
-{
-  MultiScaleShape shape;
-  const auto first = std::find_if(sweep.neighborsBeside().begin(),
-                                  sweep.neighborsBeside().end(),
-                                  [](std::uint32_t count) { return count > 0; });
-  if (first != sweep.neighborsBeside().end())
-    shape.first_neighbors = *first;
-
-  const LinearityGraph graph =
-      readLinearityGraph(sweep.linearity(), sweep.neighbors(), radii, settings);
-  shape.linearity_sum = static_cast<float>(graph.area);
-  shape.linearity_max = static_cast<float>(graph.largest);
-  for (const ShapeFactors& factors : sweep.factors())
-    // fmin passes over scales that are not defined.
-    shape.min_sphericity =
-        std::fmin(shape.min_sphericity, static_cast<float>(factors.sphericity));
-
-  const std::size_t scale = graph.scale();
-  if (scale == LinearityGraph::none)
-    return shape;
-  const ShapeFactors& factors = sweep.factors()[scale];
-  const Eigen::Vector3f major =
-      eigenAnalysis(sweep.tensors()[scale]).major().cast<float>();
-  shape.linearity = static_cast<float>(factors.linearity);
-  shape.planarity = static_cast<float>(factors.planarity);
-  shape.sphericity = static_cast<float>(factors.sphericity);
-  shape.optimal_radius = static_cast<float>(radii[scale]);
-  shape.blend = static_cast<float>(graph.blend);
-  shape.major_x = major.x();
-  shape.major_y = major.y();
-  shape.major_z = major.z();
-  shape.neighbors = sweep.neighbors()[scale];
-  shape.scale = static_cast<std::int32_t>(scale);
-  return shape;
-}
-
+/// The graphs of the point whose neighbourhood \a sweep has just measured.
 ShapeGraph
 graphOf(const ScaleSweep& sweep)
 {
@@ -84,8 +47,7 @@ graphOf(const ScaleSweep& sweep)
     const ShapeFactors& factors = sweep.factors()[k];
     if (std::isnan(factors.linearity))
       continue;
-    const Eigen::Vector3f major =
-        eigenAnalysis(sweep.tensors()[k]).major().cast<float>();
+    const Eigen::Vector3f major = sweep.majors()[k].cast<float>();
     shape.linearity = static_cast<float>(factors.linearity);
     shape.planarity = static_cast<float>(factors.planarity);
     shape.sphericity = static_cast<float>(factors.sphericity);
@@ -247,11 +209,15 @@ multiScaleShapes(const Points& surface,
                  Monitor* monitor)
 {
   MultiScaleShapes result = multiScaleRadii(surface, settings, monitor);
+  if (chosenScaleEngine(surface, queries, result.radii.back(), settings) ==
+      ScaleEngine::Grid) {
+    multiScaleShapesOnGrid(surface, queries, settings, sink, monitor, result);
+    return result;
+  }
   result.shapes.resize(queries.size());
   const UniformGrid grid = gridFor(surface, result.radii.back());
   if (monitor != nullptr)
     monitor->begin("multi-scale", queries.size());
-
   const std::size_t block =
       sink ? block_size : std::max<std::size_t>(1, queries.size());
   std::vector<ShapeGraph> graphs(sink ? std::min(block, queries.size()) : 0);
@@ -265,9 +231,14 @@ multiScaleShapes(const Points& surface,
                  settings,
                  monitor,
                  [&](std::size_t query, const ScaleSweep& sweep) {
-                   result.shapes[query] = summary(sweep, result.radii, settings.graph);
+                   ShapeGraph graph = graphOf(sweep);
+                   result.shapes[query] = summarise(graph,
+                                                    sweep.neighbors().back() -
+                                                        sweep.neighborsBeside().back(),
+                                                    result.radii,
+                                                    settings.graph);
                    if (sink)
-                     graphs[query - begin] = graphOf(sweep);
+                     graphs[query - begin] = std::move(graph);
                  });
     if (sink)
       for (std::size_t query = begin; query < end; ++query)

@@ -29,7 +29,8 @@ ScaleSweep::ScaleSweep(const std::vector<double>& radii,
       factors_(radii.size()),
       neighbors_(radii.size()),
       beside_(radii.size()),
-      tensors_(radii.size())
+      tensors_(radii.size()),
+      majors_(radii.size())
 {
   for (const double radius : radii)
     squared_radii_.push_back(radius * radius);
@@ -76,8 +77,9 @@ ScaleSweep::run()
     // One neighbour beside the point spans a line whatever the shape of the cloud.
     if (beside_[k] < 2)
       tensors_[k] = undefined_tensor;
-    factors_[k] =
-        shapeFactors(eigenAnalysis(tensors_[k]).values, std::sqrt(farthest_[k]));
+    const EigenSystem system = eigenAnalysis(tensors_[k]);
+    factors_[k] = shapeFactors(system.values, std::sqrt(farthest_[k]));
+    majors_[k] = system.major();
     linearity_[k] = factors_[k].linearity;
   }
 }

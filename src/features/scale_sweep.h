@@ -63,6 +63,13 @@ public:
     return beside_;
   }
 
+  /** \brief e3 at each scale; NaN where not defined. */
+  const Points&
+  majors() const
+  {
+    return majors_;
+  }
+
   /** \brief The tensor at each scale; NaN where not defined. */
   const std::vector<SymmetricTensor>&
   tensors() const
@@ -92,6 +99,7 @@ private:
   std::vector<ShapeFactors> factors_;
   std::vector<std::uint32_t> neighbors_, beside_;
   std::vector<SymmetricTensor> tensors_;
+  Points majors_;
 };
 
 } // namespace linelet

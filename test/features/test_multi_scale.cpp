@@ -295,6 +295,62 @@ TEST(MultiScale, SameForAnyNumberOfThreads)
     ASSERT_EQ(silent.shapes[i].optimal_radius, one.shapes[i].optimal_radius);
 }
 
+TEST(MultiScale, GridEngineAgreesWithTheSweep)
+{
+  Points cloud = randomPoints(3000, 12, {10, 10, 0.5});
+  cloud.push_back(cloud[5]); // a coincident pair
+  const Points queries(cloud.begin(), cloud.begin() + 300);
+  for (const Centroid centroid : {Centroid::QueryPoint, Centroid::WeightedMean}) {
+    MultiScaleSettings settings;
+    settings.centroid = centroid;
+    settings.max_radius = 6;
+    MultiScaleShapes sweep, grid;
+    settings.engine = linelet::ScaleEngine::Sweep;
+    const auto graphs_of_sweep = graphsOf(cloud, queries, settings, &sweep);
+    settings.engine = linelet::ScaleEngine::Grid;
+    const auto graphs_of_grid = graphsOf(cloud, queries, settings, &grid);
+    ASSERT_EQ(sweep.radii, grid.radii);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      ASSERT_EQ(sweep.shapes[i].first_neighbors, grid.shapes[i].first_neighbors);
+      ASSERT_NEAR(sweep.shapes[i].linearity_sum, grid.shapes[i].linearity_sum, 2e-3);
+      ASSERT_NEAR(sweep.shapes[i].min_sphericity, grid.shapes[i].min_sphericity, 2e-4);
+      for (std::size_t k = 0; k < sweep.radii.size(); ++k) {
+        const auto &a = graphs_of_sweep[i][k], &b = graphs_of_grid[i][k];
+        ASSERT_EQ(a.neighbors, b.neighbors);
+        ASSERT_EQ(std::isnan(a.linearity), std::isnan(b.linearity));
+        if (std::isnan(a.linearity))
+          continue;
+        ASSERT_NEAR(a.linearity, b.linearity, 2e-4);
+        ASSERT_NEAR(a.planarity, b.planarity, 2e-4);
+        ASSERT_NEAR(a.sphericity, b.sphericity, 2e-4);
+        if (a.linearity > 0.1F) {
+          const float dot =
+              a.major_x * b.major_x + a.major_y * b.major_y + a.major_z * b.major_z;
+          ASSERT_NEAR(std::abs(dot), 1, 1e-4);
+        }
+      }
+    }
+  }
+}
+
+TEST(MultiScale, AutoTakesTheGridWhereNeighbourhoodsAreLarge)
+{
+  // Told apart by what only one of them does: both must then be equal to the last bit.
+  const Points cloud = randomPoints(3000, 13, {5, 5, 0.2});
+  const auto linearities = [&](linelet::ScaleEngine engine, double max_radius) {
+    MultiScaleSettings settings;
+    settings.engine = engine;
+    settings.max_radius = max_radius;
+    std::vector<float> values;
+    for (const MultiScaleShape& shape : multiScaleShapes(cloud, cloud, settings).shapes)
+      values.push_back(shape.linearity_sum);
+    return values;
+  };
+  using linelet::ScaleEngine;
+  EXPECT_EQ(linearities(ScaleEngine::Auto, 5), linearities(ScaleEngine::Grid, 5));
+  EXPECT_EQ(linearities(ScaleEngine::Auto, 0.5), linearities(ScaleEngine::Sweep, 0.5));
+}
+
 TEST(MultiScale, SummaryAgreesWithTheGraph)
 {
   const Points cloud = randomPoints(400, 9, {10, 1, 1});

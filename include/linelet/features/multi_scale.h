@@ -3,19 +3,39 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <linelet/features/linearity_graph.h>
 #include <linelet/features/multi_scale_radii.h>
 #include <linelet/features/multi_scale_types.h>
 #include <linelet/support/monitor.h>
+#include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
 namespace linelet {
+
+/** \brief What measures the neighbourhoods. */
+enum class ScaleEngine {
+  Auto,  ///< Grid where a point has more than a thousand neighbours, else Sweep
+  Sweep, ///< one search at the largest radius serves all scales, all in double
+  Grid   ///< a vectorised pass for every radius, shape factors to 1e-4
+};
+
+template <>
+struct Names<ScaleEngine> {
+  static constexpr std::string_view kind = "engine";
+  static constexpr std::array<std::pair<ScaleEngine, std::string_view>, 3> table = {
+      {{ScaleEngine::Auto, "auto"},
+       {ScaleEngine::Sweep, "sweep"},
+       {ScaleEngine::Grid, "grid"}}};
+};
 
 /** \brief Parameters of the multi-scale shape feature. */
 struct MultiScaleSettings {
@@ -32,6 +52,7 @@ struct MultiScaleSettings {
   double scale_unit = 0;             ///< D; 0: measured on the points
   unsigned scale_unit_sample = 1024; ///< points that D is measured at; 0: all
   unsigned scale_unit_seed = 1;
+  ScaleEngine engine = ScaleEngine::Auto;
   LinearityGraphSettings graph; ///< how the optimal scale is chosen
   unsigned threads = 0;         ///< 0: all
 };
@@ -53,6 +74,9 @@ describe(MultiScaleSettings& s, Visit&& visit)
   visit("scale-unit", s.scale_unit, "scale unit D; 0: measured");
   visit("scale-unit-sample", s.scale_unit_sample, "points D is measured at; 0: all");
   visit("scale-unit-seed", s.scale_unit_seed, "seed of that sample");
+  visit("engine",
+        s.engine,
+        "what measures the neighbourhoods; auto: grid where they are large");
   describe(s.graph, visit);
 }
 
@@ -76,14 +100,23 @@ multiScaleRadii(const Points& surface,
                 const MultiScaleSettings& settings,
                 Monitor* monitor = nullptr);
 
+/** \brief The engine that \ref multiScaleShapes runs: what ScaleEngine::Auto stands
+ * for, judged by the neighbours that a sample of the queries has within the largest
+ * radius. */
+ScaleEngine
+chosenScaleEngine(const Points& surface,
+                  const Points& queries,
+                  double largest_radius,
+                  const MultiScaleSettings& settings);
+
 /** \brief The multi-scale shape feature (Ritter, Schiffner, Harders 2021): the shape of
  * the neighbourhood of every query at a ladder of radii, and the scale that serves the
  * reconstruction of curves best.
  *
- * One search at the largest radius serves all scales. The tensor at radius r is that of
- * the points with d <= r; scales with fewer than two neighbours away from the query are
- * not defined. Nothing is kept per scale: who wants the graphs takes them from \a sink
- * as they come. The same for every number of threads.
+ * One search at the largest radius serves all scales (ScaleEngine::Sweep). The tensor
+ * at radius r is that of the points with d <= r; scales with fewer than two neighbours
+ * away from the query are not defined. Nothing is kept per scale: who wants the graphs
+ * takes them from \a sink as they come. The same for every number of threads.
  *
  * \param[in] surface points among which neighbours are sought; those with a coordinate
  * that is not finite are left out
