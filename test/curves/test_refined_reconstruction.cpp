@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/refined_reconstruction.h>
+
+#include <cmath>
+#include <limits>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_real_distribution.hpp>
+#include <gtest/gtest.h>
+
+#include <linelet/evaluation/geometries.h>
+#include <linelet/evaluation/measures.h>
+#include <linelet/evaluation/test_cloud.h>
+
+using namespace linelet;
+using namespace linelet::evaluation;
+
+namespace {
+
+Points
+cable(double length, double per_metre, double noise, double offset, unsigned seed)
+{
+  boost::random::mt19937 random(seed);
+  boost::random::normal_distribution<double> normal(0, noise);
+  boost::random::uniform_real_distribution<double> along(-length / 2, length / 2);
+  Points points;
+  const double a = 800; // parameter of the catenary
+  for (int i = 0; i < length * per_metre; ++i) {
+    const double x = along(random);
+    points.emplace_back(x + normal(random),
+                        offset + normal(random),
+                        a * (std::cosh(x / a) - 1) + normal(random));
+  }
+  return points;
+}
+
+TEST(RefinedReconstruction, DegenerateInputGivesNoCurveOrOneThatIsFinite)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(reconstructRefined({}).curves.empty());
+  EXPECT_TRUE(reconstructRefined({Point(1, 2, 3)}).curves.empty());
+  EXPECT_TRUE(reconstructRefined({Point(1, 2, 3), Point(2, 2, 3)}).curves.empty());
+  EXPECT_TRUE(reconstructRefined(Points(500, Point(1, 2, 3))).curves.empty());
+  EXPECT_TRUE(reconstructRefined(Points(500, Point(nan, nan, nan))).curves.empty());
+  Points collinear;
+  for (int i = 0; i < 200; ++i)
+    collinear.emplace_back(1e7 + i, 1e7, -1e7);
+  for (const Curve& curve : reconstructRefined(collinear).curves)
+    for (const Point& p : curve.points)
+      EXPECT_TRUE(p.allFinite());
+  EXPECT_THROW(reconstructRefined(collinear, {0, 0, nan, 1}), std::invalid_argument);
+}
+
+TEST(RefinedReconstruction, SurfacesAndVolumesAreNoCurves)
+{
+  boost::random::mt19937 random(7);
+  boost::random::uniform_real_distribution<double> uniform(-10, 10);
+  Points ball, plane;
+  while (ball.size() < 20000) {
+    const Point p(uniform(random), uniform(random), uniform(random));
+    if (p.norm() < 10)
+      ball.push_back(p);
+    plane.emplace_back(p.x(), p.y(), 0.3 * p.x());
+  }
+  EXPECT_TRUE(reconstructRefined(ball).curves.empty());
+  EXPECT_TRUE(reconstructRefined(plane).curves.empty());
+}
+
+TEST(RefinedReconstruction, CleanGeometriesSucceed)
+{
+  for (const Geometry geometry : benchmarkGeometries()) {
+    SamplingSettings settings;
+    settings.points = 256;
+    const Measures m =
+        measure(reconstructRefined(sample(geometry, settings)), truthOf(geometry));
+    EXPECT_TRUE(m.success) << nameOf(geometry);
+    EXPECT_LE(m.e_v, 0.02) << nameOf(geometry);
+  }
+}
+
+TEST(RefinedReconstruction, LongCableIsOneCurveWithoutDrift)
+{
+  const CurveNetwork network = reconstructRefined(cable(280, 3.5, 0.03, 0, 3));
+  ASSERT_EQ(network.curves.size(), 1u);
+  const double a = 800;
+  for (const Point& p : network.curves[0].points) {
+    EXPECT_NEAR(p.y(), 0, 0.05);
+    EXPECT_NEAR(p.z(), a * (std::cosh(p.x() / a) - 1), 0.05);
+  }
+  EXPECT_NEAR(length(network), 283, 3);
+}
+
+TEST(RefinedReconstruction, ResultMovesAndScalesWithTheInput)
+{
+  SamplingSettings settings;
+  settings.jitter = 0.3;
+  settings.outliers = 40;
+  const Points points = sample(Geometry::Elbow, settings);
+  const CurveNetwork plain = reconstructRefined(points);
+  Points moved = points;
+  for (Point& p : moved)
+    p = 16 * p + Point(5e5, -5e5, 1024);
+  const CurveNetwork other = reconstructRefined(moved);
+  ASSERT_EQ(plain.curves.size(), other.curves.size());
+  EXPECT_NEAR(length(other) / (16 * length(plain)), 1, 0.01);
+}
+
+TEST(RefinedReconstruction, SameForAnyNumberOfThreads)
+{
+  Points points;
+  for (int k = 0; k < 6; ++k)
+    for (const Point& p : cable(60, 4, 0.05, 40.0 * k, static_cast<unsigned>(k)))
+      points.push_back(p);
+  RefinedSettings one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const CurveNetwork a = reconstructRefined(points, one);
+  const CurveNetwork b = reconstructRefined(points, three);
+  ASSERT_EQ(a.curves.size(), b.curves.size());
+  EXPECT_GE(a.curves.size(), 6u);
+  for (std::size_t c = 0; c < a.curves.size(); ++c)
+    EXPECT_EQ(a.curves[c].points, b.curves[c].points);
+}
+
+TEST(RefinedReconstruction, CancelledWorkThrows)
+{
+  struct Never : Monitor {
+    bool
+    cancelled() const override
+    {
+      return true;
+    }
+  } monitor;
+  EXPECT_THROW(reconstructRefined(cable(60, 4, 0.05, 0, 1), {}, &monitor), Cancelled);
+}
+
+} // namespace
