@@ -33,8 +33,8 @@ svg a{fill:inherit}
 .span{margin:22px 0 30px;break-inside:avoid}
 table{border-collapse:collapse;width:100%;font-size:12.5px;font-variant-numeric:tabular-nums}
 th{text-align:right;font-weight:600;border-bottom:1px solid #1d232a;padding:3px 7px;vertical-align:bottom}
-td{text-align:right;border-bottom:1px solid #e4e8ec;padding:3px 7px}
-td.text,th.text{text-align:left}
+td{text-align:right;white-space:nowrap;border-bottom:1px solid #e4e8ec;padding:3px 7px}
+td.text,th.text{text-align:left;white-space:normal}
 table.narrow{width:auto}
 td i{display:inline-block;width:10px;height:10px;border-radius:2px;margin-right:6px}
 em{color:#8a5a00;font-style:normal}
