@@ -106,6 +106,7 @@ print(const std::string& name, const Scores& s, double seconds)
               at(0.95),
               percent(static_cast<double>(right), static_cast<double>(ends.size())),
               seconds);
+  std::fflush(stdout);
 }
 
 Scores
