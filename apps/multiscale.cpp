@@ -64,7 +64,12 @@ clusters(const Points& points, std::size_t centers, std::size_t size)
 Cost
 estimateCost(const Points& points, const MultiScaleSettings& settings)
 {
-  constexpr std::size_t centers = 4, size = 250;
+  constexpr std::size_t centers = 3;
+  // The grid shares its lists among the queries of a block; medians are slow by
+  // themselves.
+  const bool median = settings.centroid == Centroid::Median ||
+                      settings.centroid == Centroid::WeightedMedian;
+  const std::size_t size = settings.engine == ScaleEngine::Grid && !median ? 3000 : 100;
   if (!std::all_of(points.begin(), points.end(), [](const Point& point) {
         return point.allFinite();
       }))
