@@ -18,10 +18,11 @@ constexpr double body_search = 2.5;          // metres around the axis
 constexpr double body_flare = 0.12;          // growth of that per metre downwards
 constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
-constexpr double contrast = 3;    // density of the body over that of its surroundings
-constexpr double arm_depth = 3;   // metres, crossarms reach below their wires
-constexpr double arm_tip = 2;     // metres, and beyond them
-constexpr double widest_foot = 8; // metres, half width
+constexpr double contrast = 3;      // density of the body over that of its surroundings
+constexpr double lowest_pylon = 12; // metres, lines on lower supports hang from poles
+constexpr double arm_depth = 3;     // metres, crossarms reach below their wires
+constexpr double arm_tip = 2;       // metres, and beyond them
+constexpr double widest_foot = 8;   // metres, half width
 
 struct Local {
   double u, v, z; // across the line, along it, height
@@ -149,6 +150,10 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
         tower.top = std::max(tower.top, p.z);
     return;
   }
+
+  tower.pole = tower.top - tower.base < lowest_pylon;
+  if (tower.pole)
+    return; // a pole that is not seen; what stands there is a tree or a house
 
   // The middle of what stands between the outer wires, high above the trees.
   std::vector<double> along;

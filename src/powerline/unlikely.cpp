@@ -22,12 +22,19 @@ constexpr double short_line = 25;     // metres, the least inside the data
 constexpr std::size_t many = 4;       // wires of a family that prove each other
 constexpr double clean_part = 0.75;   // of the length of short wires at the border
 
+constexpr double lone_length = 18; // metres of a lone wire in the clear
+constexpr double lone_clean = 0.8; // of its bins
+constexpr double lone_open = 0.8;  // of its length, with nothing but deep below
+constexpr double deep = 1.5;       // metres below a wire
+constexpr double beside = 1.25;    // metres, looked at on both sides
+
 struct Family {
   double longest = 0; ///< longest chain of joined wires, metres
   double single = 0;  ///< longest wire, metres
   double bend = 0, weight = 0;
   double clean = 0, occupied = 0; ///< bins
   bool border = false;            ///< a wire leaves the data
+  bool clear = false; ///< a wire hangs by itself with the view free to the ground
   std::size_t wires = 0;
   bool joined = false; ///< some wires meet
 };
@@ -51,6 +58,25 @@ chainLength(const std::vector<Hanging>& wires, std::size_t start)
   return length;
 }
 
+/** Part of a wire below which, and beside that, a scan sees nothing near: not so on
+ * roofs. */
+double
+openBelow(const SpanModel& m, const Underside& underside)
+{
+  double open = 0, all = 0;
+  for (double s = m.begin; s <= m.end; s += 1) {
+    const Point p = m.at(s);
+    bool blocked = false;
+    for (const double side : {-beside, 0.0, beside})
+      blocked =
+          blocked || underside.lowestAt(p.x() - side * m.direction.y(),
+                                        p.y() + side * m.direction.x()) > p.z() - deep;
+    open += !blocked;
+    all += 1;
+  }
+  return open / all;
+}
+
 bool
 plausible(const Family& family)
 {
@@ -60,7 +86,7 @@ plausible(const Family& family)
   if (family.border)
     return (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= short_line);
-  return family.single >= short_line && bend >= clear_bend;
+  return family.clear || (family.single >= short_line && bend >= clear_bend);
 }
 
 } // namespace
@@ -132,6 +158,10 @@ dropUnlikely(std::vector<Hanging>& wires,
       growth.claim(piece, 0);
       family.clean += evidence.clean;
       family.occupied += evidence.occupied;
+      family.clear =
+          family.clear || (m.length() >= lone_length && evidence.slope <= steep &&
+                           evidence.clean >= lone_clean * evidence.occupied &&
+                           openBelow(m, underside) >= lone_open);
     }
     bool loose = chain < long_line;
     for (int side = 0; side < 2; ++side) {
