@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How well and how fast wires come out of classified tiles (the classes are the truth
+// and are not shown to the extraction): benchmark_wires TILE.las ... One line a tile:
+// precision, recall and F1 of wire points, their F1 farther than 6 m (in plan) from
+// pylon points, F1 of pylon points, vectors, supports, seconds.
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <linelet/io/point_file.h>
+#include <linelet/powerline/extract_power_lines.h>
+
+namespace {
+
+using linelet::Point;
+using linelet::Points;
+
+struct Score {
+  double hit = 0, extra = 0, missed = 0;
+
+  void
+  add(bool is, bool found)
+  {
+    hit += is && found;
+    extra += !is && found;
+    missed += is && !found;
+  }
+
+  double
+  f1() const
+  {
+    return 2 * hit / (2 * hit + extra + missed);
+  }
+};
+
+/** Points of pylons in a raster of 6 m. */
+class Pylons {
+public:
+  void
+  add(const Point& p)
+  {
+    cells_[cell(p, 0, 0)].push_back(p);
+  }
+
+  bool
+  near(const Point& p) const
+  {
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        if (const auto found = cells_.find(cell(p, dx, dy)); found != cells_.end())
+          for (const Point& q : found->second)
+            if ((p - q).head<2>().norm() <= reach)
+              return true;
+    return false;
+  }
+
+private:
+  static constexpr double reach = 6;
+
+  static std::pair<int, int>
+  cell(const Point& p, int dx, int dy)
+  {
+    return {static_cast<int>(std::floor(p.x() / reach)) + dx,
+            static_cast<int>(std::floor(p.y() / reach)) + dy};
+  }
+
+  std::map<std::pair<int, int>, Points> cells_;
+};
+
+void
+measure(const char* path)
+{
+  const linelet::io::Cloud cloud = linelet::io::readCloud(path);
+  const linelet::io::Column* classes = cloud.find("classification");
+  if (classes == nullptr)
+    throw std::runtime_error(std::string(path) + ": has no classes to compare with");
+  const auto network = linelet::powerline::extractPowerLines(cloud.points);
+  Pylons pylons;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (linelet::io::valueAt(*classes, i) == linelet::powerline::pylon_class)
+      pylons.add(cloud.points[i]);
+  Score wire, away, pylon;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const double truth = linelet::io::valueAt(*classes, i);
+    const bool is = truth == linelet::powerline::wire_class;
+    const bool found = network.classes[i] == linelet::powerline::wire_class;
+    wire.add(is, found);
+    if ((is || found) && !pylons.near(cloud.points[i]))
+      away.add(is, found);
+    pylon.add(truth == linelet::powerline::pylon_class,
+              network.classes[i] == linelet::powerline::pylon_class);
+  }
+  double seconds = 0;
+  for (const auto& stage : network.stages)
+    seconds += stage.seconds;
+  std::printf("%6.4f %6.4f %6.4f %6.4f %6.4f %6zu %6zu %7.3f  %s\n",
+              wire.hit / (wire.hit + wire.extra),
+              wire.hit / (wire.hit + wire.missed),
+              wire.f1(),
+              away.f1(),
+              pylon.f1(),
+              network.wires.size(),
+              network.supports.size(),
+              seconds,
+              path);
+}
+
+} // namespace
+
+int
+main(int count, char** arguments)
+{
+  std::printf("%6s %6s %6s %6s %6s %6s %6s %7s\n",
+              "P",
+              "R",
+              "F1",
+              "away",
+              "pylon",
+              "wires",
+              "supp.",
+              "s");
+  try {
+    for (int i = 1; i < count; ++i)
+      measure(arguments[i]);
+  }
+  catch (const std::exception& error) {
+    std::fprintf(stderr, "benchmark_wires: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
