@@ -25,6 +25,17 @@ namespace {
 constexpr double least_crowding = 16;
 constexpr double widest_block = 4;
 
+/** \brief No more threads than have something to do: for few queries, waking a thread
+ * costs more than it does. */
+int
+usefulThreads(unsigned requested, std::size_t queries)
+{
+  constexpr std::size_t queries_a_thread = 1024;
+  const std::size_t useful = queries / queries_a_thread + 1;
+  return static_cast<int>(
+      std::min(useful, static_cast<std::size_t>(threadCount(requested))));
+}
+
 /** \brief Box of the finite ones of a set of points. */
 struct Bounds {
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
@@ -62,7 +73,7 @@ public:
         monitor_(monitor),
         records_(records),
         bounds_(surface),
-        threads_(threadCount(settings.threads))
+        threads_(usefulThreads(settings.threads, queries.size()))
   {
   }
 
