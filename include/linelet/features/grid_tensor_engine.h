@@ -16,8 +16,9 @@ namespace linelet {
  * vectors of candidates, on the best instruction set found at run time. Sums are in
  * float relative to the query's surroundings and in double beyond them; numbers of
  * neighbours are exactly those of the other engines, shape factors agree to 1e-4
- * (median and step: exactly). Time grows with the points, not with their order; memory
- * beside input and output stays below 64 bytes a point.
+ * (median and step: exactly). Memory beside input and output is 30 to 40 bytes a point,
+ * and for every thread some 20 bytes a candidate: much only where a ball holds a large
+ * part of the cloud.
  *
  * Settings and sizes are those of \ref estimateTensors with a radius, or one a query.
  * \throws std::invalid_argument, Cancelled as there */
