@@ -3,6 +3,7 @@
 
 #include <linelet/curves/refined_reconstruction.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -18,25 +19,35 @@ namespace {
 
 constexpr double link_distance = 5; // of one connected part, in D
 constexpr std::size_t least_part = 5;
+// Vertices of the result per node of the fit: an edge across a junction is told by its
+// vertices to belong to neither curve, so it had better be short.
+constexpr std::size_t finer = 3;
 
 void
 append(CurveNetwork& network, EmFit& fit)
 {
   for (std::size_t c = 0; c < fit.curves.size(); ++c) {
-    ModelCurve& model = fit.curves[c];
+    const ModelCurve& coarse = fit.curves[c];
+    if (coarse.edges() == 0)
+      continue;
+    const ModelCurve model =
+        resampled(coarse, length(coarse) / static_cast<double>(finer * coarse.edges()));
     Curve curve;
     curve.closed = model.closed;
     curve.front.kind = curve.back.kind =
         model.closed ? EndKind::Loop : EndKind::Support;
-    // Half the points of an edge to each of its vertices.
+    // An edge's points are spread over its parts, half to each vertex.
     std::vector<double> support(model.nodes.size(), 0);
     for (std::size_t e = 0; e < model.edges(); ++e) {
-      support[e] += 0.5 * fit.counts[c][e];
-      support[e + 1 == model.nodes.size() ? 0 : e + 1] += 0.5 * fit.counts[c][e];
+      const double share = 0.5 *
+                           fit.counts[c][std::min(e / finer, coarse.edges() - 1)] /
+                           static_cast<double>(finer);
+      support[e] += share;
+      support[e + 1 == model.nodes.size() ? 0 : e + 1] += share;
     }
     for (const double count : support)
       curve.support.push_back(static_cast<Index>(std::lround(count)));
-    curve.points = std::move(model.nodes);
+    curve.points = model.nodes;
     network.curves.push_back(std::move(curve));
   }
 }

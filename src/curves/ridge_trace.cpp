@@ -19,6 +19,10 @@ constexpr double loop_length = 5;
 constexpr double explained_distance = 2;
 constexpr double least_length = 3;
 
+// A trace that turns about within 3b follows the noise around the end of its curve.
+constexpr std::size_t turn_steps = 8;
+constexpr double least_cosine = -0.64;
+
 constexpr double least_relative_support = 0.45;
 constexpr double support_memory = 0.85; // of the running mean, per step
 constexpr int correctors = 3;
@@ -190,6 +194,7 @@ private:
     RidgeField::Sample here = field_.sample(path.back(), true);
     double running = std::min(here.support, 1.5 * field_.medianSupport());
     Points tentative; // past the last well supported node
+    Points directions;
     for (std::size_t steps = 0; steps < most_steps_; ++steps) {
       const Point last = tentative.empty() ? path.back() : tentative.back();
       const double v = std::clamp((linearityOf(here.covariance) - 0.1) / 0.3, 0.0, 1.0);
@@ -209,6 +214,12 @@ private:
       if (moved.squaredNorm() > 0.01 * h * h)
         d = (d + moved.normalized()).normalized();
       here = field_.sample(x, true);
+      directions.push_back(d);
+      if (directions.size() > turn_steps &&
+          d.dot(directions[directions.size() - 1 - turn_steps]) < least_cosine) {
+        path.resize(path.size() - std::min(turn_steps / 2, path.size() - 1));
+        return Stop::Support;
+      }
 
       const double threshold =
           least_relative_support * std::min(running, 1.5 * field_.medianSupport());

@@ -75,12 +75,21 @@ private:
     std::size_t first_edge = 0;
     double bending = 1, first_bending = 1;
     std::vector<double> bend_variance;
+    std::vector<double> node_freedom; // effective parameters of each node
   };
 
   void
   resampleCurves(double spacing);
   void
   collectPairs();
+  /** \brief Cuts back ends, and drops curves, whose points are explained as well
+   * without them, by the information criterion. \return whether anything changed */
+  bool
+  prune();
+  std::size_t
+  cheapestCut(const CurveState& state, int end, double penalty);
+  void
+  extendEnds(double spacing);
   void
   updateEdges();
   void
@@ -102,6 +111,7 @@ private:
   std::vector<double> pair_density_; // then responsibility
   std::vector<double> pair_place_;   // z, along the edge
   std::vector<double> pair_off_;     // squared distance from the edge's line
+  std::vector<double> removed_;      // per point, the share that a cut takes away
   std::vector<double> density_;      // per point
   std::vector<double> edge_count_;
   double noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
