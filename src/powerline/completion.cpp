@@ -13,6 +13,8 @@ namespace {
 
 constexpr double company_reach = 14; // metres between wires of one span
 constexpr double company_part = 0.7; // of the length of the wire that is to grow
+constexpr double thin_cover = 0.1;   // of the bins of a wire beside others
+constexpr double thin_clean = 0.9;   // of those, clean
 constexpr double overshoot = 1;      // metres beyond the end of the company
 constexpr double border_step = 5;    // metres beyond an end
 constexpr double border_reach = 2;   // metres around that place
@@ -89,8 +91,13 @@ completeByCompany(std::vector<Hanging>& wires,
     growth.claim(piece, Growth::nobody);
     if (growth.extend(
             longer, low - overshoot, high + overshoot, false, settings.max_gap) &&
-        longer.model.length() > m.length() && weigh(growth, longer, settings).accepted)
-      piece = std::move(longer);
+        longer.model.length() > m.length()) {
+      // Beside others a wire may be thinly covered, if nothing else is near it.
+      const Evidence e = weigh(growth, longer, settings);
+      if (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&
+                         e.clean >= thin_clean * e.occupied))
+        piece = std::move(longer);
+    }
     growth.claim(piece, 0);
   }
 }

@@ -57,11 +57,10 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
     if (static_cast<double>(bin.moat) <= crowd * static_cast<double>(bin.tube))
       ++e.clean;
   }
-  e.accepted = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
-               e.slope <= steepest_end && e.sag >= -hump && e.height >= least_height &&
-               e.occupied >= least_cover * e.bins &&
-               e.clean >= clean_part * e.occupied &&
-               e.clean * bin_length >= clean_length;
+  e.sound = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
+            e.slope <= steepest_end && e.sag >= -hump && e.height >= least_height &&
+            e.clean >= clean_part * e.occupied && e.clean * bin_length >= clean_length;
+  e.accepted = e.sound && e.occupied >= least_cover * e.bins;
   return e;
 }
 

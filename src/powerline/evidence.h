@@ -15,8 +15,9 @@ struct Evidence {
   double rms = 0;   ///< of the members, metres
   double sag = 0;   ///< of the model between its ends, metres; negative: bulges upwards
   double slope = 0; ///< steepest, at the ends
-  double height = 0; ///< mean of the members above ground, metres
-  bool accepted = false;
+  double height = 0;     ///< mean of the members above ground, metres
+  bool sound = false;    ///< a wire, but perhaps too thinly covered with points
+  bool accepted = false; ///< and not that
 };
 
 /** \brief Weighs \a piece. Roof edges, crane booms and branches have company all along
