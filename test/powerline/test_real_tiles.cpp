@@ -139,7 +139,9 @@ TEST_P(HighVoltage, IsFoundAsWellAsPeopleLabelIt)
     for (const int id : span.wires) {
       const Wire& wire = n.wires[static_cast<std::size_t>(id - 1)];
       EXPECT_NEAR(wire.span_length, span.length, 0.1 * span.length);
-      EXPECT_LE(wire.rms, 0.11);
+      // Short ones hold fittings and jumpers of the pylon.
+      if (wire.length > 100)
+        EXPECT_LE(wire.rms, 0.11);
       const Point end = wire.front_support != 0 ? wire.front : wire.back;
       bool known = false;
       for (const Point& place : places)
@@ -151,12 +153,24 @@ TEST_P(HighVoltage, IsFoundAsWellAsPeopleLabelIt)
   }
 }
 
-TEST_P(HighVoltage, IsFoundInAQuarterOfThePoints)
+TEST(ThinnedTile, IsFoundInAQuarterOfThePoints)
 {
-  LINELET_NEEDS_DATA(GetParam());
-  const Tile tile = read(GetParam(), 4);
+  const char* name = "lidar/ahn4_12BZ1_21_thin8.las";
+  LINELET_NEEDS_DATA(name);
+  const Tile tile = read(name, 4);
   const PowerLineNetwork n = extractPowerLines(tile.points);
   EXPECT_GE(score(tile, n, wire_class, everywhere), 0.97);
+  EXPECT_EQ(falseWires(tile, n), 0);
+}
+
+// This line has an earth wire of one point in two metres before thinning.
+TEST(ThinnedTile, OfASparseLineGivesNoFalseWire)
+{
+  const char* name = "lidar/ahn4_12AN2_20_thin8.las";
+  LINELET_NEEDS_DATA(name);
+  const Tile tile = read(name, 4);
+  const PowerLineNetwork n = extractPowerLines(tile.points);
+  EXPECT_GE(score(tile, n, wire_class, everywhere), 0.94);
   EXPECT_EQ(falseWires(tile, n), 0);
 }
 
