@@ -28,8 +28,8 @@ runEvaluate(const std::vector<std::string>& arguments)
   addOptions(frame.app, settings);
   frame.parse(arguments);
 
-  const evaluation::Measures m =
-      evaluation::measure(io::readCurves(curves), io::readCurves(truth), settings);
+  const CurveNetwork found = io::readCurves(curves), known = io::readCurves(truth);
+  const evaluation::Measures m = evaluation::measure(found, known, settings);
   std::printf("E_H %.6g\nE_V %.6g\nE_Len %.6g\nE_Com %.6g\n%s\n",
               m.e_h,
               m.e_v,
