@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::array<double, 6> bandwidths = {0.5, 0.7, 1, 1.4, 2, 2.8}; // in D
 constexpr std::size_t least_part = 5;
+constexpr int most_rounds = 3;
+constexpr std::size_t least_rest = 8;
 
 // A part this large is looked at before it is worked on: where hardly any neighbourhood
 // of sampled points is linear, it is a surface or a volume.
@@ -72,6 +74,7 @@ refinePart(const Points& points,
     return best;
 
   EmFitter fitter(points, grid, frame);
+  EmSettings best_settings;
   double best_score = scoreOfNothing(frame, points.size());
   for (const double share : bandwidths) {
     if (stop())
@@ -96,7 +99,33 @@ refinePart(const Points& points,
     if (!fit.curves.empty() && score < best_score) {
       best_score = score;
       best = std::move(fit);
+      best_settings = settings;
     }
+  }
+  // What the fit leaves unexplained may be a sparser part of a curve.
+  for (int round = 0; round < most_rounds && !best.curves.empty() && !stop(); ++round) {
+    Points rest;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (best.outlier[i] > 0.5)
+        rest.push_back(points[i]);
+    if (rest.size() < least_rest)
+      break;
+    const double unit = scaleUnit(rest, 1024, 1, 1);
+    if (!(unit > 0))
+      break;
+    const Traces traces = traceRidges(RidgeField(rest, unit), {});
+    if (traces.curves.empty())
+      break;
+    ModelCurves start = best.curves;
+    start.insert(start.end(), traces.curves.begin(), traces.curves.end());
+    EmSettings settings = best_settings;
+    settings.noise = std::max(best.noise, 0.25 * unit);
+    EmFit fit = fitter.fit(start, settings);
+    const double score = scoreOf(fit, points.size());
+    if (!(score < best_score))
+      break;
+    best_score = score;
+    best = std::move(fit);
   }
   return best;
 }
