@@ -110,6 +110,7 @@ bridgeGaps(const ModelCurves& curves, double near, double widest, double reach)
               outwardDirection(second, static_cast<int>(b % 2), reach),
               spacing);
     now[bridge.a] = now[bridge.b] = used;
+    first.origin = -1;
     if (a / 2 == b / 2) {
       if (a % 2 == 1)
         first.nodes.insert(first.nodes.end(), between.begin(), between.end());

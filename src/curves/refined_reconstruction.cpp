@@ -9,6 +9,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include <linelet/curves/junction_bridging.h>
 #include <linelet/curves/refined_part.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/support/threads.h>
@@ -17,39 +18,55 @@ namespace linelet {
 
 namespace {
 
-constexpr double link_distance = 5; // of one connected part, in D
+// All in D.
+constexpr double link_distance = 5; // of one connected part
+constexpr double near_gap = 2.5;    // bridged whatever the length
+constexpr double end_reach = 3;     // over which the direction of an end is taken
+
 constexpr std::size_t least_part = 5;
 // Vertices of the result per node of the fit: an edge across a junction is told by its
 // vertices to belong to neither curve, so it had better be short.
 constexpr std::size_t finer = 3;
 
-void
-append(CurveNetwork& network, EmFit& fit)
+/** \brief Half the points of each edge to each of its vertices. */
+std::vector<Index>
+supportOf(const ModelCurve& curve,
+          const ModelCurve& coarse,
+          const std::vector<double>& counts)
 {
-  for (std::size_t c = 0; c < fit.curves.size(); ++c) {
-    const ModelCurve& coarse = fit.curves[c];
+  std::vector<double> support(curve.nodes.size(), 0);
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const double share = 0.5 * counts[std::min(e / finer, coarse.edges() - 1)] /
+                         static_cast<double>(finer);
+    support[e] += share;
+    support[e + 1 == curve.nodes.size() ? 0 : e + 1] += share;
+  }
+  std::vector<Index> result;
+  for (const double count : support)
+    result.push_back(static_cast<Index>(std::lround(count)));
+  return result;
+}
+
+CurveNetwork
+networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& counts)
+{
+  CurveNetwork network;
+  for (const ModelCurve& coarse : curves) {
     if (coarse.edges() == 0)
       continue;
     const ModelCurve model =
         resampled(coarse, length(coarse) / static_cast<double>(finer * coarse.edges()));
     Curve curve;
+    curve.points = model.nodes;
     curve.closed = model.closed;
     curve.front.kind = curve.back.kind =
         model.closed ? EndKind::Loop : EndKind::Support;
-    // An edge's points are spread over its parts, half to each vertex.
-    std::vector<double> support(model.nodes.size(), 0);
-    for (std::size_t e = 0; e < model.edges(); ++e) {
-      const double share = 0.5 *
-                           fit.counts[c][std::min(e / finer, coarse.edges() - 1)] /
-                           static_cast<double>(finer);
-      support[e] += share;
-      support[e + 1 == model.nodes.size() ? 0 : e + 1] += share;
-    }
-    for (const double count : support)
-      curve.support.push_back(static_cast<Index>(std::lround(count)));
-    curve.points = model.nodes;
+    if (coarse.origin >= 0)
+      curve.support =
+          supportOf(model, coarse, counts[static_cast<std::size_t>(coarse.origin)]);
     network.curves.push_back(std::move(curve));
   }
+  return network;
 }
 
 } // namespace
@@ -107,9 +124,19 @@ reconstructRefined(const Points& points,
     std::rethrow_exception(failure);
   if (stopped)
     throw Cancelled();
+  ModelCurves curves;
+  std::vector<std::vector<double>> counts;
   for (EmFit& fit : fits)
-    append(network, fit);
-  return network;
+    for (std::size_t c = 0; c < fit.curves.size(); ++c) {
+      fit.curves[c].origin = static_cast<int>(curves.size());
+      curves.push_back(std::move(fit.curves[c]));
+      counts.push_back(std::move(fit.counts[c]));
+    }
+  return networkOf(bridgeGaps(curves,
+                              near_gap * scale_unit,
+                              settings.distance_cutoff,
+                              end_reach * scale_unit),
+                   counts);
 }
 
 } // namespace linelet

@@ -76,8 +76,16 @@ readTruth(const std::string& file)
       for (std::size_t i = 0; words >> i;)
         curve.points.push_back(vertices.at(i - 1));
       if (curve.points.size() > 2 && curve.points.front() == curve.points.back()) {
-        curve.points.pop_back();
-        curve.closed = true;
+        // An open curve is written there and back.
+        const std::size_t half = curve.points.size() / 2;
+        if (std::equal(curve.points.begin(),
+                       curve.points.begin() + static_cast<std::ptrdiff_t>(half),
+                       curve.points.rbegin()))
+          curve.points.resize(half + 1);
+        else {
+          curve.points.pop_back();
+          curve.closed = true;
+        }
       }
       network.curves.push_back(std::move(curve));
     }

@@ -93,6 +93,19 @@ TEST(RefinedReconstruction, LongCableIsOneCurveWithoutDrift)
   EXPECT_NEAR(length(network), 283, 3);
 }
 
+TEST(RefinedReconstruction, HoleIsBridgedWhereDirectionsAgree)
+{
+  SamplingSettings settings;
+  settings.hole = {0.40, 0.52};
+  const CurveNetwork circle = reconstructRefined(sample(Geometry::Circle, settings));
+  ASSERT_EQ(circle.curves.size(), 1u);
+  EXPECT_TRUE(circle.curves[0].closed);
+  EXPECT_TRUE(measure(circle, truthOf(Geometry::Circle)).success);
+  // Around the first corner of the elbow the two sides look past each other.
+  settings.hole = {1 / 3.0 - 0.06, 1 / 3.0 + 0.06};
+  EXPECT_EQ(reconstructRefined(sample(Geometry::Elbow, settings)).curves.size(), 2u);
+}
+
 TEST(RefinedReconstruction, ResultMovesAndScalesWithTheInput)
 {
   SamplingSettings settings;
