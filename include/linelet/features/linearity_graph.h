@@ -14,7 +14,11 @@
 
 namespace linelet {
 
-/** \brief How the terms of a maximum's score O_m are put together. */
+/** \brief How the terms of a maximum's score O_m are put together.
+ *
+ * It hardly matters: the published reconstruction on the same 400 runs of the benchmark
+ * grid succeeds in .325 of them with Product and in .315 with Sum (one standard error
+ * is .023). */
 enum class ScaleScore {
   Product, ///< (1 - k/K) CL_j + A_j/A - delta/2 (Ritter, Schiffner, Harders 2021, eq.
            ///< 9)
@@ -28,7 +32,11 @@ struct Names<ScaleScore> {
       {{ScaleScore::Product, "product"}, {ScaleScore::Sum, "sum"}}};
 };
 
-/** \brief The variable over which the areas A and A_j under the graph are taken. */
+/** \brief The variable over which the areas A and A_j under the graph are taken.
+ *
+ * On the same 400 runs as for ScaleScore: success .325 with Scales, .323 with
+ * LogRadius, .320 with Radius, the mean distance from the curve .404, .393 and .431; no
+ * difference beyond noise. */
 enum class GraphIntegral {
   Scales,    ///< plain sum over the scales
   LogRadius, ///< integral over ln r (trapezoids)
