@@ -34,7 +34,7 @@ labelPoints(PowerLineNetwork& network,
             const std::vector<Hanging>& hanging,
             const std::vector<int>& ids,
             const std::vector<Tower>& towers,
-            const Candidates& candidates);
+            const Growth& growth);
 
 /** \brief Measures the clearances of every wire. Vegetation is what stands above
  * ground, has company, and is neither wire nor support. */

@@ -128,7 +128,7 @@ extractPowerLines(const Points& points,
     network.wires = describeWires(hanging, growth, settings);
     const std::vector<int> ids = numberWires(network, hanging, towers);
     stages.begin("labels");
-    labelPoints(network, points, hanging, ids, towers, candidates);
+    labelPoints(network, points, hanging, ids, towers, growth);
     stages.begin("clearances");
     measureClearances(network, candidates, settings);
   }

@@ -20,9 +20,13 @@ constexpr double tube_part = 1.25;  // of the tolerance of a wire
 // turns).
 constexpr double fittings = 1, strain_rate = 0.28, longest_strain = 4.5;
 constexpr double tension_angle =
-    10;                          // degrees; a line that turns less hangs below its arms
-constexpr double foot = 2;       // metres above ground, below is grass
-constexpr double plan_cell = 16; // metres
+    10;                    // degrees; a line that turns less hangs below its arms
+constexpr double foot = 2; // metres above ground, below is grass
+constexpr double bundle_reach =
+    0.6; // metres from one conductor of a bundle to the next
+constexpr double least_companion = 4;  // points
+constexpr double companion_part = 0.3; // of the points of the conductor that was found
+constexpr double plan_cell = 16;       // metres
 
 struct Best {
   float distance = std::numeric_limits<float>::infinity();
@@ -58,6 +62,31 @@ offer(std::vector<Best>& best,
                                       best[i] = {d, wire};
                                   });
   }
+}
+
+// Whether points beside a wire, outside its tube, are another conductor of its bundle
+// that did not get a vector: they stand out from what is farther away.
+bool
+hasCompanion(const Growth& growth, const Piece& piece, double reach)
+{
+  const SpanModel& m = piece.model;
+  double beside = 0, around = 0;
+  const auto steps = static_cast<int>(std::ceil(m.length() / bin_length));
+  for (int k = 0; k < steps; ++k) {
+    const double from = m.begin + k * bin_length;
+    const double inner =
+        static_cast<double>(growth.look(m, from, from + bin_length, reach).tube);
+    const double bundle =
+        static_cast<double>(growth.look(m, from, from + bin_length, bundle_reach).tube);
+    const double wide = static_cast<double>(
+        growth.look(m, from, from + bin_length, 2 * bundle_reach).tube);
+    beside += bundle - inner;
+    around += wide - bundle;
+  }
+  const double expected = around * (1 - std::pow(reach / bundle_reach, 2)) / 3;
+  return beside >= least_companion &&
+         beside >= companion_part * static_cast<double>(piece.members.size()) &&
+         beside > expected + 3 * std::sqrt(expected);
 }
 
 double
@@ -118,8 +147,10 @@ labelPoints(PowerLineNetwork& network,
             const std::vector<Hanging>& hanging,
             const std::vector<int>& ids,
             const std::vector<Tower>& towers,
-            const Candidates& candidates)
+            const Growth& growth)
 {
+  const Candidates& candidates = growth.candidates();
+  const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Best> best(candidates.points.size());
   for (std::size_t w = 0; w < hanging.size(); ++w) {
     const Wire& wire = network.wires[static_cast<std::size_t>(ids[w] - 1)];
@@ -135,6 +166,18 @@ labelPoints(PowerLineNetwork& network,
           reach,
           wire.id,
           [&](const Point& p) { return wire.curve.distance(p); });
+    if (hasCompanion(growth, hanging[w].strand.piece, reach))
+      offer(best,
+            candidates,
+            m,
+            m.begin,
+            m.end,
+            bundle_reach,
+            wire.id,
+            [&](const Point& p) {
+              const double d = wire.curve.distance(p);
+              return d > reach ? d : infinity;
+            });
     for (const Piece& companion : hanging[w].strand.companions)
       offer(best,
             candidates,

@@ -12,7 +12,7 @@ struct PowerLineSettings {
   double clearance = 5; ///< vegetation nearer than this is reported as a hazard
   double max_gap = 50; ///< no wire is carried on across a longer stretch without points
   double min_height = 3;  ///< wires hang higher above the terrain than this
-  double min_length = 10; ///< a shorter wire is not reported
+  double min_length = 10; ///< a shorter wire is reported only where the data cut it off
   unsigned threads = 0;   ///< 0: all
 };
 
@@ -27,7 +27,9 @@ describe(PowerLineSettings& s, Visit&& visit)
   visit("clearance", s.clearance, "smallest clearance that is in order, metres");
   visit("max-gap", s.max_gap, "never carry a wire on across a longer gap, metres");
   visit("min-height", s.min_height, "wires hang higher above ground than this, metres");
-  visit("min-length", s.min_length, "shortest wire to report, metres");
+  visit("min-length",
+        s.min_length,
+        "shortest wire to report, metres; shorter where the data end");
 }
 
 } // namespace linelet::powerline
