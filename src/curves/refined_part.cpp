@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Eigenvalues>
+
 #include <linelet/curves/junction_pairing.h>
 #include <linelet/curves/model_score.h>
 #include <linelet/curves/ridge_trace.h>
@@ -19,6 +21,9 @@ namespace {
 
 constexpr std::array<double, 6> bandwidths = {0.5, 0.7, 1, 1.4, 2, 2.8}; // in D
 constexpr std::size_t least_part = 5;
+// A curve is doubled where the variances of its points' offsets differ this much.
+constexpr double doubled_spread = 2;
+constexpr double least_doubled = 12;
 constexpr int most_rounds = 3;
 constexpr std::size_t least_rest = 8;
 
@@ -54,6 +59,50 @@ looksLinear(const Points& points, const UniformGrid& grid, double scale_unit)
   const auto middle = best.begin() + static_cast<std::ptrdiff_t>(best.size() / 2);
   std::nth_element(best.begin(), middle, best.end());
   return *middle >= least_linearity;
+}
+
+/** \brief \a fit with every curve doubled whose points lie to two sides of it.
+ *
+ * That is told by the spread of their offsets: far wider in one direction than in the
+ * other. \return nothing if there is no such curve */
+ModelCurves
+doubled(const EmFit& fit, const Points& points, const UniformGrid& grid, double reach)
+{
+  ModelCurves result;
+  bool any = false;
+  for (const ModelCurve& curve : fit.curves) {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    double count = 0;
+    for (std::size_t e = 0; e < curve.edges(); ++e) {
+      const Point chord = curve.to(e) - curve.from(e);
+      const double edge_length = chord.norm();
+      const Point direction = chord / std::max(edge_length, 1e-300);
+      const Point middle = 0.5 * (curve.from(e) + curve.to(e));
+      grid.forEachWithin(middle, reach + edge_length, [&](Index i, double) {
+        const Point v = points[i] - middle;
+        const double z = v.dot(direction);
+        const Point off = v - z * direction;
+        if (std::abs(z) > 0.5 * edge_length || off.squaredNorm() > reach * reach)
+          return;
+        spread += off * off.transpose();
+        count += 1;
+      });
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
+    const Point values = eigen.eigenvalues();
+    if (count < least_doubled || values.z() < doubled_spread * values.y()) {
+      result.push_back(curve);
+      continue;
+    }
+    any = true;
+    const Point shift = std::sqrt(values.z() / count) * eigen.eigenvectors().col(2);
+    for (const double side : {-1.0, 1.0}) {
+      result.push_back(curve);
+      for (Point& node : result.back().nodes)
+        node += side * shift;
+    }
+  }
+  return any ? result : ModelCurves();
 }
 
 } // namespace
@@ -102,6 +151,19 @@ refinePart(const Points& points,
       best_settings = settings;
     }
   }
+  // Close parallel curves are traced as one.
+  const ModelCurves pairs = doubled(best, points, grid, 4 * best.noise);
+  if (!pairs.empty() && !stop()) {
+    EmSettings settings = best_settings;
+    settings.noise = 0.6 * best.noise;
+    EmFit fit = fitter.fit(pairs, settings);
+    const double score = scoreOf(fit, points.size());
+    if (score < best_score) {
+      best_score = score;
+      best = std::move(fit);
+    }
+  }
+
   // What the fit leaves unexplained may be a sparser part of a curve.
   for (int round = 0; round < most_rounds && !best.curves.empty() && !stop(); ++round) {
     Points rest;

@@ -106,6 +106,15 @@ TEST(RefinedReconstruction, HoleIsBridgedWhereDirectionsAgree)
   EXPECT_EQ(reconstructRefined(sample(Geometry::Elbow, settings)).curves.size(), 2u);
 }
 
+TEST(RefinedReconstruction, ParallelCablesStayTwo)
+{
+  Points points = cable(280, 3.5, 0.05, 0, 5);
+  for (const Point& p : cable(280, 3.5, 0.05, 0.5, 6))
+    points.push_back(p);
+  const CurveNetwork network = reconstructRefined(points);
+  EXPECT_EQ(network.curves.size(), 2u);
+}
+
 TEST(RefinedReconstruction, ResultMovesAndScalesWithTheInput)
 {
   SamplingSettings settings;
