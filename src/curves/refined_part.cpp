@@ -19,7 +19,11 @@ namespace linelet {
 
 namespace {
 
-constexpr std::array<double, 6> bandwidths = {0.5, 0.7, 1, 1.4, 2, 2.8}; // in D
+// In D. From the middle down, then up; where a bandwidth does far worse than the best
+// so far, those beyond it are not tried.
+constexpr std::array<double, 6> bandwidths = {1, 0.7, 0.5, 1.4, 2, 2.8};
+constexpr std::size_t first_upwards = 3;
+constexpr double hopeless_score = 60;
 constexpr std::size_t least_part = 5;
 // A curve is doubled where the variances of its points' offsets differ this much.
 constexpr double doubled_spread = 2;
@@ -125,10 +129,15 @@ refinePart(const Points& points,
   EmFitter fitter(points, grid, frame);
   EmSettings best_settings;
   double best_score = scoreOfNothing(frame, points.size());
-  for (const double share : bandwidths) {
+  bool hopeless = false;
+  for (std::size_t k = 0; k < bandwidths.size(); ++k) {
     if (stop())
       return {};
-    const double b = share * scale_unit;
+    if (k == first_upwards)
+      hopeless = false;
+    if (hopeless)
+      continue;
+    const double b = bandwidths[k] * scale_unit;
     const RidgeField field(points, b);
     const Traces traces = traceRidges(field, {user.start_points, user.max_iterations});
     PairingSettings pairing;
@@ -145,6 +154,7 @@ refinePart(const Points& points,
     settings.bending = 1 / frame.diagonal;
     EmFit fit = fitter.fit(start, settings);
     const double score = scoreOf(fit, points.size());
+    hopeless = score > best_score + hopeless_score;
     if (!fit.curves.empty() && score < best_score) {
       best_score = score;
       best = std::move(fit);
