@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace linelet {
 
@@ -62,21 +61,6 @@ resampled(const ModelCurve& curve, double spacing)
 }
 
 Point
-pointAt(const ModelCurve& curve, double s)
-{
-  for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Point edge = curve.to(e) - curve.from(e);
-    const double edge_length = edge.norm();
-    if (s <= edge_length)
-      return edge_length > 0
-                 ? Point(curve.from(e) + std::max(0.0, s / edge_length) * edge)
-                 : curve.from(e);
-    s -= edge_length;
-  }
-  return curve.closed ? curve.nodes.front() : curve.nodes.back();
-}
-
-Point
 outwardDirection(const ModelCurve& curve, int end, double reach)
 {
   const std::size_t n = curve.nodes.size();
@@ -92,29 +76,6 @@ outwardDirection(const ModelCurve& curve, int end, double reach)
   const Point chord = node(0) - node(k);
   const double chord_length = chord.norm();
   return chord_length > 0 ? Point(chord / chord_length) : Point::Zero();
-}
-
-Foot
-nearestOn(const ModelCurve& curve, const Point& query)
-{
-  Foot best{std::numeric_limits<double>::infinity(), 0, Point::Zero()};
-  double walked = 0;
-  if (curve.nodes.size() == 1)
-    return {(curve.nodes[0] - query).squaredNorm(), 0, curve.nodes[0]};
-  for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Point edge = curve.to(e) - curve.from(e);
-    const double squared = edge.squaredNorm();
-    const double edge_length = std::sqrt(squared);
-    const double t =
-        squared > 0 ? std::clamp((query - curve.from(e)).dot(edge) / squared, 0.0, 1.0)
-                    : 0.0;
-    const Point foot = curve.from(e) + t * edge;
-    const double distance = (query - foot).squaredNorm();
-    if (distance < best.squared_distance)
-      best = {distance, walked + t * edge_length, foot};
-    walked += edge_length;
-  }
-  return best;
 }
 
 } // namespace linelet

@@ -50,9 +50,12 @@ struct EmFit {
  *
  * The model: a point is uniform in the frame's volume with probability eps, else it
  * lies at a place of a curve, distributed with a density smooth along the curve, plus
- * normal noise. The prior on a curve is sum omega |second difference|^2 / (q spacing^3)
- * with heavy tails: omega = 3 / (1 + |second difference|^2 / (q spacing^3)), so that
- * corners survive. One object fits one cloud many times and keeps its memory. */
+ * normal noise. The prior on a curve is a
+ * Student distribution with 3 degrees of freedom of its second differences, whose scale
+ * (q spacing^3) is estimated per curve over the posterior of the bends: smooth curves
+ * stay round, corners survive. Every few iterations open ends are grown by one edge and
+ * cut back where the likelihood gains by it. One object fits one cloud many times and
+ * keeps its memory. */
 class EmFitter {
 public:
   /** \param[in] points finite points; must outlive the fitter, as must \a grid

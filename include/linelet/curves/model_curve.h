@@ -53,22 +53,9 @@ length(const ModelCurves& curves);
 ModelCurve
 resampled(const ModelCurve& curve, double spacing);
 
-/** \brief The point of \a curve at arc length \a s from its front. */
-Point
-pointAt(const ModelCurve& curve, double s);
-
 /** \brief Unit vector that leads out of \a curve at its front (end 0) or back (end 1),
  * taken over the last \a reach of its length. */
 Point
 outwardDirection(const ModelCurve& curve, int end, double reach);
-
-/** \brief The place of \a curve nearest to \a query. */
-struct Foot {
-  double squared_distance; ///< from the query
-  double arc;              ///< arc length from the front
-  Point point;
-};
-Foot
-nearestOn(const ModelCurve& curve, const Point& query);
 
 } // namespace linelet
