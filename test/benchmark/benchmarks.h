@@ -12,6 +12,12 @@ namespace linelet::benchmarking {
 void
 addTensorBenchmarks();
 
+/** \brief Registers the benchmarks of the OpenCL engine: CPU time of the whole process,
+ * wall time of every stage, x_tree and x_pcl (times as fast as the kd-tree engine and as
+ * PCL's normals). Only where linelet was built with OpenCL. */
+void
+addOpenClBenchmarks();
+
 /** \brief Registers the benchmarks of neighbour search: building, radius search, k
  * nearest, as ratios to FLANN and nanoflann. */
 void

@@ -21,6 +21,9 @@ main(int argc, char** argv)
                               std::string(linelet::gridInstructionSet()));
   linelet::benchmarking::addTensorBenchmarks();
   linelet::benchmarking::addSearchBenchmarks();
+#ifdef LINELET_HAS_OPENCL
+  linelet::benchmarking::addOpenClBenchmarks();
+#endif
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

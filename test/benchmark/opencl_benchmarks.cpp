@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "benchmarks.h"
+
+#include <algorithm>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include <linelet/opencl/tensor_engine.h>
+
+#include "rivals.h"
+#include "scenes.h"
+
+namespace linelet::benchmarking {
+
+namespace {
+
+/** \brief CPU seconds a query of the kd-tree engine at some of the points, and of
+ * building the tree, a point. */
+double
+treeSeconds(const Points& points, const TensorSettings& settings)
+{
+  TensorSettings tree = settings;
+  tree.engine = Engine::Tree;
+  const Points some(points.begin(), points.begin() + 4000);
+  double start = cpuSeconds();
+  benchmark::DoNotOptimize(estimateTensors(points, {}, tree));
+  const double build = cpuSeconds() - start;
+  start = cpuSeconds();
+  benchmark::DoNotOptimize(estimateTensors(points, some, tree));
+  const double queries = cpuSeconds() - start - build;
+  return build / static_cast<double>(points.size()) +
+         queries / static_cast<double>(some.size());
+}
+
+void
+openCl(benchmark::State& state, Scene kind, const char* weight, double neighbours)
+{
+  const Points& points = scene(kind, 200000, Order::Shuffled);
+  TensorSettings settings;
+  settings.radius = radiusFor(kind, neighbours);
+  settings.weighting = Weighting(weight);
+  const auto n = static_cast<double>(points.size());
+  const double tree = treeSeconds(points, settings);
+  const double pcl = pclNormals(points, settings.radius, 2, 4000).query;
+
+  opencl::TensorEngine engine;
+  engine.estimate(points, points, settings); // builds the kernels
+  double best = 1e9, pairs = 0;
+  for (auto _ : state) {
+    const double start = cpuSeconds();
+    const auto records = engine.estimate(points, points, settings);
+    const double seconds = cpuSeconds() - start;
+    state.SetIterationTime(seconds);
+    best = std::min(best, seconds);
+    pairs = 0;
+    for (const PointDistributionTensor& record : records)
+      pairs += record.neighbors;
+  }
+  const opencl::StageTimes& times = engine.stageTimes();
+  state.SetLabel(engine.device().name);
+  state.counters["neighbours"] = pairs / n;
+  state.counters["us_per_point"] = best / n * 1e6;
+  state.counters["x_tree"] = tree / (best / n);
+  state.counters["x_pcl"] = pcl / (best / n);
+  state.counters["upload_ms"] = 1e3 * times.upload;
+  state.counters["grid_ms"] = 1e3 * times.grid;
+  state.counters["tensor_ms"] = 1e3 * times.tensor;
+  state.counters["download_ms"] = 1e3 * times.download;
+  state.counters["analysis_ms"] = 1e3 * times.analysis;
+}
+
+} // namespace
+
+void
+addOpenClBenchmarks()
+{
+  if (opencl::devices().empty())
+    return;
+  for (const Scene kind : {Scene::Volume, Scene::Surface})
+    for (const char* weight : {"const", "fermi-dirac-1"})
+      for (const double neighbours : {100.0, 500.0, 5000.0})
+        benchmark::RegisterBenchmark(
+            (std::string("opencl") +
+             (kind == Scene::Volume ? "/volume/" : "/surface/") + weight +
+             "/neighbours:" + std::to_string(static_cast<int>(neighbours)) +
+             "/points:200000/shuffled")
+                .c_str(),
+            [=](benchmark::State& state) { openCl(state, kind, weight, neighbours); })
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(3);
+}
+
+} // namespace linelet::benchmarking
