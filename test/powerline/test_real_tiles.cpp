@@ -140,8 +140,9 @@ TEST_P(HighVoltage, IsFoundAsWellAsPeopleLabelIt)
       const Wire& wire = n.wires[static_cast<std::size_t>(id - 1)];
       EXPECT_NEAR(wire.span_length, span.length, 0.1 * span.length);
       // Short ones hold fittings and jumpers of the pylon.
-      if (wire.length > 100)
+      if (wire.length > 100) {
         EXPECT_LE(wire.rms, 0.11);
+      }
       const Point end = wire.front_support != 0 ? wire.front : wire.back;
       bool known = false;
       for (const Point& place : places)
