@@ -182,10 +182,16 @@ private:
     const CellFrame frame(surface_, points, largest);
     Lap lap(context_.queue());
     SortedCells sorted_points = uploadPoints(context_, surface_, points, frame);
-    SortedCells sorted_queries = uploadPoints(context_, queries_, queries, frame);
+    // Most often every point asks for its own neighbourhood.
+    const bool same = &surface_ == &queries_ && points == queries;
+    SortedCells sorted_queries =
+        same ? sorted_points : uploadPoints(context_, queries_, queries, frame);
     lap.add(times_.upload);
     sortCells(context_, sorted_points);
-    sortCells(context_, sorted_queries);
+    if (same)
+      sorted_queries = sorted_points;
+    else
+      sortCells(context_, sorted_queries);
     const RunTable table = neighbourRuns(context_, sorted_queries, sorted_points);
     lap.add(times_.grid);
     std::vector<double> radii;
