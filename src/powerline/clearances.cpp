@@ -56,6 +56,10 @@ measureClearances(PowerLineNetwork& network,
       if (near == UniformGrid::none ||
           grid.countWithin(others[near], company_radius) <= company)
         continue;
+      // Beyond a free end lies, more often than not, the rest of the wire itself.
+      const double beside = c.along(others[near]);
+      if (beside < c.from || beside > c.to)
+        continue;
       wire.vegetation = {(others[near] - p).norm(), p, others[near]};
     }
   }

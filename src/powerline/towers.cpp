@@ -282,8 +282,17 @@ buildTowers(std::vector<Hanging>& wires,
     if (tower.arm.spread < 0)
       tower.arm.spread = tower.pole ? 0.5 : 1;
     settle(tower, wires, settings.max_gap);
-    for (const auto& id : tower.ends)
-      endOf(wires, id).support = static_cast<int>(kept.size());
+    const auto away = [&](std::pair<int, int> id) {
+      return (endOf(wires, id).place.head<2>() - tower.arm.centre).norm();
+    };
+    for (const auto& id : tower.ends) {
+      // A short wire may have both ends here; it hangs from this support by the nearer.
+      const std::pair<int, int> other(id.first, 1 - id.second);
+      const bool both =
+          std::find(tower.ends.begin(), tower.ends.end(), other) != tower.ends.end();
+      if (!both || away(id) < away(other))
+        endOf(wires, id).support = static_cast<int>(kept.size());
+    }
     kept.push_back(std::move(tower));
   }
   return kept;
