@@ -144,9 +144,11 @@ refinePart(const Points& points,
     pairing.cluster = 2.5 * b;
     pairing.cut = 1.25 * b;
     pairing.reach = 3 * b;
-    const ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
+    ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
     if (start.empty())
       continue;
+    for (ModelCurve& curve : start)
+      curve.scale = b;
     EmSettings settings;
     settings.spacing = std::max(0.4 * scale_unit, 0.24 * b);
     settings.noise = 0.5 * b;
@@ -185,9 +187,11 @@ refinePart(const Points& points,
     const double unit = scaleUnit(rest, 1024, 1, 1);
     if (!(unit > 0))
       break;
-    const Traces traces = traceRidges(RidgeField(rest, unit), {});
+    Traces traces = traceRidges(RidgeField(rest, unit), {});
     if (traces.curves.empty())
       break;
+    for (ModelCurve& curve : traces.curves)
+      curve.scale = unit;
     ModelCurves start = best.curves;
     start.insert(start.end(), traces.curves.begin(), traces.curves.end());
     EmSettings settings = best_settings;

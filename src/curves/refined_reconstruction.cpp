@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include <linelet/curves/junction_bridging.h>
+#include <linelet/curves/junction_network.h>
 #include <linelet/curves/refined_part.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/support/threads.h>
@@ -22,6 +23,11 @@ namespace {
 constexpr double link_distance = 5; // of one connected part
 constexpr double near_gap = 2.5;    // bridged whatever the length
 constexpr double end_reach = 3;     // over which the direction of an end is taken
+// In bandwidths. Ends that the tracing attached to others lie where the refit has left
+// them, others within the distance at which a trace would have been attached.
+constexpr double attached_distance = 2;
+constexpr double attach_distance = 0.8;
+constexpr double loop_length = 5;
 
 constexpr std::size_t least_part = 5;
 // Vertices of the result per node of the fit: an edge across a junction is told by its
@@ -51,6 +57,7 @@ CurveNetwork
 networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& counts)
 {
   CurveNetwork network;
+  std::vector<std::array<EndReach, 2>> reaches;
   for (const ModelCurve& coarse : curves) {
     if (coarse.edges() == 0)
       continue;
@@ -65,7 +72,14 @@ networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& cou
       curve.support =
           supportOf(model, coarse, counts[static_cast<std::size_t>(coarse.origin)]);
     network.curves.push_back(std::move(curve));
+    reaches.emplace_back();
+    for (std::size_t end = 0; end < 2; ++end)
+      reaches.back()[end] = {coarse.scale * (coarse.junction[end] >= 0
+                                                 ? attached_distance
+                                                 : attach_distance),
+                             coarse.scale * loop_length};
   }
+  connectEnds(network, reaches);
   return network;
 }
 

@@ -3,6 +3,7 @@
 
 #include <linelet/curves/refined_reconstruction.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,6 +114,103 @@ TEST(RefinedReconstruction, ParallelCablesStayTwo)
     points.push_back(p);
   const CurveNetwork network = reconstructRefined(points);
   EXPECT_EQ(network.curves.size(), 2u);
+}
+
+/** \brief Arms of length 10 from the origin, a point every 0.1, none twice. */
+Points
+arms(const Points& directions)
+{
+  Points points{Point::Zero()};
+  for (const Point& direction : directions)
+    for (int i = 1; i <= 100; ++i)
+      points.emplace_back(0.1 * i * direction.normalized());
+  return points;
+}
+
+/** \brief Every end that is a junction lies at it, and every curve of a junction passes
+ * through it with a vertex. */
+void
+expectConsistent(const CurveNetwork& network)
+{
+  for (const Junction& junction : network.junctions)
+    for (const std::size_t c : junction.curves) {
+      const Points& vertices = network.curves.at(c).points;
+      EXPECT_TRUE(std::any_of(vertices.begin(), vertices.end(), [&](const Point& p) {
+        return p == junction.position;
+      }));
+    }
+  for (const Curve& curve : network.curves) {
+    if (curve.front.kind == EndKind::Junction) {
+      EXPECT_EQ(curve.points.front(),
+                network.junctions.at(static_cast<std::size_t>(curve.front.junction))
+                    .position);
+    }
+    if (curve.back.kind == EndKind::Junction) {
+      EXPECT_EQ(
+          curve.points.back(),
+          network.junctions.at(static_cast<std::size_t>(curve.back.junction)).position);
+    }
+    if (!curve.support.empty()) {
+      EXPECT_EQ(curve.support.size(), curve.points.size());
+    }
+  }
+}
+
+std::size_t
+endsAtJunctions(const CurveNetwork& network)
+{
+  std::size_t count = 0;
+  for (const Curve& curve : network.curves)
+    count += (curve.front.kind == EndKind::Junction ? 1u : 0u) +
+             (curve.back.kind == EndKind::Junction ? 1u : 0u);
+  return count;
+}
+
+TEST(RefinedReconstruction, BranchesAreJunctionsCrossingsAreNot)
+{
+  const double third = 2 * M_PI / 3;
+  const Points y = {{1, 0, 0},
+                    {std::cos(third), std::sin(third), 0},
+                    {std::cos(2 * third), std::sin(2 * third), 0}};
+  const CurveNetwork branch = reconstructRefined(arms(y));
+  ASSERT_EQ(branch.junctions.size(), 1u);
+  EXPECT_LT(branch.junctions[0].position.norm(), 0.3);
+  EXPECT_EQ(branch.junctions[0].curves.size(), branch.curves.size());
+  // No two arms go straight on, so all three end; or two are one curve.
+  EXPECT_EQ(endsAtJunctions(branch), branch.curves.size() == 3 ? 3u : 1u);
+  EXPECT_NEAR(length(branch), 30, 0.6);
+  expectConsistent(branch);
+
+  const CurveNetwork tee = reconstructRefined(arms({{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}));
+  ASSERT_EQ(tee.curves.size(), 2u);
+  ASSERT_EQ(tee.junctions.size(), 1u);
+  EXPECT_LT(tee.junctions[0].position.norm(), 0.2);
+  EXPECT_EQ(tee.junctions[0].curves, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(endsAtJunctions(tee), 1u);
+  expectConsistent(tee);
+
+  const CurveNetwork crossing =
+      reconstructRefined(arms({{1, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {0, -1, -1}}));
+  EXPECT_EQ(crossing.curves.size(), 2u);
+  EXPECT_TRUE(crossing.junctions.empty());
+  EXPECT_EQ(endsAtJunctions(crossing), 0u);
+  for (const Curve& curve : crossing.curves)
+    EXPECT_EQ(curve.front.kind, EndKind::Support);
+}
+
+TEST(RefinedReconstruction, ClosedOutlineEndsInALoop)
+{
+  for (const Geometry geometry :
+       {Geometry::Circle, Geometry::Triangle, Geometry::Rectangle}) {
+    SamplingSettings settings;
+    settings.points = 256;
+    const CurveNetwork network = reconstructRefined(sample(geometry, settings));
+    ASSERT_EQ(network.curves.size(), 1u) << nameOf(geometry);
+    EXPECT_TRUE(network.curves[0].closed) << nameOf(geometry);
+    EXPECT_EQ(network.curves[0].front.kind, EndKind::Loop) << nameOf(geometry);
+    EXPECT_EQ(network.curves[0].back.kind, EndKind::Loop) << nameOf(geometry);
+    EXPECT_TRUE(network.junctions.empty()) << nameOf(geometry);
+  }
 }
 
 TEST(RefinedReconstruction, ResultMovesAndScalesWithTheInput)

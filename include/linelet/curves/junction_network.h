@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <linelet/curves/curve_network.h>
+
+namespace linelet {
+
+/** \brief How far the open ends of a curve look for others to be joined to. */
+struct EndReach {
+  double distance = 0; ///< to another curve
+  double loop = 0; ///< along its own curve: nearer places are no meeting with itself
+};
+
+/** \brief Finds where ends of curves meet and writes it down.
+ *
+ * An open end meets another end, or the inside of a curve, that lies within its
+ * distance, unless both run side by side there (within 20 degrees). Ends that meet are
+ * one junction; they are led to its position, which becomes a vertex of the curves that
+ * pass there; a curve whose own ends meet is closed. Curves that cross without an end
+ * are no junction. \param[in,out] network open curves of at least two vertices and
+ * closed ones; no junctions \param[in] reaches by curve: of its front and of its back
+ * end */
+void
+connectEnds(CurveNetwork& network, const std::vector<std::array<EndReach, 2>>& reaches);
+
+} // namespace linelet
