@@ -142,7 +142,8 @@ runBenchmark(const std::vector<std::string>& arguments)
                  names,
                  "names, or benchmark (the ten), or held-out (those that nothing is "
                  "tuned on)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->default_str(names.front());
   app.add_option("--out", out, "file of rows (.csv), one a run");
   app.add_option("--label", label, "name of the method in the rows; empty: the preset");
   addOptions(app, settings);

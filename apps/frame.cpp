@@ -3,10 +3,12 @@
 
 #include "frame.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 
 #include <unistd.h>
@@ -30,6 +32,23 @@ seconds(std::chrono::steady_clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
+/** \brief Option files as --print-config writes them, where an empty list is "[]": what
+ * CLI11 writes but takes for a list with too few values. */
+class OptionFile : public CLI::ConfigTOML {
+public:
+  std::vector<CLI::ConfigItem>
+  from_config(std::istream& input) const override
+  {
+    std::vector<CLI::ConfigItem> items = CLI::ConfigTOML::from_config(input);
+    const std::vector<std::string> empty = {"[]"};
+    items.erase(std::remove_if(items.begin(),
+                               items.end(),
+                               [&](const auto& item) { return item.inputs == empty; }),
+                items.end());
+    return items;
+  }
+};
+
 } // namespace
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0)
@@ -37,7 +56,10 @@ ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0)
   std::signal(SIGINT, onInterrupt);
 }
 
-ProgressBar::~ProgressBar() { erase(); }
+ProgressBar::~ProgressBar()
+{
+  erase();
+}
 
 void
 ProgressBar::begin(std::string_view stage, std::size_t total)
@@ -94,13 +116,15 @@ ProgressBar::erase()
 }
 
 Frame::Frame(const std::string& command, const std::string& description)
-: app(description, "linelet " + command)
+    : app(description, "linelet " + command)
 {
   app.option_defaults()->always_capture_default();
   app.add_option("--threads", threads, "threads, 0: all");
   app.add_option("--json", json_file_, "write a machine-readable summary to this file")
       ->configurable(false);
   app.set_config("--config", "", "read options from this file");
+  app.config_formatter(std::make_shared<OptionFile>());
+  app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_flag("--print-config", print_config_, "print all options with their values")
       ->configurable(false);
 }
@@ -110,7 +134,8 @@ Frame::parse(const std::vector<std::string>& arguments)
 {
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::ParseError& error) {
+  }
+  catch (const CLI::ParseError& error) {
     // A request for help exits with 0, everything else is a usage error.
     throw Exit{app.exit(error) == 0 ? 0 : 2};
   }

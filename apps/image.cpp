@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdio>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -60,7 +62,8 @@ runImage(const std::vector<std::string>& arguments)
       "--lenient", reading.lenient, "read what is whole of a file that ends too early");
   frame.parse(arguments);
   shapes.threads = frame.threads;
-  if (frame.app.count("--kind") == 0) {
+  // By value, so that an option file with every default means the same.
+  if (settings.kind == PictureKind::Cloud) {
     if (!settings.along.empty() || !settings.probe.empty())
       settings.kind = PictureKind::Profile;
     else if (!settings.point.empty())
@@ -69,6 +72,9 @@ runImage(const std::vector<std::string>& arguments)
   // Medians of every neighbourhood of a whole cloud take their time.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
+  if (const auto ending = std::filesystem::path(output).extension();
+      ending != ".png" && ending != ".PNG")
+    throw std::runtime_error(output + ": pictures are written as .png only");
   constexpr unsigned least = 200, most = 10000;
   if (settings.width < least || settings.height < least || settings.width > most ||
       settings.height > most)

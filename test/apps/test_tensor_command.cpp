@@ -1,71 +1,36 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/io/point_file.h>
 #include <linelet/search/scale_unit.h>
 
+#include "run_tool.h"
+
 using namespace linelet;
 
 namespace {
 
+using linelet::test::Outcome;
+using linelet::test::ToolTest;
 using testing::HasSubstr;
 
-struct Outcome {
-  int code = -1;
-  std::string out, error;
-};
-
-class TensorCommand : public testing::Test {
+class TensorCommand : public ToolTest {
 protected:
-  TensorCommand()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("linelet_tensor_" + std::to_string(getpid())))
-  {
-    std::filesystem::create_directories(folder_);
-  }
-  ~TensorCommand() override { std::filesystem::remove_all(folder_); }
-
-  std::string
-  path(const std::string& name) const
-  {
-    return (folder_ / name).string();
-  }
-
-  static std::string
-  contents(const std::string& file)
-  {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
-
   Outcome
   tensor(const std::string& arguments) const
   {
-    const std::string command = std::string(LINELET_TOOL) + " tensor " + arguments +
-                                " > " + path("out") + " 2> " + path("error");
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), contents(path("out")), contents(path("error"))};
+    return run("tensor " + arguments);
   }
 
   /** \brief A wire over ground in UTM coordinates, each point with a class and a size.
@@ -90,9 +55,6 @@ protected:
     cloud.set({"size", sizes, ""});
     io::writeCloud(file, cloud);
   }
-
-private:
-  std::filesystem::path folder_;
 };
 
 void
@@ -177,7 +139,7 @@ TEST_F(TensorCommand, ChoosesARadiusAndTellsAboutIt)
   const double unit = scaleUnit(io::readCloud(input).points);
   Outcome run = tensor(input + " " + output + " --json " + path("summary.json"));
   ASSERT_EQ(run.code, 0) << run.error;
-  auto summary = nlohmann::json::parse(contents(path("summary.json")));
+  auto summary = json(path("summary.json"));
   EXPECT_DOUBLE_EQ(summary["radius"], 3 * unit);
   EXPECT_DOUBLE_EQ(summary["scale_unit"], unit);
   EXPECT_EQ(summary["points"], 400);
@@ -188,7 +150,7 @@ TEST_F(TensorCommand, ChoosesARadiusAndTellsAboutIt)
   // Too small a radius leaves points alone, so a better one is named.
   run = tensor(input + " " + output + " --radius 0.001 --json " + path("summary.json"));
   ASSERT_EQ(run.code, 0) << run.error;
-  summary = nlohmann::json::parse(contents(path("summary.json")));
+  summary = json(path("summary.json"));
   EXPECT_EQ(summary["unknown"], 400);
   EXPECT_THAT(run.out, HasSubstr("400 points have no shape"));
   EXPECT_THAT(run.out, HasSubstr("try --radius"));
@@ -208,7 +170,7 @@ TEST_F(TensorCommand, SaysInOneLineWhatIsWrong)
     const Outcome run = tensor(arguments);
     EXPECT_EQ(run.code, 1) << arguments;
     EXPECT_THAT(run.error, HasSubstr(expected));
-    EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
+    EXPECT_EQ(lines(run.error), 1) << run.error;
   }
   for (const char* usage :
        {" --weight gauss", " --centroid centre", " --engine fast", " --knn x"})

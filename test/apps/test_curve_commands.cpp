@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include <linelet/io/vector_file.h>
+
+#include "run_tool.h"
+
+using namespace linelet;
+using linelet::test::Outcome;
+using linelet::test::ToolTest;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+namespace {
+
+class CurveCommands : public ToolTest {};
+
+} // namespace
+
+TEST_F(CurveCommands, TheSameSeedGivesTheSameBytes)
+{
+  const std::string noise =
+      " --points 80 --jitter 0.3 --distribution 0.5 --outliers 20";
+  runWell("generate wave " + path("a.xyz") + noise + " --seed 7");
+  runWell("generate wave " + path("b.xyz") + noise + " --seed 7");
+  runWell("generate wave " + path("c.xyz") + noise + " --seed 8");
+  EXPECT_EQ(lines(contents(path("a.xyz"))), 100);
+  EXPECT_EQ(contents(path("a.xyz")), contents(path("b.xyz")));
+  EXPECT_NE(contents(path("a.xyz")), contents(path("c.xyz")));
+}
+
+TEST_F(CurveCommands, TheTruthIsFoundToBeTrue)
+{
+  const std::string truth = path("truth.obj"), result = path("result.json");
+  runWell("generate helix " + path("helix.xyz") + " --truth " + truth);
+  EXPECT_THAT(runWell("evaluate " + truth + " " + truth + " --json " + result).out,
+              HasSubstr("\nsuccess\n"));
+  auto measures = json(result);
+  EXPECT_LT(measures["e_h"], 1e-9);
+  EXPECT_LT(measures["e_v"], 1e-9);
+  EXPECT_NEAR(measures["e_len"], 1, 1e-9);
+  EXPECT_NEAR(measures["e_com"], 1, 1e-9);
+  EXPECT_EQ(measures["success"], true);
+
+  // A helix is not a straight line.
+  runWell("generate line " + path("line.xyz") + " --truth " + path("line.obj"));
+  EXPECT_THAT(
+      runWell("evaluate " + path("line.obj") + " " + truth + " --json " + result).out,
+      HasSubstr("\nno success\n"));
+  measures = json(result);
+  EXPECT_GT(measures["e_h"], 1);
+  EXPECT_EQ(measures["success"], false);
+}
+
+TEST_F(CurveCommands, ACleanHelixIsReconstructedByEveryMethod)
+{
+  const std::string cloud = path("helix.xyz"), truth = path("truth.obj");
+  runWell("generate helix " + cloud + " --truth " + truth);
+  for (const std::string method : {"refined", "published"}) {
+    SCOPED_TRACE(method);
+    runWell("curves " + cloud + " " + path("found.obj") + " --preset " + method);
+    runWell("evaluate " + path("found.obj") + " " + truth + " --json " +
+            path("result.json"));
+    const auto measures = json(path("result.json"));
+    EXPECT_EQ(measures["success"], true) << measures;
+    EXPECT_LT(measures["e_v"], 0.05);
+  }
+}
+
+TEST_F(CurveCommands, ACircleIsOneClosedCurveInEveryFormat)
+{
+  const std::string cloud = path("circle.xyz");
+  runWell("generate circle " + cloud + " --points 128");
+  const std::vector<std::pair<std::string, std::string>> beginnings = {
+      {".obj", "#"},
+      {".ply", "ply\n"},
+      {".vtk", "# vtk DataFile"},
+      {".csv", "curve,vertex,x,y,z"},
+      {".geojson", "{"},
+      {".gpkg", "SQLite format 3"},
+      {".dxf", "  0\nSECTION"}};
+  for (const auto& [ending, beginning] : beginnings) {
+    SCOPED_TRACE(ending);
+    const std::string output = path("circle" + ending);
+    runWell("curves " + cloud + " " + output + " --json " + path("circle.json"));
+    const auto summary = json(path("circle.json"));
+    EXPECT_EQ(summary["points"], 128);
+    EXPECT_EQ(summary["curves"], 1);
+    EXPECT_EQ(summary["closed"], 1);
+    EXPECT_NEAR(summary["length"], 31.416, 0.1); // radius 5
+    EXPECT_THAT(contents(output), StartsWith(beginning));
+  }
+  const CurveNetwork network = io::readCurves(path("circle.obj"));
+  ASSERT_EQ(network.curves.size(), 1u);
+  EXPECT_TRUE(network.curves[0].closed);
+  for (const Point& vertex : network.curves[0].points)
+    EXPECT_NEAR(vertex.norm(), 5, 0.05);
+  EXPECT_EQ(json(path("circle.geojson"))["features"].size(), 1u);
+  EXPECT_THAT(contents(path("circle.dxf")), HasSubstr("POLYLINE"));
+}
+
+TEST_F(CurveCommands, WhereThereIsNoCurveTheOutputIsEmptyButValid)
+{
+  const std::string empty = write("empty.csv", "x,y,z\n"),
+                    one = write("one.csv", "x,y,z\n1,2,3\n"),
+                    twice = write("twice.csv", "x,y,z\n1,2,3\n1,2,3\n");
+  for (const std::string& call : {empty + " none.obj",
+                                  empty + " none.geojson",
+                                  one + " none.gpkg",
+                                  one + " none.obj --preset published",
+                                  twice + " none.geojson --preset published"}) {
+    SCOPED_TRACE(call);
+    const std::size_t space = call.find(' ');
+    const Outcome run =
+        runWell("curves " + call.substr(0, space) + " " + path(call.substr(space + 1)));
+    EXPECT_EQ(lines(run.error), 1);
+    EXPECT_THAT(run.error, HasSubstr("no curve found"));
+    EXPECT_THAT(run.out, HasSubstr(" 0 curves"));
+  }
+  EXPECT_TRUE(io::readCurves(path("none.obj")).curves.empty());
+  EXPECT_TRUE(json(path("none.geojson"))["features"].empty());
+  EXPECT_THAT(contents(path("none.gpkg")), StartsWith("SQLite format 3"));
+}
+
+TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
+{
+  std::string text = "x,y,z,classification\n";
+  for (int i = 0; i < 100; ++i)
+    text +=
+        std::to_string(0.1 * i) + ",0,5,14\n" + std::to_string(0.1 * i) + ",20,0,2\n";
+  const std::string cloud = write("scene.csv", text), output = path("wires.obj");
+  runWell("curves " + cloud + " " + output + " --classes 14 --json " +
+          path("wires.json"));
+  EXPECT_EQ(json(path("wires.json"))["points"], 100);
+  const CurveNetwork network = io::readCurves(output);
+  ASSERT_EQ(network.curves.size(), 1u);
+  for (const Point& vertex : network.curves[0].points)
+    EXPECT_NEAR(vertex.z(), 5, 1e-3);
+  runWell("generate circle " + path("circle.xyz"));
+  expectOneLineOf("curves " + path("circle.xyz") + " " + path("out.obj") +
+                      " --classes 14",
+                  "no classes");
+}
+
+TEST_F(CurveCommands, ABenchmarkGoesOnWhereItWasStopped)
+{
+  const std::string rows = path("rows.csv");
+  const std::string command =
+      "benchmark --sample 20 --seed 3 --out " + rows + " --json " + path("runs.json");
+  runWell(command);
+  EXPECT_EQ(json(path("runs.json"))["runs"], 20);
+  EXPECT_EQ(json(path("runs.json"))["resumed"], 0);
+  const std::string all = contents(rows);
+  EXPECT_EQ(lines(all), 21);
+  EXPECT_THAT(all, StartsWith("method,geometry,points,"));
+
+  runWell(command);
+  EXPECT_EQ(json(path("runs.json"))["resumed"], 20);
+  EXPECT_EQ(contents(rows), all);
+
+  // As if it had been killed while it wrote the fifth row.
+  std::size_t end = 0;
+  for (int line = 0; line < 5; ++line)
+    end = all.find('\n', end) + 1;
+  write("rows.csv", all.substr(0, end + 10));
+  runWell(command);
+  EXPECT_EQ(json(path("runs.json"))["runs"], 20);
+  EXPECT_EQ(json(path("runs.json"))["resumed"], 4);
+  EXPECT_EQ(lines(contents(rows)), 21);
+}
