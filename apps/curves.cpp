@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <linelet/curves/reconstruct_curves.h>
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 
@@ -65,6 +66,7 @@ runCurves(const std::vector<std::string>& arguments)
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;
+  io::checkCurvesOutput(output);
 
   std::vector<std::string> warnings;
   const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);

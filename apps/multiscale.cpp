@@ -14,6 +14,7 @@
 #include <linelet/features/centroid_shift.h>
 #include <linelet/features/multi_scale.h>
 #include <linelet/features/noise_rate.h>
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 
 #include "commands.h"
@@ -231,6 +232,7 @@ runMultiscale(const std::vector<std::string>& arguments)
       "--lenient", reading.lenient, "read what is whole of a file that ends too early");
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
+  io::checkCloudOutput(output);
 
   std::vector<std::string> warnings;
   io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 #include <linelet/search/scale_unit.h>
 
@@ -184,6 +185,7 @@ runTensor(const std::vector<std::string>& arguments)
       "--lenient", reading.lenient, "read what is whole of a file that ends too early");
   frame.parse(arguments);
   settings.threads = frame.threads;
+  io::checkCloudOutput(output);
 
   StopWatch watch;
   std::vector<std::string> warnings;

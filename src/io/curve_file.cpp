@@ -3,6 +3,8 @@
 
 #include <linelet/io/vector_file.h>
 
+#include <linelet/io/output_check.h>
+
 #include "curve_writers.h"
 #include "files.h"
 #include "source.h"
@@ -119,7 +121,26 @@ private:
   std::size_t number_ = 0;
 };
 
+[[noreturn]] void
+noCurveFormat(const std::string& path)
+{
+  throw FileError(path + ": the ending '" + endingOf(path) +
+                  "' names no format of curves; use .obj, .ply, .vtk, .csv, .geojson, "
+                  ".gpkg or .dxf");
+}
+
 } // namespace
+
+void
+checkCurvesOutput(const std::string& path)
+{
+  const std::string ending = endingOf(path);
+  for (const char* known :
+       {".obj", ".ply", ".vtk", ".csv", ".geojson", ".gpkg", ".dxf"})
+    if (ending == known)
+      return checkWritable(path);
+  noCurveFormat(path);
+}
 
 void
 writeCurves(const std::string& path,
@@ -139,10 +160,7 @@ writeCurves(const std::string& path,
   else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
     writeLayers(path, {layerOf(network, shift)}, wkt);
   else
-    throw FileError(
-        path + ": the ending '" + ending +
-        "' names no format of curves; use .obj, .ply, .vtk, .csv, .geojson, "
-        ".gpkg or .dxf");
+    noCurveFormat(path);
 }
 
 CurveNetwork

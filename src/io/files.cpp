@@ -124,6 +124,13 @@ publish(const std::string& staged, const std::string& path)
   }
 }
 
+void
+checkWritable(const std::string& path)
+{
+  if (stagingPath(path) != path) // a pipe must not be opened twice
+    OutputFile probe(path);
+}
+
 OutputFile::OutputFile(const std::string& path)
     : path_(path), staged_(stagingPath(path))
 {

@@ -66,6 +66,10 @@ private:
   std::FILE* file_ = nullptr;
 };
 
+/** \brief Fails where no file can be made at \a path; makes none. \throws FileError */
+void
+checkWritable(const std::string& path);
+
 /** \brief The sentence for a file that cannot be written, from errno. */
 std::string
 cannotWrite(const std::string& path, int error);

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include <linelet/io/output_check.h>
+
 #include "files.h"
 #include "readers.h"
 #include "writers.h"
@@ -45,7 +47,23 @@ formatOf(const std::string& path)
                   "' names no format; use .las, .pcd, .ply, .xyz, .txt, .csv or .obj");
 }
 
+const Format&
+writtenFormatOf(const std::string& path)
+{
+  const Format& format = formatOf(path);
+  if (format.write == nullptr)
+    throw FileError(path + ": .xy files are read only; use .xyz");
+  return format;
+}
+
 } // namespace
+
+void
+checkCloudOutput(const std::string& path)
+{
+  writtenFormatOf(path);
+  checkWritable(path);
+}
 
 Cloud
 readCloud(const std::string& path,
@@ -66,9 +84,7 @@ writeCloud(const std::string& path,
            std::vector<std::string>* warnings,
            Monitor* monitor)
 {
-  const Format& format = formatOf(path);
-  if (format.write == nullptr)
-    throw FileError(path + ": .xy files are read only; use .xyz");
+  const Format& format = writtenFormatOf(path);
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
   format.write({path, warnings, monitor}, cloud);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -126,6 +127,22 @@ TEST_F(FileCommands, AFileThatEndsTooEarlyIsReadOnlyOnRequest)
   EXPECT_THAT(lenient.error, HasSubstr("warning: " + cut));
   // 20 bytes a point: the last two are damaged.
   EXPECT_EQ(io::readCloud(output).points.size(), 62u);
+}
+
+TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
+{
+  // Of input and output the output is complained about: nothing was read yet.
+  for (const std::string command : {"tensor ", "multiscale ", "curves "})
+    for (const std::string output : {"out.foo", "no/folder/out.ply"})
+      expectOneLineOf(command + path("none.las") + " " + path(output), path(output));
+  expectOneLineOf("curves " + path("none.las") + " " + path("out.las"), "out.las");
+  expectOneLineOf("tensor " + path("none.las") + " " + path("out.gpkg"), "out.gpkg");
+  // What can be written is not touched by asking.
+  write("kept.ply", "what was here before");
+  expectOneLineOf("curves " + path("none.las") + " " + path("kept.ply"), "none.las");
+  EXPECT_EQ(contents(path("kept.ply")), "what was here before");
+  const auto files = std::filesystem::directory_iterator(path(""));
+  EXPECT_EQ(std::distance(begin(files), end(files)), 3) << "kept.ply, stdout, stderr";
 }
 
 TEST_F(FileCommands, AFailureLeavesNoOutputBehind)

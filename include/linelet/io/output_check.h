@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+namespace linelet::io {
+
+/** \brief Fails at once where writeCloud to \a path would fail after long work: its
+ * ending names no format that is written, or no file can be made there. Leaves no file.
+ * \throws FileError */
+void
+checkCloudOutput(const std::string& path);
+
+/** \brief The same for writeCurves. \throws FileError */
+void
+checkCurvesOutput(const std::string& path);
+
+} // namespace linelet::io
