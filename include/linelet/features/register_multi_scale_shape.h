@@ -5,6 +5,7 @@
 
 #include <ostream>
 
+#include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
 
 #include <linelet/features/multi_scale_types.h>
