@@ -44,12 +44,11 @@ cubic(const Point& a, const Point& da, const Point& b, const Point& db, double s
   return result;
 }
 
-} // namespace
-
-ModelCurves
-bridgeGaps(const ModelCurves& curves, double near, double widest, double reach)
+/** \brief One round over all ends, by the lengths before it. \return \a result is
+ * changed where this is true */
+bool
+bridgeOnce(ModelCurves& result, double near, double widest, double reach)
 {
-  ModelCurves result = curves;
   std::vector<double> lengths;
   std::vector<std::size_t> ends;
   for (std::size_t c = 0; c < result.size(); ++c) {
@@ -59,7 +58,7 @@ bridgeGaps(const ModelCurves& curves, double near, double widest, double reach)
         ends.push_back(2 * c + end);
   }
   if (ends.size() > most_ends)
-    return result;
+    return false;
   std::vector<Point> tips, directions;
   for (const std::size_t e : ends) {
     tips.push_back(tip(result[e / 2], e % 2));
@@ -144,6 +143,18 @@ bridgeGaps(const ModelCurves& curves, double near, double widest, double reach)
                      result.end(),
                      [](const ModelCurve& curve) { return curve.nodes.empty(); }),
       result.end());
+  return !bridges.empty();
+}
+
+} // namespace
+
+ModelCurves
+bridgeGaps(const ModelCurves& curves, double near, double widest, double reach)
+{
+  // What has grown longer reaches farther.
+  ModelCurves result = curves;
+  while (bridgeOnce(result, near, widest, reach)) {
+  }
   return result;
 }
 
