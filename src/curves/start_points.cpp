@@ -14,7 +14,8 @@ namespace linelet {
 
 StartPoints::StartPoints(const Points& points,
                          const std::vector<MultiScaleShape>& shapes,
-                         unsigned min_neighbors)
+                         unsigned min_neighbors,
+                         double neighbor_exponent)
     : points_(points)
 {
   std::vector<double> scores(points.size());
@@ -25,7 +26,8 @@ StartPoints::StartPoints(const Points& points,
       if (shape.first_neighbors < least || !std::isfinite(shape.optimal_radius) ||
           !(base > 0))
         continue;
-      scores[i] = std::pow(shape.first_neighbors, 0.01) * std::pow(base, 4);
+      scores[i] =
+          std::pow(shape.first_neighbors, neighbor_exponent) * std::pow(base, 4);
       candidates_.push_back(static_cast<Index>(i));
     }
   };

@@ -164,7 +164,10 @@ reconstructPublished(const Points& input,
   if (monitor != nullptr)
     monitor->begin("curves", 0);
   const DirectionField field(points, shapes, grid, settings);
-  StartPoints starts(points, shapes.shapes, settings.min_start_neighbors);
+  StartPoints starts(points,
+                     shapes.shapes,
+                     settings.min_start_neighbors,
+                     settings.start_neighbor_exponent);
   GrowthLimits limits = limitsOf(points, scale_unit, settings);
   LineLets lets(std::max(limits.merge_distance, limits.step));
   const auto begin = [&](Index i) { lets.start(points[i], field.eigenvector(i)); };

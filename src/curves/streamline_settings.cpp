@@ -49,6 +49,7 @@ validate(const StreamlineSettings& s)
   requireNotNegative("prune-distance", s.prune_distance);
   requirePositive("cover-distance", s.cover_distance);
   requireNotNegative("stump-length", s.stump_length);
+  requireNotNegative("start-neighbor-exponent", s.start_neighbor_exponent);
   requireNotNegative("prefilter-radius", s.prefilter_radius);
 }
 

@@ -267,6 +267,10 @@ TEST(StartPoints, TheSecondIsFarFromTheFirst)
   EXPECT_EQ(starts.next(), 50u);
   EXPECT_EQ(starts.next(), 0u);
   EXPECT_EQ(starts.next(), 99u);
+  // With an exponent of 1 twice the neighbours outweigh 1 % more linearity.
+  shapes[20].first_neighbors = 12;
+  StartPoints crowded(row, shapes, 6, 1);
+  EXPECT_EQ(crowded.next(), 20u);
   StartPoints sparse(row, std::vector<MultiScaleShape>(row.size()), 6);
   EXPECT_EQ(sparse.next(), StartPoints::none);
 }

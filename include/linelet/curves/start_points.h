@@ -12,16 +12,18 @@
 
 namespace linelet {
 
-/** \brief Start points of line-lets by the score O_s = d N1^0.01 (CL_max A)^4 (Ritter,
+/** \brief Start points of line-lets by the score O_s = d N1^a (CL_max A)^4 (Ritter,
  * Schiffner, Harders 2021, equation 7), d the distance to the nearest start point. */
 class StartPoints {
 public:
   /** \param[in] points kept by reference
    * \param[in] shapes features of \a points
-   * \param[in] min_neighbors N1 that a start point needs; where no point has it, 2 */
+   * \param[in] min_neighbors N1 that a start point needs; where no point has it, 2
+   * \param[in] neighbor_exponent a, as published 0.01 */
   StartPoints(const Points& points,
               const std::vector<MultiScaleShape>& shapes,
-              unsigned min_neighbors);
+              unsigned min_neighbors,
+              double neighbor_exponent = 0.01);
 
   /** \brief The point of the best score, taken: the next score counts the distance to
    * it. With the first, d is 1. No point is taken twice.
