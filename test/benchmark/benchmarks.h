@@ -13,10 +13,19 @@ void
 addTensorBenchmarks();
 
 /** \brief Registers the benchmarks of the OpenCL engine: CPU time of the whole process,
- * wall time of every stage, x_tree and x_pcl (times as fast as the kd-tree engine and as
- * PCL's normals). Only where linelet was built with OpenCL. */
+ * wall time of every stage, x_tree and x_pcl (times as fast as the kd-tree engine and
+ * as PCL's normals). Only where linelet was built with OpenCL. */
 void
 addOpenClBenchmarks();
+
+/** \brief Registers the benchmarks of what the scales of the multi-scale feature cost.
+ * Counters: x_one_pass_sweep (the default ladder up to 60 D in passes at its largest
+ * radius, both in the core that works in double), x_one_pass_grid (the ladder of
+ * ScaleEngine::Grid in passes of estimateTensorsOnGrid), x_sweep (how many times as
+ * fast the ladder is with ScaleEngine::Grid), neighbours at the largest radius. CPU
+ * time, the best of three. */
+void
+addMultiScaleBenchmarks();
 
 /** \brief Registers the benchmarks of neighbour search: building, radius search, k
  * nearest, as ratios to FLANN and nanoflann. */

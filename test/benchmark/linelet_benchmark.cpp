@@ -20,6 +20,7 @@ main(int argc, char** argv)
   benchmark::AddCustomContext("instruction set",
                               std::string(linelet::gridInstructionSet()));
   linelet::benchmarking::addTensorBenchmarks();
+  linelet::benchmarking::addMultiScaleBenchmarks();
   linelet::benchmarking::addSearchBenchmarks();
 #ifdef LINELET_HAS_OPENCL
   linelet::benchmarking::addOpenClBenchmarks();
