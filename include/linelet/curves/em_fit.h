@@ -85,6 +85,8 @@ private:
   resampleCurves(double spacing);
   void
   collectPairs();
+  bool
+  pairsAreStale() const;
   /** \brief Cuts back ends, and drops curves, whose points are explained as well
    * without them, by the information criterion. \return whether anything changed */
   bool

@@ -12,9 +12,10 @@ namespace linelet {
  * Two ends (of one curve or of two) are joined when the direction of each is within 35
  * degrees of the gap and the gap is at most 15 % of the length of what is joined,
  * itself included; across gaps of up to \a near within 60 degrees, whatever the length.
- * The best agreeing, narrowest gaps come first; what is joined then counts by its new length. A wide gap is bridged by a
- * cubic that keeps both directions. \param[in] widest no gap beyond this is bridged; 0:
- * no such limit \param[in] reach directions are taken over this length */
+ * The best agreeing, narrowest gaps come first; what is joined then counts by its new
+ * length. A wide gap is bridged by a cubic that keeps both directions. \param[in]
+ * widest no gap beyond this is bridged; 0: no such limit \param[in] reach directions
+ * are taken over this length */
 ModelCurves
 bridgeGaps(const ModelCurves& curves, double near, double widest, double reach);
 

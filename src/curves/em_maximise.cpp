@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/em_fit.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace linelet {
+
+namespace {
+
+// Points per edge that the density along a curve is drawn towards its mean with, as a
+// share of the mean.
+constexpr double density_prior = 0.5;
+constexpr double tail = 3; // degrees of freedom of the bending prior
+// Bends that the first guess of the prior's scale counts for.
+constexpr double bending_prior = 3;
+
+} // namespace
+
+void
+EmFitter::maximise(const EmSettings& settings)
+{
+  freedom_ = 0;
+  for (CurveState& state : states_)
+    maximiseCurve(state, settings);
+
+  double square = 0, count = 0;
+  for (const Edge& edge : edges_)
+    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
+      square += pair_density_[k] * pair_off_[k];
+      count += pair_density_[k];
+    }
+  if (count > 0) {
+    const double spare = std::max(0.3 * count, count - freedom_);
+    noise_ = std::max(std::sqrt(square / (spare * (frame_.dimensions - 1))),
+                      settings.least_noise);
+  }
+  freedom_ *= frame_.dimensions - 1;
+  updateWeights();
+  updateEdges();
+}
+
+void
+EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
+{
+  ModelCurve& curve = state.curve;
+  const std::size_t n = curve.nodes.size();
+  system_.reset(n, curve.closed);
+  solution_.assign(n, Point::Zero());
+  data_diagonal_.assign(n, 0);
+  data_next_.assign(n, 0);
+  const double variance = noise_ * noise_;
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const Edge& edge = edges_[state.first_edge + e];
+    const std::size_t a = e, b = e + 1 == n ? 0 : e + 1;
+    // Where on the edge the point came from: uniform on the edge, normal around z.
+    const double middle_weight = 12 / (edge.length * edge.length);
+    const double spread = 1 / (1 / variance + middle_weight);
+    const bool front = !curve.closed && e == 0;
+    const bool back = !curve.closed && e + 1 == curve.edges();
+    double aa = 0, ab = 0, bb = 0;
+    Point at_a = Point::Zero(), at_b = Point::Zero();
+    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
+      const double r = pair_density_[k];
+      if (r < 1e-4)
+        continue;
+      const double z = pair_place_[k];
+      const double place =
+          std::clamp(spread * (z / variance + 0.5 * edge.length * middle_weight),
+                     0.0,
+                     edge.length);
+      const double t = place / edge.length;
+      Point x = points_[pair_point_[k]];
+      // Along the curve only its ends are drawn by the points.
+      if (!(front && z < 0) && !(back && z > edge.length))
+        x -= (z - place) * edge.direction;
+      aa += r * (1 - t) * (1 - t);
+      ab += r * (1 - t) * t;
+      bb += r * t * t;
+      at_a += (r * (1 - t)) * x;
+      at_b += (r * t) * x;
+    }
+    data_diagonal_[a] += aa;
+    data_diagonal_[b] += bb;
+    data_next_[e] += ab;
+    solution_[a] += at_a;
+    solution_[b] += at_b;
+  }
+  const double anchor = 1e-4;
+  for (std::size_t i = 0; i < n; ++i) {
+    system_.addDiagonal(i, data_diagonal_[i] + anchor);
+    system_.addNext(i, data_next_[i]);
+    solution_[i] += anchor * curve.nodes[i];
+  }
+
+  const double spacing = std::max(0.1 * settings.spacing,
+                                  length(curve) / static_cast<double>(curve.edges()));
+  const double rigidity = 1 / (state.bending * spacing * spacing * spacing);
+  const auto ring = [n](std::size_t i) { return i < n ? i : i - n; };
+  const std::size_t bends = curve.closed ? n : n < 3 ? 0 : n - 2;
+  const bool known = state.bend_variance.size() == bends;
+  const double across = frame_.dimensions - 1;
+  bend_weight_.resize(bends);
+  for (std::size_t i = 0; i < bends; ++i) {
+    const std::size_t j = ring(i + 1), k = ring(i + 2);
+    double bend = (curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k]).squaredNorm();
+    if (known)
+      bend += across * state.bend_variance[i];
+    bend_weight_[i] = (tail + across) / (tail + rigidity * bend);
+    const double w = variance * rigidity * bend_weight_[i];
+    system_.addDiagonal(i, w);
+    system_.addDiagonal(j, 4 * w);
+    system_.addDiagonal(k, w);
+    system_.addNext(i, -2 * w);
+    system_.addNext(j, -2 * w);
+    system_.addAfterNext(i, w);
+  }
+  system_.solve(solution_);
+  system_.inverseBand(inverse_diagonal_, inverse_next_, inverse_after_next_);
+  state.node_freedom.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double freedom =
+        inverse_diagonal_[i] * data_diagonal_[i] + 2 * inverse_next_[i] * data_next_[i];
+    state.node_freedom[i] = (frame_.dimensions - 1) * freedom;
+    freedom_ += freedom;
+  }
+  curve.nodes = solution_;
+
+  // The scale of the prior, by expectation maximisation over the posterior of the
+  // bends.
+  double sum =
+      bending_prior * across * state.first_bending * spacing * spacing * spacing;
+  state.bend_variance.resize(bends);
+  for (std::size_t i = 0; i < bends; ++i) {
+    const std::size_t j = ring(i + 1), k = ring(i + 2);
+    const double bend =
+        (curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k]).squaredNorm();
+    state.bend_variance[i] =
+        variance * std::max(0.0,
+                            inverse_diagonal_[i] + 4 * inverse_diagonal_[j] +
+                                inverse_diagonal_[k] - 4 * inverse_next_[i] -
+                                4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
+    sum += bend_weight_[i] * (bend + across * state.bend_variance[i]);
+  }
+  state.bending = sum / ((bending_prior + static_cast<double>(bends)) * across *
+                         spacing * spacing * spacing);
+}
+
+void
+EmFitter::updateWeights()
+{
+  const double n = static_cast<double>(points_.size());
+  for (const CurveState& state : states_) {
+    const std::size_t edges = state.curve.edges();
+    double total = 0;
+    for (std::size_t e = 0; e < edges; ++e)
+      total += edge_count_[state.first_edge + e];
+    const double mean = total / static_cast<double>(edges);
+    const double spacing = length(state.curve) / static_cast<double>(edges);
+    const auto half = static_cast<std::size_t>(
+        std::clamp(1.5 * frame_.scale_unit / std::max(spacing, 1e-300), 1.0, 50.0));
+    double all = 0;
+    for (std::size_t e = 0; e < edges; ++e) {
+      double sum = 0, width = 0;
+      for (std::size_t k = 0; k <= 2 * half; ++k) {
+        std::size_t at = e + k;
+        if (state.curve.closed)
+          at = (at + edges - half % edges) % edges;
+        else if (at < half || at - half >= edges)
+          continue;
+        else
+          at -= half;
+        sum += edge_count_[state.first_edge + at];
+        width += 1;
+      }
+      Edge& edge = edges_[state.first_edge + e];
+      edge.weight = sum / width + density_prior * mean;
+      all += edge.weight;
+    }
+    for (std::size_t e = 0; e < edges; ++e)
+      edges_[state.first_edge + e].weight *= total / (std::max(all, 1e-300) * n);
+  }
+}
+
+} // namespace linelet
