@@ -134,9 +134,10 @@ runBenchmark(const std::vector<std::string>& arguments)
   std::string out, label;
   std::vector<std::string> names = {"benchmark"};
   auto& app = frame.app;
-  app.add_option("--sample", sample, "runs, drawn evenly from the grid");
+  app.add_option("--sample", sample, "runs, drawn evenly from the grid")
+      ->check(notNegative);
   app.add_flag("--all", all, "the whole grid");
-  app.add_option("--seed", seed, "which runs are drawn");
+  app.add_option("--seed", seed, "which runs are drawn")->check(notNegative);
   app.add_flag("--clean", clean, "only noise-free runs with 128, 256 and 512 points");
   app.add_option("--geometries",
                  names,

@@ -14,6 +14,13 @@
 
 namespace linelet::apps {
 
+/** \brief What is wrong with a count \a text; CLI11 takes -1 for the largest number. */
+inline std::string
+notNegative(const std::string& text)
+{
+  return text.find('-') == std::string::npos ? "" : "must not be negative";
+}
+
 /** \brief Turns the description of a settings struct into command line options.
  *
  * Every settings struct S of the library comes with
@@ -47,6 +54,8 @@ public:
           choices,
           std::string(nameOf(value)));
     }
+    else if constexpr (std::is_unsigned_v<T>)
+      app_.add_option(option, value, help)->capture_default_str()->check(notNegative);
     else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>)
       app_.add_option(option, value, help)->capture_default_str();
     else if constexpr (std::is_same_v<T, std::vector<double>>)
@@ -72,7 +81,8 @@ private:
             [set](const std::string& text) {
               try {
                 set(text);
-              } catch (const std::invalid_argument& error) {
+              }
+              catch (const std::invalid_argument& error) {
                 throw CLI::ValidationError(error.what());
               }
             },

@@ -68,6 +68,8 @@ TEST_F(Usage, MisuseExitsWithTwo)
   EXPECT_EQ(option.code, 2);
   EXPECT_THAT(option.error, HasSubstr("--frobnicate"));
   EXPECT_EQ(run("benchmark --frobnicate").code, 2);
+  for (const char* number : {"-4", "many", "1.5"})
+    EXPECT_EQ(run("generate circle out.xyz --points " + std::string(number)).code, 2);
   EXPECT_EQ(run("info").code, 2);
   EXPECT_EQ(run("convert " + cloud).code, 2);
   EXPECT_EQ(run("curves " + cloud + " out.obj --preset newest").code, 2);
