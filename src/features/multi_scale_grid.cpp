@@ -41,10 +41,14 @@ chosenScaleEngine(const Points& surface,
                   double largest_radius,
                   const MultiScaleSettings& settings)
 {
-  constexpr std::size_t samples = 64, few = 1000, least_queries = 256;
+  // On a wire with 325 neighbours the grid takes a half to a quarter of the time,
+  // with medians as much as the sweep. Few points keep all their digits, as nobody
+  // waits for them.
+  constexpr std::size_t samples = 64, few = 300, least_points = 1000,
+                        least_queries = 256;
   if (settings.engine != ScaleEngine::Auto)
     return settings.engine;
-  if (queries.size() < least_queries || surface.size() < few)
+  if (queries.size() < least_queries || surface.size() < least_points)
     return ScaleEngine::Sweep;
   const UniformGrid grid(surface, largest_radius / 4);
   const std::size_t step = (queries.size() + samples - 1) / samples;

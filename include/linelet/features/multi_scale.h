@@ -23,7 +23,7 @@ namespace linelet {
 
 /** \brief What measures the neighbourhoods. */
 enum class ScaleEngine {
-  Auto,  ///< Grid where a point has more than a thousand neighbours, else Sweep
+  Auto,  ///< Grid where a point has more than 300 neighbours, else Sweep
   Sweep, ///< one search at the largest radius serves all scales, all in double
   Grid   ///< a vectorised pass for every radius, shape factors to 1e-4
 };
