@@ -15,11 +15,15 @@ commands()
       {"multiscale", "measure it over many radii and find the best", runMultiscale},
       {"curves", "reconstruct curves from a point cloud", runCurves},
       {"powerlines", "find every wire of an airborne or UAV scan", runPowerlines},
-      {"generate", "make test clouds with known curves, or a corridor scene", runGenerate},
+      {"generate",
+       "make test clouds with known curves, or a corridor scene",
+       runGenerate},
       {"evaluate", "compare curves with the true ones", runEvaluate},
       {"benchmark", "reconstruct noisy test geometries by the thousand", runBenchmark},
       {"devices", "list the OpenCL devices of this machine", runDevices},
-      {"image", "draw the cloud, its shape along a line, or graphs of a point", runImage},
+      {"image",
+       "draw the cloud, its shape along a line, or graphs of a point",
+       runImage},
   };
   return all;
 }

@@ -19,7 +19,8 @@
 namespace linelet::apps {
 
 /** \brief Progress on stderr where that is a terminal: stage, bar, estimate of the time
- * left, shown once a stage takes longer than a second. Ctrl-C makes it say cancelled. */
+ * left, shown once a stage takes longer than a second. Ctrl-C makes it say cancelled.
+ */
 class ProgressBar : public Monitor {
 public:
   ProgressBar();

@@ -51,11 +51,15 @@ main(int argc, char** argv)
       continue;
     try {
       return command.run({arguments.begin() + 1, arguments.end()});
-    } catch (const Exit& exit) {
+    }
+    catch (const Exit& exit) {
       return exit.code;
-    } catch (const std::bad_alloc&) {
-      std::fprintf(stderr, "linelet %s: not enough memory for this input\n", command.name);
-    } catch (const std::exception& error) {
+    }
+    catch (const std::bad_alloc&) {
+      std::fprintf(
+          stderr, "linelet %s: not enough memory for this input\n", command.name);
+    }
+    catch (const std::exception& error) {
       std::fprintf(stderr, "linelet %s: %s\n", command.name, error.what());
     }
     return 1;

@@ -21,7 +21,9 @@ randomPoints(std::size_t count, const Point& extent, unsigned seed)
   boost::random::uniform_real_distribution<double> unit(0, 1);
   Points points;
   for (std::size_t i = 0; i < count; ++i)
-    points.emplace_back(extent.x() * unit(random), extent.y() * unit(random), extent.z() * unit(random));
+    points.emplace_back(extent.x() * unit(random),
+                        extent.y() * unit(random),
+                        extent.z() * unit(random));
   return points;
 }
 
@@ -74,7 +76,8 @@ TEST(UniformGrid, SurvivesDegenerateSets)
   // A table as wide as the extent in rows of this size would not fit into memory.
   const UniformGrid far({Point(0, 0, 0), Point(1e6, 1e6, 1e6)}, 1e-6);
   EXPECT_EQ(far.nearest(Point(9e5, 9e5, 9e5)), 1u);
-  EXPECT_EQ(far.countWithin(Point(0, 0, 0), std::numeric_limits<double>::infinity()), 2u);
+  EXPECT_EQ(far.countWithin(Point(0, 0, 0), std::numeric_limits<double>::infinity()),
+            2u);
 }
 
 // Would one far point make the rows of all others wide, queries would visit them all.

@@ -39,7 +39,8 @@ struct Names<EndKind> {
 /** \brief One end of a curve. */
 struct CurveEnd {
   EndKind kind = EndKind::Cutoff;
-  int junction = -1; ///< place in CurveNetwork::junctions where kind is Junction, else -1
+  int junction =
+      -1; ///< place in CurveNetwork::junctions where kind is Junction, else -1
 };
 
 /** \brief A polyline: an ordered run of vertices. */
@@ -48,7 +49,8 @@ struct Curve {
   bool closed = false; ///< whether the last vertex is joined to the first
   CurveEnd front;      ///< the end at points.front()
   CurveEnd back;       ///< the end at points.back()
-  std::vector<Index> support; ///< cloud points explained by each vertex (count), or empty
+  std::vector<Index>
+      support; ///< cloud points explained by each vertex (count), or empty
 };
 
 /** \brief A place where curves meet. */

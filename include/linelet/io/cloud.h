@@ -60,7 +60,7 @@ struct Cloud {
   Points points;               ///< relative to shift; NaN where the file has NaN
   std::vector<Column> columns; ///< each as long as points
   std::string wkt;             ///< coordinate reference system (WKT), empty: unknown
-  std::string format;          ///< what the file was, in words: "LAS 1.4, point format 7"
+  std::string format; ///< what the file was, in words: "LAS 1.4, point format 7"
   std::shared_ptr<const LasOrigin> las; ///< set where the cloud came from LAS
 
   /** \brief The column called \a name, or null. */

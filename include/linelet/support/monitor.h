@@ -11,9 +11,9 @@ namespace linelet {
 
 /** \brief Hears of the progress of long work and may ask it to stop.
  *
- * Library functions that can take longer than a second accept a `Monitor*` (null: nobody
- * listens). \ref advance and \ref cancelled are called from several threads at once and
- * must be safe for that; \ref begin is called from one. */
+ * Library functions that can take longer than a second accept a `Monitor*` (null:
+ * nobody listens). \ref advance and \ref cancelled are called from several threads at
+ * once and must be safe for that; \ref begin is called from one. */
 class Monitor {
 public:
   virtual ~Monitor() = default;
@@ -21,12 +21,14 @@ public:
   /** \brief A stage of \a total equal steps begins (0: length unknown). */
   virtual void
   begin(std::string_view /*stage*/, std::size_t /*total*/)
-  {}
+  {
+  }
 
   /** \brief \a steps more steps of the current stage are done. */
   virtual void
   advance(std::size_t /*steps*/)
-  {}
+  {
+  }
 
   /** \brief True once the work shall stop; it then throws \ref Cancelled. */
   virtual bool
