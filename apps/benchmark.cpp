@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -12,10 +13,12 @@
 #include <linelet/curves/reconstruct_curves.h>
 #include <linelet/evaluation/benchmark.h>
 #include <linelet/evaluation/benchmark_grid.h>
+#include <linelet/evaluation/benchmark_summary.h>
 
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
+#include "picture/benchmark_picture.h"
 
 namespace linelet::apps {
 
@@ -117,6 +120,33 @@ private:
   std::vector<BenchmarkRow> old_;
 };
 
+/** \brief Draws \a rows of \a method, and beside them whatever other methods have done
+ * among the runs of \a wanted, by \a old rows. */
+void
+plot(const std::string& path,
+     const std::string& method,
+     const std::vector<BenchmarkRow>& rows,
+     const std::vector<BenchmarkRun>& wanted,
+     const std::vector<BenchmarkRow>& old)
+{
+  constexpr int width = 1500, height = 860;
+  std::vector<MethodRows> methods = {{method, rows}};
+  std::set<std::string> runs;
+  for (const BenchmarkRun& run : wanted)
+    runs.insert(evaluation::keyOf("", run));
+  for (const BenchmarkRow& row : old) {
+    if (row.method == method || runs.count(evaluation::keyOf("", row.run)) == 0)
+      continue;
+    auto found = std::find_if(methods.begin(), methods.end(), [&](const auto& m) {
+      return m.first == row.method;
+    });
+    if (found == methods.end())
+      found = methods.insert(methods.end(), {row.method, {}});
+    found->second.push_back(row);
+  }
+  drawBenchmark(methods, width, height).save(path);
+}
+
 } // namespace
 
 int
@@ -131,7 +161,7 @@ runBenchmark(const std::vector<std::string>& arguments)
   std::size_t sample = 2000;
   std::uint64_t seed = 1;
   bool clean = false, all = false;
-  std::string out, label;
+  std::string out, label, plot_path;
   std::vector<std::string> names = {"benchmark"};
   auto& app = frame.app;
   app.add_option("--sample", sample, "runs, drawn evenly from the grid")
@@ -146,6 +176,10 @@ runBenchmark(const std::vector<std::string>& arguments)
       ->delimiter(',')
       ->default_str(names.front());
   app.add_option("--out", out, "file of rows (.csv), one a run");
+  app.add_option("--plot",
+                 plot_path,
+                 "picture (.png) of the success by geometry and noise; other methods "
+                 "whose rows of the same runs stand in --out are drawn beside");
   app.add_option("--label", label, "name of the method in the rows; empty: the preset");
   addOptions(app, settings);
   frame.parse(arguments);
@@ -187,17 +221,14 @@ runBenchmark(const std::vector<std::string>& arguments)
               method.c_str(),
               rows.size(),
               evaluation::summaryTable(rows).c_str());
-  double successes = 0, milliseconds = 0;
-  for (const BenchmarkRow& row : rows) {
-    successes += row.measures.success ? 1 : 0;
-    milliseconds += row.feature_ms + row.reconstruction_ms;
-  }
-  const double count = static_cast<double>(rows.size());
+  if (!plot_path.empty() && !rows.empty())
+    plot(plot_path, method, rows, wanted, file.old());
+  const evaluation::RunSummary all_runs = evaluation::summarise(rows);
   frame.summary["method"] = method;
   frame.summary["runs"] = rows.size();
   frame.summary["resumed"] = rows.size() - missing.size();
-  frame.summary["success"] = successes / count;
-  frame.summary["mean_ms"] = milliseconds / count;
+  frame.summary["success"] = all_runs.success;
+  frame.summary["mean_ms"] = all_runs.milliseconds;
   return frame.finish();
 }
 

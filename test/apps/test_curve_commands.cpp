@@ -148,6 +148,12 @@ TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
                   "no classes");
 }
 
+TEST_F(CurveCommands, ABenchmarkIsDrawn)
+{
+  runWell("benchmark --sample 20 --seed 3 --plot " + path("success.png"));
+  EXPECT_THAT(contents(path("success.png")), StartsWith("\x89PNG"));
+}
+
 TEST_F(CurveCommands, ABenchmarkGoesOnWhereItWasStopped)
 {
   const std::string rows = path("rows.csv");

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <linelet/evaluation/benchmark.h>
+#include <linelet/evaluation/benchmark_summary.h>
 
 using namespace linelet;
 using namespace linelet::evaluation;

@@ -66,9 +66,4 @@ readCsv(std::istream& in);
 std::string
 keyOf(const std::string& method, const BenchmarkRun& run);
 
-/** \brief Success, mean measures and times of \a rows: over all, by geometry, number of
- * points, noise and noise rate, as a table of text. */
-std::string
-summaryTable(const std::vector<BenchmarkRow>& rows);
-
 } // namespace linelet::evaluation

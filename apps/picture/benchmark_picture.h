@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <linelet/evaluation/benchmark_summary.h>
+
+#include "canvas.h"
+
+namespace linelet::apps {
+
+/** \brief A method and its rows, at least one. */
+using MethodRows = std::pair<std::string, std::vector<evaluation::BenchmarkRow>>;
+
+/** \brief Success by geometry, number of points, noise and noise rate: a panel each,
+ * a bar a method, whiskers of one standard error. */
+Canvas
+drawBenchmark(const std::vector<MethodRows>& methods, int width, int height);
+
+} // namespace linelet::apps
