@@ -61,12 +61,18 @@ EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
   for (; done < edges; ++done) {
     const std::size_t e = end == 0 ? done : edges - 1 - done;
     const Edge& edge = edges_[state.first_edge + e];
+    double left = 1; // product of what is left of the points' densities
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
       double& gone = removed_[pair_point_[k]];
-      const double before = std::log(std::max(1e-12, 1 - gone));
+      const double before = std::max(1e-12, 1 - gone);
       gone += pair_density_[k];
-      loss += std::log(std::max(1e-12, 1 - gone)) - before;
+      left *= std::max(1e-12, 1 - gone) / before;
+      if (left < 1e-200) {
+        loss += std::log(left);
+        left = 1;
+      }
     }
+    loss += std::log(left);
     weight += edge.weight;
     freedom +=
         state.node_freedom[end == 0 ? done : state.node_freedom.size() - 1 - done];

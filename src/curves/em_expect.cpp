@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "em_kernels.h"
+
 namespace linelet {
 
 namespace {
@@ -14,13 +16,6 @@ namespace {
 constexpr double pair_reach = 3.5;
 // The pairs are collected anew when the noise has shrunk to this share.
 constexpr double stale_share = 0.6;
-
-/** \brief Normal distribution function to 2e-4. */
-double
-normalBelow(double z)
-{
-  return 1 / (1 + std::exp(-z * (1.5976 + 0.07056 * z * z)));
-}
 
 } // namespace
 
@@ -31,6 +26,8 @@ EmFitter::collectPairs()
   const double margin = 0.3 * noise_;
   const double reach = reach_ + margin;
   pair_point_.clear();
+  for (auto& coordinate : pair_at_)
+    coordinate.clear();
   for (Edge& edge : edges_) {
     edge.pairs_begin = pair_point_.size();
     const Point middle = edge.from + 0.5 * edge.length * edge.direction;
@@ -38,14 +35,20 @@ EmFitter::collectPairs()
       const Point v = points_[i] - edge.from;
       const double z = v.dot(edge.direction);
       const double over = z - std::clamp(z, 0.0, edge.length);
-      if (v.squaredNorm() - z * z + over * over <= reach * reach)
+      if (v.squaredNorm() - z * z + over * over <= reach * reach) {
         pair_point_.push_back(i);
+        for (int axis = 0; axis < 3; ++axis)
+          pair_at_[static_cast<std::size_t>(axis)].push_back(points_[i][axis]);
+      }
     });
     edge.pairs_end = pair_point_.size();
   }
-  pair_density_.resize(pair_point_.size());
-  pair_place_.resize(pair_point_.size());
-  pair_off_.resize(pair_point_.size());
+  const std::size_t size = pair_point_.size() + EdgePoints::padding;
+  for (auto& coordinate : pair_at_)
+    coordinate.resize(size);
+  pair_density_.resize(size);
+  pair_place_.resize(size);
+  pair_off_.resize(size);
 }
 
 bool
@@ -58,51 +61,71 @@ void
 EmFitter::expect()
 {
   const double background = outlier_share_ / frame_.volume;
-  std::fill(density_.begin(), density_.end(), background);
-  const double variance = noise_ * noise_;
-  const double across = std::pow(2 * M_PI * variance, -0.5 * (frame_.dimensions - 1));
+  const std::size_t n = points_.size();
+  density_.assign(n + EdgePoints::padding, background);
+  const double across =
+      std::pow(2 * M_PI * noise_ * noise_, -0.5 * (frame_.dimensions - 1));
+  const EmKernels& kernels = emKernels();
+  // A kernel writes beyond its edge, where the next edge is yet to write.
   for (const Edge& edge : edges_) {
-    // The integral of the normal density along the edge: where the edge is short beside
-    // the noise, a normal density of its own.
-    const bool is_short = edge.length < 1.2 * noise_;
-    const double along = variance + edge.length * edge.length / 12;
-    const double factor =
+    EdgeShape shape = shapeOf(edge);
+    shape.factor =
         edge.weight * across *
-        (is_short ? 1 / std::sqrt(2 * M_PI * along) : 1 / edge.length);
-    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
-      const Point v = points_[pair_point_[k]] - edge.from;
-      const double z = v.dot(edge.direction);
-      const double off = std::max(0.0, v.squaredNorm() - z * z);
-      double density;
-      if (is_short) {
-        const double t = z - 0.5 * edge.length;
-        density = factor * std::exp(-0.5 * (off / variance + t * t / along));
-      }
-      else
-        density = factor * std::exp(-0.5 * off / variance) *
-                  (normalBelow((edge.length - z) / noise_) - normalBelow(-z / noise_));
-      pair_density_[k] = density;
-      pair_place_[k] = z;
-      pair_off_[k] = off;
-      density_[pair_point_[k]] += density;
-    }
+        (shape.is_short
+             ? 1 / std::sqrt(2 * M_PI *
+                             (shape.variance + edge.length * edge.length / 12))
+             : 1 / edge.length);
+    const std::size_t begin = edge.pairs_begin;
+    kernels.densities(shape,
+                      pointsOf(edge),
+                      pair_density_.data() + begin,
+                      pair_place_.data() + begin,
+                      pair_off_.data() + begin);
+    for (std::size_t k = begin; k < edge.pairs_end; ++k)
+      density_[pair_point_[k]] += pair_density_[k];
   }
 
-  log_likelihood_ = 0;
+  log_likelihood_ = kernels.invert(density_.data(), n);
   double outliers = 0;
-  for (double& density : density_) {
-    density = std::max(density, 1e-300);
-    log_likelihood_ += std::log(density);
-    outliers += background / density;
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    outliers += background * density_[i];
   edge_count_.assign(edges_.size(), 0);
-  for (std::size_t e = 0; e < edges_.size(); ++e)
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    double count = 0;
     for (std::size_t k = edges_[e].pairs_begin; k < edges_[e].pairs_end; ++k) {
-      pair_density_[k] /= density_[pair_point_[k]];
-      edge_count_[e] += pair_density_[k];
+      pair_density_[k] *= density_[pair_point_[k]];
+      count += pair_density_[k];
     }
-  const auto n = static_cast<double>(points_.size());
-  outlier_share_ = std::clamp(outliers / n, 1e-3, 1 - 1e-3);
+    edge_count_[e] = count;
+  }
+  outlier_share_ = std::clamp(outliers / static_cast<double>(n), 1e-3, 1 - 1e-3);
+}
+
+EdgeShape
+EmFitter::shapeOf(const Edge& edge) const
+{
+  EdgeShape shape;
+  for (int axis = 0; axis < 3; ++axis) {
+    shape.from[axis] = edge.from[axis];
+    shape.direction[axis] = edge.direction[axis];
+  }
+  shape.length = edge.length;
+  shape.variance = noise_ * noise_;
+  shape.factor = 0;
+  // Where the edge is short beside the noise, the integral of the normal density along
+  // it is a normal density of its own.
+  shape.is_short = edge.length < 1.2 * noise_;
+  return shape;
+}
+
+EdgePoints
+EmFitter::pointsOf(const Edge& edge) const
+{
+  const std::size_t begin = edge.pairs_begin;
+  return {edge.pairs_end - begin,
+          pair_at_[0].data() + begin,
+          pair_at_[1].data() + begin,
+          pair_at_[2].data() + begin};
 }
 
 } // namespace linelet

@@ -17,7 +17,7 @@ constexpr double least_points = 2;
 EmFitter::EmFitter(const Points& points,
                    const UniformGrid& grid,
                    const CloudFrame& frame)
-    : points_(points), grid_(grid), frame_(frame), density_(points.size())
+    : points_(points), grid_(grid), frame_(frame)
 {
 }
 
@@ -66,7 +66,7 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
   const double background = outlier_share_ / frame_.volume;
   result.outlier.resize(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i)
-    result.outlier[i] = background / density_[i];
+    result.outlier[i] = background * density_[i];
   for (const CurveState& state : states_) {
     result.curves.push_back(state.curve);
     const auto begin =

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "em_kernels.h"
+
 namespace linelet {
 
 namespace {
@@ -52,41 +54,21 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   data_diagonal_.assign(n, 0);
   data_next_.assign(n, 0);
   const double variance = noise_ * noise_;
+  const EmKernels& kernels = emKernels();
   for (std::size_t e = 0; e < curve.edges(); ++e) {
     const Edge& edge = edges_[state.first_edge + e];
     const std::size_t a = e, b = e + 1 == n ? 0 : e + 1;
-    // Where on the edge the point came from: uniform on the edge, normal around z.
-    const double middle_weight = 12 / (edge.length * edge.length);
-    const double spread = 1 / (1 / variance + middle_weight);
-    const bool front = !curve.closed && e == 0;
-    const bool back = !curve.closed && e + 1 == curve.edges();
-    double aa = 0, ab = 0, bb = 0;
-    Point at_a = Point::Zero(), at_b = Point::Zero();
-    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
-      const double r = pair_density_[k];
-      if (r < 1e-4)
-        continue;
-      const double z = pair_place_[k];
-      const double place =
-          std::clamp(spread * (z / variance + 0.5 * edge.length * middle_weight),
-                     0.0,
-                     edge.length);
-      const double t = place / edge.length;
-      Point x = points_[pair_point_[k]];
-      // Along the curve only its ends are drawn by the points.
-      if (!(front && z < 0) && !(back && z > edge.length))
-        x -= (z - place) * edge.direction;
-      aa += r * (1 - t) * (1 - t);
-      ab += r * (1 - t) * t;
-      bb += r * t * t;
-      at_a += (r * (1 - t)) * x;
-      at_b += (r * t) * x;
-    }
-    data_diagonal_[a] += aa;
-    data_diagonal_[b] += bb;
-    data_next_[e] += ab;
-    solution_[a] += at_a;
-    solution_[b] += at_b;
+    const EdgeSums sums = kernels.sums(shapeOf(edge),
+                                       pointsOf(edge),
+                                       pair_density_.data() + edge.pairs_begin,
+                                       pair_place_.data() + edge.pairs_begin,
+                                       !curve.closed && e == 0,
+                                       !curve.closed && e + 1 == curve.edges());
+    data_diagonal_[a] += sums.aa;
+    data_diagonal_[b] += sums.bb;
+    data_next_[e] += sums.ab;
+    solution_[a] += Point(sums.at_a);
+    solution_[b] += Point(sums.at_b);
   }
   const double anchor = 1e-4;
   for (std::size_t i = 0; i < n; ++i) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct EmFit {
   std::vector<double> outlier; ///< per point the probability that no curve made it
   std::vector<std::vector<double>> counts; ///< points explained by each edge
 };
+
+struct EdgePoints;
+struct EdgeShape;
 
 /** \brief Fits polylines to points by expectation maximisation.
  *
@@ -99,6 +103,10 @@ private:
   updateEdges();
   void
   expect();
+  EdgeShape
+  shapeOf(const Edge& edge) const;
+  EdgePoints
+  pointsOf(const Edge& edge) const;
   void
   maximise(const EmSettings& settings);
   void
@@ -112,12 +120,15 @@ private:
 
   std::vector<CurveState> states_;
   std::vector<Edge> edges_;
+  // Pairs of an edge and a point near it, those of an edge together. The arrays end
+  // with padding for vectors.
   Indices pair_point_;
-  std::vector<double> pair_density_; // then responsibility
-  std::vector<double> pair_place_;   // z, along the edge
-  std::vector<double> pair_off_;     // squared distance from the edge's line
-  std::vector<double> removed_;      // per point, the share that a cut takes away
-  std::vector<double> density_;      // per point
+  std::array<std::vector<double>, 3> pair_at_; // coordinates of the point
+  std::vector<double> pair_density_;           // then responsibility
+  std::vector<double> pair_place_;             // z, along the edge
+  std::vector<double> pair_off_;               // squared distance from the edge's line
+  std::vector<double> removed_; // per point, the share that a cut takes away
+  std::vector<double> density_; // per point; after expect() its inverse
   std::vector<double> edge_count_;
   double noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
   double reach_ = 0; // of the pairs collected
