@@ -20,7 +20,7 @@ public:
       : target_(target), cloud_(cloud), steps_(cloud), layout_(chooseLasLayout(cloud))
   {
     if (layout_.record_length > 65535)
-      throw FileError(target.path + ": " + std::to_string(layout_.record_length) +
+      throw FileError(target.name + ": " + std::to_string(layout_.record_length) +
                       " bytes a point are more than the 65535 of a LAS record; write "
                       "fewer attributes");
     if (steps_.replaced())
@@ -42,7 +42,7 @@ public:
   write()
   {
     summarise();
-    OutputFile file(target_.path);
+    OutputFile file(target_.name);
     file.write(header_);
     for (const LasRecord& record : records_) {
       file.write(record.head);
@@ -183,7 +183,7 @@ private:
   {
     const std::uint64_t points_at = header_.size() + lengthOf(records_) + gap_.size();
     if (points_at > 0xFFFFFFFFU)
-      throw FileError(target_.path + ": more than 4 GB before the points");
+      throw FileError(target_.name + ": more than 4 GB before the points");
     put(las_at::points, static_cast<std::uint32_t>(points_at));
     const std::uint64_t end = points_at + count() * layout_.record_length;
     const int minor = header_[las_at::minor];
@@ -243,7 +243,7 @@ private:
     }
     const bool large = header_[las_at::minor] >= 4;
     if (!large && count() > 0xFFFFFFFFU)
-      throw FileError(target_.path + ": too many points for LAS before 1.4");
+      throw FileError(target_.name + ": too many points for LAS before 1.4");
     // The fields of before 1.4 are zero where they cannot say it.
     const bool old = layout_.format < 6 && count() <= 0xFFFFFFFFU;
     put(las_at::count, static_cast<std::uint32_t>(old ? count() : 0));

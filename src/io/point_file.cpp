@@ -75,7 +75,7 @@ readCloud(const std::string& path,
   const MappedFile file(path);
   if (monitor != nullptr)
     monitor->begin("reading", 0);
-  return format.read({path, file.bytes(), options, warnings, monitor});
+  return format.read({{path, warnings, monitor}, file.bytes(), options});
 }
 
 void

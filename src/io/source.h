@@ -10,19 +10,16 @@
 
 #include <boost/endian/conversion.hpp>
 
-#include <linelet/io/point_file.h>
+#include "file_work.h"
 
 namespace linelet::io {
 
-/** \brief The bytes of a file, and whom to tell about them.
+/** \brief The bytes of a file, to read.
  *
  * Readers work on memory: a mapped file, or what a fuzzer made up. */
-struct Source {
-  std::string name; ///< path, for messages
+struct Source : FileWork {
   std::string_view bytes;
   ReadOptions options;
-  std::vector<std::string>* warnings = nullptr;
-  Monitor* monitor = nullptr;
 
   /** \throws FileError "NAME: WHAT" */
   [[noreturn]] void
@@ -38,24 +35,6 @@ struct Source {
     if (!options.lenient)
       fail(what + "; --lenient reads what is whole");
     warn(what);
-  }
-
-  void
-  warn(const std::string& what) const
-  {
-    if (warnings != nullptr)
-      warnings->push_back(name + ": " + what);
-  }
-
-  /** \brief Tells the monitor of \a steps more points. \throws Cancelled */
-  void
-  advance(std::size_t steps) const
-  {
-    if (monitor == nullptr)
-      return;
-    monitor->advance(steps);
-    if (monitor->cancelled())
-      throw Cancelled();
   }
 };
 

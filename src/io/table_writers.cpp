@@ -161,7 +161,7 @@ writePcd(const Target& target, const Cloud& cloud)
     counts += " 1";
   }
   const std::string points = std::to_string(cloud.points.size());
-  OutputFile file(target.path);
+  OutputFile file(target.name);
   file.write("# .PCD v0.7 - Point Cloud Data file format\n");
   if (!cloud.wkt.empty())
     file.write("# crs " + oneLine(cloud.wkt) + '\n');
@@ -205,7 +205,7 @@ writePly(const Target& target, const Cloud& cloud)
     }
     outputs.push_back({names.take(name), type, source});
   }
-  OutputFile file(target.path);
+  OutputFile file(target.name);
   std::string header =
       "ply\nformat binary_little_endian 1.0\ncomment written by linelet\n";
   if (!cloud.wkt.empty())
@@ -222,12 +222,12 @@ writePly(const Target& target, const Cloud& cloud)
 void
 writeText(const Target& target, const Cloud& cloud)
 {
-  const bool csv = endingOf(target.path) == ".csv";
+  const bool csv = endingOf(target.name) == ".csv";
   const char gap = csv ? ',' : ' ';
   if (!cloud.wkt.empty())
     target.warn("text cannot hold the reference system");
   const CoordinateForm form = formOf(cloud);
-  OutputFile file(target.path);
+  OutputFile file(target.name);
   WordNames names;
   std::string text = csv ? "x,y,z" : "# x y z";
   for (const Column& column : cloud.columns)
@@ -263,7 +263,7 @@ writeObjVertices(const Target& target, const Cloud& cloud)
     target.warn("OBJ holds vertices only; " + std::to_string(cloud.columns.size()) +
                 " attributes are left out");
   const CoordinateForm form = formOf(cloud);
-  OutputFile file(target.path);
+  OutputFile file(target.name);
   std::string text = "# points, written by linelet\n";
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     text += 'v';

@@ -3,37 +3,12 @@
 
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include <linelet/io/point_file.h>
+#include "file_work.h"
 
 namespace linelet::io {
 
-/** \brief A point file to write, and whom to tell about losses. */
-struct Target {
-  std::string path;
-  std::vector<std::string>* warnings = nullptr;
-  Monitor* monitor = nullptr;
-
-  void
-  warn(const std::string& what) const
-  {
-    if (warnings != nullptr)
-      warnings->push_back(path + ": " + what);
-  }
-
-  /** \brief Tells the monitor of \a steps more points. \throws Cancelled */
-  void
-  advance(std::size_t steps) const
-  {
-    if (monitor == nullptr)
-      return;
-    monitor->advance(steps);
-    if (monitor->cancelled())
-      throw Cancelled();
-  }
-};
+/** \brief A point file to write. */
+using Target = FileWork;
 
 void
 writeLas(const Target& target, const Cloud& cloud);

@@ -34,7 +34,7 @@ bool
 tryReading(std::string_view bytes, bool lenient)
 {
   std::vector<std::string> warnings;
-  Source source{"input", bytes, {lenient}, &warnings, nullptr};
+  const Source source{{"input", &warnings, nullptr}, bytes, {lenient}};
   try {
     const Cloud cloud = LINELET_READER(source);
     check(cloud);

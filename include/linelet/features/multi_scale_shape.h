@@ -8,13 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <pcl/features/feature.h>
-#include <pcl/memory.h>
-#include <pcl/point_types.h>
-
 #include <linelet/features/multi_scale.h>
 #include <linelet/features/noise_rate.h>
 #include <linelet/features/register_multi_scale_shape.h>
+#include <linelet/features/shape_feature.h>
 
 namespace linelet {
 
@@ -37,8 +34,9 @@ namespace linelet {
  * any other type define PCL_NO_PRECOMPILE before the first include and link lz4 (FLANN
  * needs it), or include impl/multi_scale_shape.hpp. */
 template <typename PointInT>
-class MultiScaleShapeFeature : public pcl::Feature<PointInT, MultiScaleShape> {
-  using Base = pcl::Feature<PointInT, MultiScaleShape>;
+class MultiScaleShapeFeature
+    : public ShapeFeature<PointInT, MultiScaleShape, MultiScaleSettings> {
+  using Base = ShapeFeature<PointInT, MultiScaleShape, MultiScaleSettings>;
 
 public:
   using Ptr = pcl::shared_ptr<MultiScaleShapeFeature>;
@@ -57,30 +55,6 @@ public:
   getSettings() const
   {
     return settings_;
-  }
-
-  /** \brief w_T, fermi-dirac-1 if not set. */
-  void
-  setWeighting(const Weighting& weighting)
-  {
-    settings_.weighting = weighting;
-  }
-  const Weighting&
-  getWeighting() const
-  {
-    return settings_.weighting;
-  }
-
-  /** \brief The point of reference, the query point if not set. */
-  void
-  setCentroid(Centroid centroid)
-  {
-    settings_.centroid = centroid;
-  }
-  Centroid
-  getCentroid() const
-  {
-    return settings_.centroid;
   }
 
   /** \brief The largest radius in the unit of the cloud; 0: 60 D. */
@@ -113,18 +87,6 @@ public:
   setRadii(std::vector<double> radii)
   {
     settings_.radii = std::move(radii);
-  }
-
-  /** \brief 0: what OpenMP offers. The result is the same for any number. */
-  void
-  setNumberOfThreads(unsigned nr_threads = 0)
-  {
-    settings_.threads = nr_threads;
-  }
-  unsigned
-  getNumberOfThreads() const
-  {
-    return settings_.threads;
   }
 
   /** \brief Whether compute keeps the graphs of every query, on if not set: 28 bytes a
@@ -186,30 +148,26 @@ public:
   }
 
 protected:
-  using Base::fake_surface_;
   using Base::feature_name_;
-  using Base::getClassName;
-  using Base::indices_;
-  using Base::input_;
   using Base::k_;
   using Base::search_parameter_;
   using Base::search_radius_;
+  using Base::settings_;
   using Base::surface_;
 
   bool
   initCompute() override;
 
+  bool
+  deinitCompute() override;
+
 private:
   void
   computeFeature(PointCloudOut& output) override;
 
-  bool
-  refuse(const char* reason);
-
   void
   forget();
 
-  MultiScaleSettings settings_;
   bool keep_graphs_ = true;
   ShapeGraphSink sink_;
 

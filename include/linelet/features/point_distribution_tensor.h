@@ -5,11 +5,8 @@
 
 #include <vector>
 
-#include <pcl/features/feature.h>
-#include <pcl/memory.h>
-#include <pcl/point_types.h>
-
 #include <linelet/features/register_point_distribution_tensor.h>
+#include <linelet/features/shape_feature.h>
 #include <linelet/features/tensor_estimation.h>
 
 namespace linelet {
@@ -39,8 +36,8 @@ namespace linelet {
  * latter need. */
 template <typename PointInT>
 class PointDistributionTensorEstimation
-    : public pcl::Feature<PointInT, PointDistributionTensor> {
-  using Base = pcl::Feature<PointInT, PointDistributionTensor>;
+    : public ShapeFeature<PointInT, PointDistributionTensor, TensorSettings> {
+  using Base = ShapeFeature<PointInT, PointDistributionTensor, TensorSettings>;
 
 public:
   using Ptr = pcl::shared_ptr<PointDistributionTensorEstimation>;
@@ -75,54 +72,6 @@ public:
     return sizes_.counts;
   }
 
-  /** \brief w_T, fermi-dirac-1 if not set. */
-  void
-  setWeighting(const Weighting& weighting)
-  {
-    settings_.weighting = weighting;
-  }
-  const Weighting&
-  getWeighting() const
-  {
-    return settings_.weighting;
-  }
-
-  /** \brief The point of reference, the query point if not set. */
-  void
-  setCentroid(Centroid centroid)
-  {
-    settings_.centroid = centroid;
-  }
-  Centroid
-  getCentroid() const
-  {
-    return settings_.centroid;
-  }
-
-  /** \brief w_C of the weighted centroids, quadratic-inverse if not set. */
-  void
-  setCentroidWeighting(const Weighting& weighting)
-  {
-    settings_.centroid_weighting = weighting;
-  }
-  const Weighting&
-  getCentroidWeighting() const
-  {
-    return settings_.centroid_weighting;
-  }
-
-  /** \brief 0: what OpenMP offers. The result is the same for any number. */
-  void
-  setNumberOfThreads(unsigned nr_threads = 0)
-  {
-    settings_.threads = nr_threads;
-  }
-  unsigned
-  getNumberOfThreads() const
-  {
-    return settings_.threads;
-  }
-
   /** \brief Auto: the search given by setSearchMethod, else what suits. Tree and Grid
    * leave that search aside. */
   void
@@ -137,7 +86,6 @@ public:
   }
 
 protected:
-  using Base::fake_surface_;
   using Base::feature_name_;
   using Base::getClassName;
   using Base::indices_;
@@ -145,6 +93,7 @@ protected:
   using Base::k_;
   using Base::search_parameter_;
   using Base::search_radius_;
+  using Base::settings_;
   using Base::surface_;
   using Base::tree_;
 
@@ -163,14 +112,14 @@ private:
   void
   computeFeature(PointCloudOut& output) override;
 
-  bool
-  refuse(const char* reason);
+  /** \brief The settings, with the size of neighbourhood that PCL keeps. */
+  TensorSettings
+  fullSettings() const;
 
   /** \brief The sizes of the queries. */
   NeighbourhoodSizes
   querySizes() const;
 
-  TensorSettings settings_;
   NeighbourhoodSizes sizes_; // of all points of the input
 };
 

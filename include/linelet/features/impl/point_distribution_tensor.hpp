@@ -3,13 +3,10 @@
 
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
-#include <pcl/console/print.h>
-
+#include <linelet/features/impl/shape_feature.hpp>
 #include <linelet/features/point_distribution_tensor.h>
 #include <linelet/search/pcl_search.h>
 
@@ -22,49 +19,28 @@ PointDistributionTensorEstimation<PointInT>::PointDistributionTensorEstimation()
 }
 
 template <typename PointInT>
-bool
-PointDistributionTensorEstimation<PointInT>::refuse(const char* reason)
+TensorSettings
+PointDistributionTensorEstimation<PointInT>::fullSettings() const
 {
-  PCL_ERROR("[pcl::%s::compute] %s\n", getClassName().c_str(), reason);
-  this->deinitCompute();
-  return false;
+  TensorSettings settings = settings_;
+  settings.radius = search_radius_;
+  settings.k = static_cast<unsigned>(k_);
+  return settings;
 }
 
-// Base::initCompute would build a kd-tree that a grid makes superfluous, and refuse
-// sizes point by point. What else it does is done here, with the checks that it leaves
-// out.
 template <typename PointInT>
 bool
 PointDistributionTensorEstimation<PointInT>::initCompute()
 {
-  if (!pcl::PCLBase<PointInT>::initCompute())
-    return refuse("there is no input cloud.");
-  if (input_->empty())
-    return refuse("the input cloud is empty.");
-  if (!surface_) {
-    fake_surface_ = true;
-    surface_ = input_;
-  }
-  for (const pcl::index_t index : *indices_)
-    if (index < 0 || static_cast<std::size_t>(index) >= input_->size())
-      return refuse("an index is not one of the input cloud.");
-  const bool any_finite =
-      std::any_of(surface_->begin(), surface_->end(), [](const PointInT& point) {
-        return std::isfinite(point.x) && std::isfinite(point.y) &&
-               std::isfinite(point.z);
-      });
-  if (!any_finite)
-    return refuse("the search surface has no finite point.");
+  if (!this->initClouds())
+    return false;
   if (k_ < 0)
-    return refuse("k is negative.");
+    return this->refuse("k is negative.");
   try {
-    TensorSettings settings = settings_;
-    settings.radius = search_radius_;
-    settings.k = static_cast<unsigned>(k_);
-    validate(settings, sizes_, input_->size());
+    validate(fullSettings(), sizes_, input_->size());
   }
   catch (const std::invalid_argument& error) {
-    return refuse(error.what());
+    return this->refuse(error.what());
   }
   search_parameter_ = k_ > 0 ? k_ : search_radius_;
   if (tree_ && tree_->getInputCloud() != surface_)
@@ -104,31 +80,16 @@ template <typename PointInT>
 void
 PointDistributionTensorEstimation<PointInT>::computeFeature(PointCloudOut& output)
 {
-  TensorSettings settings = settings_;
-  settings.radius = search_radius_;
-  settings.k = static_cast<unsigned>(k_);
-  const Points surface = pointsOf(*surface_);
-  Points queries;
-  queries.reserve(indices_->size());
-  for (const pcl::index_t index : *indices_) {
-    const PointInT& point = (*input_)[static_cast<std::size_t>(index)];
-    queries.emplace_back(point.x, point.y, point.z);
-  }
-
+  const Points queries = this->queryPoints();
   std::vector<PointDistributionTensor> records;
   try {
-    records = estimate(surface, queries, settings, querySizes());
+    records = estimate(pointsOf(*surface_), queries, fullSettings(), querySizes());
   }
   catch (const std::exception& error) {
     PCL_ERROR("[pcl::%s::compute] %s\n", getClassName().c_str(), error.what());
     records.assign(queries.size(), unknownTensor(0));
   }
-  output.is_dense = true;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    output[i] = records[i];
-    if (std::isnan(records[i].linearity))
-      output.is_dense = false;
-  }
+  this->setOutput(output, records);
 }
 
 } // namespace linelet

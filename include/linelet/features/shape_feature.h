@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <pcl/features/feature.h>
+#include <pcl/memory.h>
+#include <pcl/point_types.h>
+
+#include <linelet/support/points.h>
+#include <linelet/tensor/centroid.h>
+#include <linelet/tensor/weighting.h>
+
+namespace linelet {
+
+/** \brief What the features of neighbourhood shapes share as PCL classes: their common
+ * parameters, the checks of what they are given, and the form of what they return.
+ *
+ * \tparam RecordT the output, floats that are NaN where they cannot be known, with a
+ * field `linearity`
+ * \tparam Settings a struct with `weighting`, `centroid` and `threads` */
+template <typename PointInT, typename RecordT, typename Settings>
+class ShapeFeature : public pcl::Feature<PointInT, RecordT> {
+  using Base = pcl::Feature<PointInT, RecordT>;
+
+public:
+  using PointCloudOut = typename Base::PointCloudOut;
+
+  /** \brief w_T, fermi-dirac-1 if not set. */
+  void
+  setWeighting(const Weighting& weighting)
+  {
+    settings_.weighting = weighting;
+  }
+  const Weighting&
+  getWeighting() const
+  {
+    return settings_.weighting;
+  }
+
+  /** \brief The point of reference, the query point if not set. */
+  void
+  setCentroid(Centroid centroid)
+  {
+    settings_.centroid = centroid;
+  }
+  Centroid
+  getCentroid() const
+  {
+    return settings_.centroid;
+  }
+
+  /** \brief w_C of the weighted centroids, quadratic-inverse if not set. */
+  void
+  setCentroidWeighting(const Weighting& weighting)
+  {
+    settings_.centroid_weighting = weighting;
+  }
+  const Weighting&
+  getCentroidWeighting() const
+  {
+    return settings_.centroid_weighting;
+  }
+
+  /** \brief 0: what OpenMP offers. The result is the same for any number. */
+  void
+  setNumberOfThreads(unsigned nr_threads = 0)
+  {
+    settings_.threads = nr_threads;
+  }
+  unsigned
+  getNumberOfThreads() const
+  {
+    return settings_.threads;
+  }
+
+protected:
+  using Base::fake_surface_;
+  using Base::getClassName;
+  using Base::indices_;
+  using Base::input_;
+  using Base::surface_;
+
+  /** \brief Takes the place of what pcl::Feature::initCompute does: that would build a
+   * kd-tree which a grid makes superfluous, and refuse sizes point by point. It leaves
+   * out the checks that are made here. */
+  bool
+  initClouds();
+
+  /** \brief Says why nothing is computed. \return false */
+  bool
+  refuse(const char* reason);
+
+  /** \brief The points of the indices. */
+  Points
+  queryPoints() const;
+
+  /** \brief Hands \a records over, and tells whether all of them are known. */
+  static void
+  setOutput(PointCloudOut& output, const std::vector<RecordT>& records);
+
+  Settings settings_;
+};
+
+} // namespace linelet

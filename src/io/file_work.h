@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <linelet/io/point_file.h>
+
+namespace linelet::io {
+
+/** \brief A file at work, and whom to tell about it. */
+struct FileWork {
+  std::string name; ///< path, for messages
+  std::vector<std::string>* warnings = nullptr;
+  Monitor* monitor = nullptr;
+
+  void
+  warn(const std::string& what) const
+  {
+    if (warnings != nullptr)
+      warnings->push_back(name + ": " + what);
+  }
+
+  /** \brief Tells the monitor of \a steps more points. \throws Cancelled */
+  void
+  advance(std::size_t steps) const
+  {
+    if (monitor == nullptr)
+      return;
+    monitor->advance(steps);
+    if (monitor->cancelled())
+      throw Cancelled();
+  }
+};
+
+} // namespace linelet::io
