@@ -64,24 +64,6 @@ BlockFrame::center(const Cell& cell) const
                               static_cast<double>(cell[2]) + 0.5);
 }
 
-std::uint32_t
-BlockFrame::curvePlace(const Point& point, const Cell& cell) const
-{
-  // Morton order of 4 bits an axis.
-  constexpr int curve_bits = 4;
-  std::uint32_t place = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<Eigen::Index>(axis);
-    const double within =
-        (point[a] - low_[a]) * inverse_edge_ - static_cast<double>(cell[axis]);
-    const auto step = static_cast<std::uint32_t>(
-        std::clamp(within * (1 << curve_bits), 0.0, (1 << curve_bits) - 1.0));
-    for (int bit = 0; bit < curve_bits; ++bit)
-      place |= (step >> bit & 1u) << (3 * bit + static_cast<int>(axis));
-  }
-  return place;
-}
-
 BlockOrder::BlockOrder(const Points& points,
                        const Indices* chosen,
                        const BlockFrame& frame,
@@ -114,10 +96,33 @@ BlockOrder::BlockOrder(const Points& points,
   const auto count = static_cast<std::ptrdiff_t>(blocks());
 #pragma omp parallel num_threads(threads)
   {
-    std::vector<std::uint64_t> places;
+    std::vector<Entry> entries;
 #pragma omp for schedule(dynamic, 64)
     for (std::ptrdiff_t b = 0; b < count; ++b)
-      sortBlock(static_cast<std::size_t>(b), points, frame, places);
+      sortBlock(static_cast<std::size_t>(b), points, frame, entries);
+  }
+}
+
+void
+BlockOrder::cut(Entry* begin, Entry* end)
+{
+  while (static_cast<std::size_t>(end - begin) > leaf) {
+    std::array<float, 3> low = begin->place, high = low;
+    for (const Entry* entry = begin + 1; entry != end; ++entry)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], entry->place[axis]);
+        high[axis] = std::max(high[axis], entry->place[axis]);
+      }
+    std::size_t longest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+      if (high[axis] - low[axis] > high[longest] - low[longest])
+        longest = axis;
+    Entry* middle = begin + half(static_cast<std::size_t>(end - begin));
+    std::nth_element(begin, middle, end, [longest](const Entry& a, const Entry& b) {
+      return a.place[longest] < b.place[longest];
+    });
+    cut(begin, middle);
+    begin = middle;
   }
 }
 
@@ -125,22 +130,28 @@ void
 BlockOrder::sortBlock(std::size_t block,
                       const Points& points,
                       const BlockFrame& frame,
-                      std::vector<std::uint64_t>& places)
+                      std::vector<Entry>& entries)
 {
-  const BlockFrame::Cell cell = frame.cell(keys_[block]);
+  const Point center = frame.center(frame.cell(keys_[block]));
+  const std::size_t begin = begin_[block], end = begin_[block + 1];
   // Points lie anywhere in memory: ask for all of them before the first is needed.
-  for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
+  for (std::size_t slot = begin; slot < end; ++slot)
     hwy::Prefetch(&points[index_[slot]]);
-  places.clear();
-  for (std::size_t slot = begin_[block]; slot < begin_[block + 1]; ++slot)
-    places.push_back(std::uint64_t{frame.curvePlace(points[index_[slot]], cell)} << 32 |
-                     index_[slot]);
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t slot = begin_[block] + i;
-    index_[slot] = static_cast<Index>(places[i] & 0xffffffffu);
+  entries.clear();
+  for (std::size_t slot = begin; slot < end; ++slot) {
+    const Point p = points[index_[slot]] - center;
+    entries.push_back({{static_cast<float>(p.x()),
+                        static_cast<float>(p.y()),
+                        static_cast<float>(p.z())},
+                       index_[slot]});
+  }
+  if (!entries.empty())
+    cut(entries.data(), entries.data() + entries.size());
+  for (std::size_t slot = begin; slot < end; ++slot) {
+    index_[slot] = entries[slot - begin].index;
+    const Point& p = points[index_[slot]];
     for (std::size_t axis = 0; axis < 3; ++axis)
-      coordinates_[axis][slot] = points[index_[slot]][static_cast<Eigen::Index>(axis)];
+      coordinates_[axis][slot] = p[static_cast<Eigen::Index>(axis)];
   }
 }
 

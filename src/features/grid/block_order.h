@@ -48,11 +48,6 @@ public:
   Point
   center(const Cell& cell) const;
 
-  /** \brief Place of a point on a space-filling curve of 16^3 steps through its block:
-   * points close on it are close in space. */
-  std::uint32_t
-  curvePlace(const Point& point, const Cell& cell) const;
-
   /** \brief Number of bits of the largest key. */
   int
   keyBits() const
@@ -75,9 +70,23 @@ private:
 
 /** \brief Points sorted by block, coordinate by coordinate, for vector loads.
  *
+ * The points of a block are cut in two across the longest side of their box, these
+ * parts again, down to \ref leaf points: see \ref half.
+ *
  * 28 bytes a point, and 16 a block that holds any. */
 class BlockOrder {
 public:
+  /** \brief Most points of a part that is not cut any more. */
+  static constexpr std::size_t leaf = 8;
+
+  /** \brief How many of \a count points, more than \ref leaf, come before the cut. */
+  static std::size_t
+  half(std::size_t count)
+  {
+    const std::size_t leaves = (count + leaf - 1) / leaf;
+    return count * ((leaves + 1) / 2) / leaves;
+  }
+
   /** \brief Entries behind the last point that may be read. */
   static constexpr std::size_t padding = 16;
 
@@ -135,13 +144,22 @@ public:
   crowding() const;
 
 private:
-  /** \brief Puts the points of a block along the curve and fetches their coordinates.
-   */
+  /** \brief A point of a block. */
+  struct Entry {
+    std::array<float, 3> place; // relative to the block, to compare
+    Index index;
+  };
+
+  /** \brief Cuts a run of points in two, and these again. */
+  static void
+  cut(Entry* begin, Entry* end);
+
+  /** \brief Orders the points of a block and fetches their coordinates. */
   void
   sortBlock(std::size_t block,
             const Points& points,
             const BlockFrame& frame,
-            std::vector<std::uint64_t>& places);
+            std::vector<Entry>& entries);
 
   std::array<std::vector<double>, 3> coordinates_;
   Indices index_;

@@ -13,10 +13,8 @@ namespace linelet::grid {
 
 namespace {
 
-// Queries that share one list of candidates: fewer make shorter lists, more of them.
-
-constexpr std::size_t last_queries = 8;
-constexpr std::size_t branches = 8;
+// Parts of a part: cut in two so many times.
+constexpr int cuts = 3;
 
 // Lists leave out, or sum up, what is certain by more than rounding.
 constexpr double margin = 1e-5;
@@ -160,7 +158,7 @@ BlockSweep::refine(const Part& queries,
   const Ball ball{toFloat(queries.center),
                   static_cast<float>(near > 0 ? near * near : -1.0),
                   static_cast<float>(far * far)};
-  const bool last = queries.end - queries.begin <= last_queries;
+  const bool last = queries.end - queries.begin <= BlockOrder::leaf;
   if (!last && levels_.size() <= depth)
     levels_.emplace_back();
   PointList& kept = last ? last_ : levels_[depth];
@@ -173,15 +171,24 @@ BlockSweep::refine(const Part& queries,
     solve(queries, all);
     return;
   }
-  const std::size_t count = queries.end - queries.begin;
-  const std::size_t leaves = (count + last_queries - 1) / last_queries;
-  const std::size_t parts = std::min(leaves, branches);
-  for (std::size_t i = 0; i < parts; ++i)
-    refine(part(queries.begin + count * i / parts,
-                queries.begin + count * (i + 1) / parts),
-           kept,
-           all,
-           depth + 1);
+  refineParts(queries.begin, queries.end, cuts, kept, all, depth + 1);
+}
+
+void
+BlockSweep::refineParts(std::size_t begin,
+                        std::size_t end,
+                        int cuts_left,
+                        const PointList& list,
+                        const Moments& inside,
+                        std::size_t depth)
+{
+  if (cuts_left == 0 || end - begin <= BlockOrder::leaf) {
+    refine(part(begin, end), list, inside, depth);
+    return;
+  }
+  const std::size_t middle = begin + BlockOrder::half(end - begin);
+  refineParts(begin, middle, cuts_left - 1, list, inside, depth);
+  refineParts(middle, end, cuts_left - 1, list, inside, depth);
 }
 
 void

@@ -29,11 +29,11 @@ struct SweepJob {
 
 /** \brief Computes the records of all queries of a block; one a thread.
  *
- * The queries of a block lie along a space-filling curve. They are split into parts of
- * the curve, and these again, down to a few queries; for each part the list of
- * candidates shrinks to what its ball of queries can reach. For the const weighting,
- * points that all queries of a part have as neighbours are summed once and leave the
- * list: what is left is the surface of the ball, not its volume.
+ * The queries of a block are split into parts as BlockOrder has cut them, and these
+ * again, down to a few queries; for each part the list of candidates shrinks to what
+ * its ball of queries can reach. For the const weighting, points that all queries of a
+ * part have as neighbours are summed once and leave the list: what is left is the
+ * surface of the ball, not its volume.
  *
  * Coordinates of a list are float, relative to the block or, in the last step, to the
  * part, in units of the radius. Pairs whose distance is within rounding of the radius
@@ -77,6 +77,15 @@ private:
          const PointList& list,
          const Moments& inside,
          std::size_t depth);
+
+  /** \brief Refines the parts into which cutting the queries makes them. */
+  void
+  refineParts(std::size_t begin,
+              std::size_t end,
+              int cuts_left,
+              const PointList& list,
+              const Moments& inside,
+              std::size_t depth);
 
   void
   solve(const Part& queries, const Moments& inside);
