@@ -120,7 +120,7 @@ extractPowerLines(const Points& points,
     completeByCompany(hanging, growth, settings);
     splitAtPoles(hanging, growth);
     matchEnds(hanging);
-    dropUnlikely(hanging, growth, underside, settings);
+    dropUnlikely(hanging, growth, points, network.ground, underside, settings);
     addStubs(hanging, growth, seeds, underside, settings);
     matchEnds(hanging);
     std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);

@@ -80,7 +80,7 @@ writePowerLineFiles(const std::string& folder,
   writeText(paths[4], powerLineSummary(cloud, network, options));
   writeText(paths[5], powerLineReport(cloud, network, options));
   classify(cloud, network);
-  io::writeCloud(paths[0], cloud, warnings, monitor);
+  io::writeCloud(paths[0], cloud, {}, warnings, monitor);
   return paths;
 }
 

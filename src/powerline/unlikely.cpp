@@ -7,6 +7,7 @@
 
 #include "powerline/evidence.h"
 #include "powerline/joints.h"
+#include "powerline/lookalikes.h"
 
 namespace linelet::powerline {
 
@@ -94,10 +95,13 @@ plausible(const Family& family)
 void
 dropUnlikely(std::vector<Hanging>& wires,
              Growth& growth,
+             const Points& points,
+             const Ground& ground,
              const Underside& underside,
              const PowerLineSettings& settings)
 {
   const std::size_t n = wires.size();
+  const std::vector<char> fence = findFences(wires, points, ground);
   std::vector<std::size_t> parent(n), order(n);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -178,7 +182,9 @@ dropUnlikely(std::vector<Hanging>& wires,
   std::vector<int> place(n, -1);
   std::vector<Hanging> kept;
   for (std::size_t w = 0; w < n; ++w) {
-    if (rope[w] == 0 && plausible(families[root(w)])) {
+    if (rope[w] == 0 && fence[w] == 0 && plausible(families[root(w)]) &&
+        !isStraight(wires[w].strand.piece, growth.candidates().points) &&
+        !isLedge(growth, wires[w].strand.piece) && !isCrossarm(wires, w)) {
       place[w] = static_cast<int>(kept.size());
       kept.push_back(wires[w]);
       continue;
