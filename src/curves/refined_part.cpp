@@ -65,6 +65,33 @@ looksLinear(const Points& points, const UniformGrid& grid, double scale_unit)
   return *middle >= least_linearity;
 }
 
+/** \brief Whether \a start leads to the fit \a best, or to one like it: as many curves
+ * of the same length and ends, nowhere farther from it than \a tolerance. */
+bool
+leadsTo(const EmFit& best, const ModelCurves& start, double tolerance)
+{
+  if (start.size() != best.curves.size())
+    return false;
+  const auto rings = [](const ModelCurves& curves) {
+    return std::count_if(curves.begin(), curves.end(), [](const ModelCurve& curve) {
+      return curve.closed;
+    });
+  };
+  if (rings(start) != rings(best.curves) ||
+      std::abs(length(start) - length(best.curves)) > 0.1 * length(best.curves))
+    return false;
+  Points nodes;
+  for (const ModelCurve& curve : best.curves)
+    for (const Point& node : resampled(curve, 0.5 * tolerance).nodes)
+      nodes.push_back(node);
+  const UniformGrid grid(nodes, tolerance);
+  for (const ModelCurve& curve : start)
+    for (const Point& node : curve.nodes)
+      if (grid.nearest(node, tolerance) == UniformGrid::none)
+        return false;
+  return true;
+}
+
 /** \brief \a fit with every curve doubled whose points lie to two sides of it.
  *
  * That is told by the spread of their offsets: far wider in one direction than in the
@@ -146,6 +173,8 @@ refinePart(const Points& points,
     pairing.reach = 3 * b;
     ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
     if (start.empty())
+      continue;
+    if (!best.curves.empty() && leadsTo(best, start, b))
       continue;
     for (ModelCurve& curve : start)
       curve.scale = b;
