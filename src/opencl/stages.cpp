@@ -5,15 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
+
+#include <linelet/features/point_types.h>
 
 namespace linelet::opencl {
 
 namespace {
 
-constexpr std::size_t group = 256; // BLOCK of sort.cl
-constexpr std::size_t rows = 25;   // ROWS of cells.cl
-constexpr double reach = 2;        // REACH of cells.cl
+constexpr std::size_t group = 256;
+constexpr std::size_t sort_group = 128; // GROUP of sort.cl
+constexpr double margin = 2;            // empty cells beyond the points
+
+static_assert(sizeof(PointDistributionTensor) == 19 * sizeof(float),
+              "shapes.cl writes 18 floats and a count");
 
 /** \brief The chosen points as the device takes them. */
 struct Staging {
@@ -21,22 +27,25 @@ struct Staging {
   std::vector<float> offsets;    // 3 a point
   std::vector<double> positions; // 3 a point
 
-  Staging(const Points& points, const Indices& chosen, const CellFrame& frame)
+  Staging(const Points& points,
+          const Indices& chosen,
+          const CellFrame& frame,
+          int threads)
       : cells(4 * chosen.size()),
         offsets(3 * chosen.size()),
         positions(3 * chosen.size())
   {
-    const double most = std::ldexp(1.0, 21) - reach - 2; // KEY_BITS of cells.cl
     const auto count = static_cast<std::ptrdiff_t>(chosen.size());
-#pragma omp parallel for
+#pragma omp parallel for num_threads(threads)
     for (std::ptrdiff_t k = 0; k < count; ++k) {
       const auto i = static_cast<std::size_t>(k);
       const Point& point = points[chosen[i]];
       const Point from_corner = point - frame.corner;
       for (int axis = 0; axis < 3; ++axis) {
         // A query outside of the cloud's box keeps its distance from the border cell.
-        const double cell =
-            std::clamp(std::floor(from_corner[axis] / frame.cell_size), 0.0, most);
+        const double cell = std::clamp(std::floor(from_corner[axis] / frame.cell_size),
+                                       margin - 1,
+                                       frame.cells[axis] - margin);
         const auto a = static_cast<std::size_t>(axis);
         cells[4 * i + a] = static_cast<cl_int>(cell);
         offsets[3 * i + a] =
@@ -59,16 +68,41 @@ upload(const Context& context, const std::vector<T>& values)
 }
 
 void
-run(const Context& context, const cl::Kernel& kernel, std::size_t items)
+run(const Context& context,
+    const cl::Kernel& kernel,
+    std::size_t items,
+    std::size_t group_size = group)
 {
   context.queue().enqueueNDRangeKernel(
-      kernel, cl::NullRange, cl::NDRange((items + group - 1) / group * group), group);
+      kernel,
+      cl::NullRange,
+      cl::NDRange((items + group_size - 1) / group_size * group_size),
+      cl::NDRange(group_size));
+}
+
+template <class... Arguments>
+void
+setArguments(cl::Kernel& kernel, const Arguments&... arguments)
+{
+  cl_uint number = 0;
+  (kernel.setArg(number++, arguments), ...);
+}
+
+unsigned
+bitsFor(std::size_t count)
+{
+  unsigned bits = 1;
+  while ((std::size_t{1} << bits) < count)
+    ++bits;
+  return bits;
 }
 
 } // namespace
 
 CellFrame::CellFrame(const Points& points, const Indices& chosen, double radius)
-    : cell_size(radius / reach)
+    // A sliver more than the radius, so that rounding never puts a neighbour two cells
+    // off.
+    : cell_size(radius * (1 + 1e-6))
 {
   if (chosen.empty())
     return;
@@ -77,30 +111,37 @@ CellFrame::CellFrame(const Points& points, const Indices& chosen, double radius)
     low = low.cwiseMin(points[i]);
     high = high.cwiseMax(points[i]);
   }
-  // A sliver more than the radius, so that rounding never puts a neighbour two cells
-  // off.
-  const double extent = (high - low).maxCoeff();
-  cell_size = std::max(radius / reach * (1 + 1e-6), std::ldexp(extent, -20));
-  corner = low.array() - reach * cell_size;
+  corner = low.array() - margin * cell_size;
+  cells = ((high - low).array() / cell_size).floor() + 1 + 2 * margin;
 }
 
-std::size_t
-paddedCount(std::size_t count)
+bool
+CellFrame::fits(std::size_t count) const
 {
-  std::size_t padded = 2 * group;
-  while (padded < count)
-    padded *= 2;
-  return padded;
+  constexpr double bins = 4; // BINS of cells.cl
+  constexpr double most = std::numeric_limits<cl_int>::max();
+  // One bit is left over: no key is as large as those that fill up the last block.
+  return cells.maxCoeff() < most &&
+         std::log2(cells.prod() * bins) + bitsFor(count) < 63;
 }
 
-SortedCells
+KeyLayout
+CellFrame::layout(std::size_t count) const
+{
+  return {static_cast<cl_uint>(cells[0]),
+          static_cast<cl_uint>(cells[1]),
+          static_cast<cl_uint>(bitsFor(count))};
+}
+
+DevicePoints
 uploadPoints(Context& context,
              const Points& points,
              const Indices& chosen,
-             const CellFrame& frame)
+             const CellFrame& frame,
+             int threads)
 {
-  const Staging staging(points, chosen, frame);
-  SortedCells result;
+  const Staging staging(points, chosen, frame, threads);
+  DevicePoints result;
   result.count = static_cast<cl_uint>(chosen.size());
   result.cells = upload(context, staging.cells);
   result.offsets = upload(context, staging.offsets);
@@ -110,71 +151,111 @@ uploadPoints(Context& context,
   return result;
 }
 
-void
-sortCells(Context& context, SortedCells& cells)
+cl::Buffer
+sortedKeys(Context& context,
+           const DevicePoints& points,
+           const CellFrame& frame,
+           const KeyLayout& layout)
 {
-  const std::size_t padded = paddedCount(cells.count);
-  cells.entries = context.buffer(padded * sizeof(Entry));
-  cl::Kernel keys = context.kernel("cellKeys");
-  keys.setArg(0, cells.cells);
-  keys.setArg(1, cells.count);
-  keys.setArg(2, cells.entries);
-  run(context, keys, padded);
-  sortEntries(context, cells.entries, padded);
+  const std::size_t count = (points.count + sort_block - 1) / sort_block * sort_block;
+  cl::Buffer keys = context.buffer(count * sizeof(cl_ulong));
+  cl::Kernel kernel = context.kernel("cellKeys");
+  setArguments(kernel,
+               points.cells,
+               points.offsets,
+               points.count,
+               static_cast<cl_float>(1 / frame.cell_size),
+               layout,
+               keys);
+  run(context, kernel, count);
+  sortKeys(context, keys, count);
+  return keys;
 }
 
 void
-sortEntries(Context& context, const cl::Buffer& entries, std::size_t padded)
+sortKeys(Context& context, const cl::Buffer& keys, std::size_t count)
 {
+  constexpr std::size_t fused = 8; // FUSED of sort.cl
+  const std::size_t groups = count / sort_block;
+  const std::size_t at_once = context.lanes() == 1 ? 1 : 8; // KEYS of sort.cl
+  const auto uint = [](std::size_t value) { return static_cast<cl_uint>(value); };
   cl::Kernel blocks = context.kernel("sortBlocks");
-  cl::Kernel step = context.kernel("sortStep");
-  const auto sort_blocks = [&](std::size_t first, std::size_t last) {
-    blocks.setArg(0, entries);
-    blocks.setArg(1, static_cast<cl_uint>(first));
-    blocks.setArg(2, static_cast<cl_uint>(last));
-    run(context, blocks, padded / 2);
-  };
-  sort_blocks(2, 2 * group);
-  for (std::size_t size = 4 * group; size <= padded; size *= 2) {
-    for (std::size_t stride = size / 2; stride > group; stride /= 2) {
-      step.setArg(0, entries);
-      step.setArg(1, static_cast<cl_uint>(size));
-      step.setArg(2, static_cast<cl_uint>(stride));
-      run(context, step, padded / 2);
+  setArguments(blocks, keys);
+  run(context, blocks, groups * sort_group, sort_group);
+  cl::Kernel flip = context.kernel("flip"), merge = context.kernel("merge");
+  cl::Kernel merge_blocks = context.kernel("mergeBlocks");
+  setArguments(merge_blocks, keys);
+  for (std::size_t size = 2 * sort_block; size < 2 * count; size *= 2) {
+    // One work-item for every FUSED vectors of the whole or begun sequences.
+    const std::size_t items = (count + size - 1) / size * size / fused / at_once;
+    // Steps left until all strides stay inside a block.
+    std::size_t left = 1, stride = size / 4;
+    while (sort_block << left < size)
+      ++left;
+    const auto take = [&] {
+      const std::size_t steps = std::min<std::size_t>(left, 3);
+      left -= steps;
+      return steps;
+    };
+    const std::size_t first = take();
+    setArguments(flip, keys, uint(count), uint(size), uint(first));
+    run(context, flip, items);
+    stride >>= first - 1;
+    while (left > 0) {
+      const std::size_t steps = take();
+      setArguments(merge, keys, uint(count), uint(stride), uint(steps));
+      run(context, merge, items);
+      stride >>= steps;
     }
-    sort_blocks(size, size);
+    run(context, merge_blocks, groups * sort_group, sort_group);
   }
 }
 
-RunTable
-neighbourRuns(Context& context, const SortedCells& queries, const SortedCells& points)
+CellTable
+assignSlots(Context& context,
+            const cl::Buffer& query_keys,
+            std::size_t queries,
+            const KeyLayout& layout)
 {
-  RunTable table;
-  table.cell_slot = context.buffer(queries.count * sizeof(cl_uint));
-  const cl::Buffer slot_place = context.buffer(queries.count * sizeof(cl_uint));
+  CellTable table;
+  table.query_slot = context.buffer(queries * sizeof(cl_uint));
+  table.slot_place = context.buffer(queries * sizeof(cl_uint));
   const cl::Buffer counter = context.buffer(sizeof(cl_uint));
-  cl_uint slots = 0;
-  context.queue().enqueueWriteBuffer(counter, CL_TRUE, 0, sizeof slots, &slots);
-
-  cl::Kernel assign = context.kernel("assignSlots");
-  assign.setArg(0, queries.entries);
-  assign.setArg(1, queries.count);
-  assign.setArg(2, table.cell_slot);
-  assign.setArg(3, slot_place);
-  assign.setArg(4, counter);
-  run(context, assign, queries.count);
-  context.queue().enqueueReadBuffer(counter, CL_TRUE, 0, sizeof slots, &slots);
-
-  table.runs = context.buffer(std::size_t{slots} * 3 * rows * sizeof(cl_uint));
-  cl::Kernel runs = context.kernel("neighbourRuns");
-  runs.setArg(0, queries.entries);
-  runs.setArg(1, slot_place);
-  runs.setArg(2, slots);
-  runs.setArg(3, points.entries);
-  runs.setArg(4, points.count);
-  runs.setArg(5, table.runs);
-  run(context, runs, std::size_t{slots} * rows);
+  context.queue().enqueueWriteBuffer(
+      counter, CL_TRUE, 0, sizeof table.slots, &table.slots);
+  cl::Kernel kernel = context.kernel("assignSlots");
+  setArguments(kernel,
+               query_keys,
+               static_cast<cl_uint>(queries),
+               layout,
+               table.query_slot,
+               table.slot_place,
+               counter);
+  run(context, kernel, queries);
+  context.queue().enqueueReadBuffer(
+      counter, CL_TRUE, 0, sizeof table.slots, &table.slots);
   return table;
+}
+
+void
+fillTable(Context& context,
+          CellTable& table,
+          const cl::Buffer& query_keys,
+          const cl::Buffer& point_keys,
+          std::size_t points,
+          const KeyLayout& layout)
+{
+  table.places = context.buffer(table.bytes());
+  cl::Kernel kernel = context.kernel("cellTable");
+  setArguments(kernel,
+               query_keys,
+               table.slot_place,
+               table.slots,
+               layout,
+               point_keys,
+               static_cast<cl_uint>(points),
+               table.places);
+  run(context, kernel, table.slots * CellTable::rows);
 }
 
 std::string
@@ -196,70 +277,89 @@ tensorDefinitions(Centroid centroid,
   return text.str();
 }
 
-void
-computeTensors(Context& context,
-               const std::string& definitions,
-               const CellFrame& frame,
-               const SortedCells& queries,
-               const SortedCells& points,
-               const RunTable& table,
-               const std::vector<double>& radii,
-               cl::Buffer& components,
-               cl::Buffer& counts)
+DeviceTensors
+computeTensors(Context& context, const std::string& definitions, const TensorJob& job)
 {
   const bool exact = context.device().double_precision;
-  const std::size_t padded = paddedCount(points.count);
+  const auto cell_size = static_cast<cl_float>(job.frame.cell_size);
   cl::Buffer xyz[3];
   for (cl::Buffer& axis : xyz) {
     // Lanes beyond the last point are read, and weighted by 0: they must be finite.
-    const std::size_t bytes = (points.count + context.lanes()) * sizeof(float);
+    const std::size_t bytes = (job.points.count + context.lanes()) * sizeof(float);
     axis = context.buffer(bytes);
     context.queue().enqueueFillBuffer(axis, 0.0F, 0, bytes);
   }
-  const cl::Buffer sorted_positions =
-      context.buffer(exact ? 3 * (points.count + context.lanes()) * sizeof(double) : 1);
   cl::Kernel gather = context.kernel("gatherPoints");
-  cl_uint argument = 0;
-  gather.setArg(argument++, points.entries);
-  gather.setArg(argument++, points.count);
-  gather.setArg(argument++, points.offsets);
-  gather.setArg(argument++, points.cells);
-  gather.setArg(argument++, static_cast<float>(frame.cell_size));
-  for (const cl::Buffer& axis : xyz)
-    gather.setArg(argument++, axis);
-  if (exact) {
-    gather.setArg(argument++, points.positions);
-    gather.setArg(argument++, sorted_positions);
-  }
-  run(context, gather, padded);
+  setArguments(gather,
+               job.point_keys,
+               job.points.count,
+               job.layout,
+               job.points.offsets,
+               job.points.cells,
+               cell_size,
+               xyz[0],
+               xyz[1],
+               xyz[2]);
+  run(context, gather, job.points.count);
 
-  const std::vector<float> float_radii(radii.begin(), radii.end());
-  const cl::Buffer device_radii = upload(context, float_radii);
-  const cl::Buffer exact_radii = exact ? upload(context, radii) : context.buffer(1);
-  components = context.buffer(6 * queries.count * sizeof(float));
-  counts = context.buffer(queries.count * sizeof(cl_uint));
+  DeviceTensors result;
+  const std::vector<float> float_radii(job.radii.begin(), job.radii.end());
+  result.radii = upload(context, float_radii);
+  result.stride =
+      (job.queries.count + context.lanes() - 1) / context.lanes() * context.lanes();
+  result.components = context.buffer(6 * result.stride * sizeof(float));
+  result.counts = context.buffer(job.queries.count * sizeof(cl_uint));
 
   cl::Kernel kernel = context.kernel("tensors", definitions);
-  argument = 0;
-  kernel.setArg(argument++, queries.entries);
-  kernel.setArg(argument++, queries.count);
-  kernel.setArg(argument++, table.cell_slot);
-  kernel.setArg(argument++, table.runs);
-  kernel.setArg(argument++, queries.offsets);
-  kernel.setArg(argument++, queries.cells);
-  kernel.setArg(argument++, device_radii);
-  kernel.setArg(argument++, static_cast<float>(frame.cell_size));
-  for (const cl::Buffer& axis : xyz)
-    kernel.setArg(argument++, axis);
-  kernel.setArg(argument++, components);
-  kernel.setArg(argument++, counts);
+  setArguments(kernel,
+               job.query_keys,
+               job.queries.count,
+               job.layout,
+               job.table.query_slot,
+               job.table.places,
+               job.queries.offsets,
+               job.queries.cells,
+               result.radii,
+               cell_size,
+               xyz[0],
+               xyz[1],
+               xyz[2],
+               result.stride,
+               result.components,
+               result.counts);
+  const cl::Buffer exact_radii = exact ? upload(context, job.radii) : cl::Buffer();
   if (exact) {
-    kernel.setArg(argument++, sorted_positions);
-    kernel.setArg(argument++, queries.positions);
-    kernel.setArg(argument++, exact_radii);
+    constexpr cl_uint next = 15;
+    kernel.setArg(next, job.point_keys);
+    kernel.setArg(next + 1, job.points.positions);
+    kernel.setArg(next + 2, job.queries.positions);
+    kernel.setArg(next + 3, exact_radii);
   }
-  run(context, kernel, queries.count);
+  run(context, kernel, job.queries.count);
   context.queue().finish();
+  return result;
+}
+
+cl::Buffer
+computeShapes(Context& context,
+              const DeviceTensors& tensors,
+              const cl::Buffer& query_keys,
+              std::size_t queries,
+              const KeyLayout& layout)
+{
+  cl::Buffer records = context.buffer(queries * sizeof(PointDistributionTensor));
+  cl::Kernel kernel = context.kernel("shapes");
+  setArguments(kernel,
+               query_keys,
+               static_cast<cl_uint>(queries),
+               layout.index_bits,
+               tensors.radii,
+               tensors.stride,
+               tensors.components,
+               tensors.counts,
+               records);
+  run(context, kernel, (queries + context.lanes() - 1) / context.lanes());
+  return records;
 }
 
 } // namespace linelet::opencl

@@ -13,62 +13,92 @@
 
 namespace linelet::opencl {
 
-/** \brief What the kernels call an entry: a point or query under the key of its cell.
- */
-struct Entry {
-  cl_ulong key;
-  cl_uint index;
-  cl_uint unused;
+/** \brief How keys of points are made of their cells: KeyLayout of cells.cl. */
+struct KeyLayout {
+  cl_uint nx = 1, ny = 1; ///< cells along x and y
+  cl_uint index_bits = 0; ///< the lowest bits, for the index of the point
 };
 
-/** \brief The cells of a cloud: half as wide as the largest radius, counted from a
- * corner that lies a radius below every point. */
+/** \brief The cells of a cloud: as wide as the largest radius, two empty ones beyond
+ * every point. */
 struct CellFrame {
   Point corner = Point::Zero();
   double cell_size = 1;
+  Eigen::Array3d cells = Eigen::Array3d::Constant(5); ///< along every axis
 
-  /** \brief Cells for radii up to \a radius, wider where the extent would need more
-   * than 2^20 of them along an axis. */
   CellFrame(const Points& points, const Indices& chosen, double radius);
+
+  /** \brief Whether cells and \a count indices fit into a key of 64 bits. */
+  bool
+  fits(std::size_t count) const;
+
+  KeyLayout
+  layout(std::size_t count) const;
 };
 
 /** \brief Points on the device: cell, place in the cell (float) and, where the device
- * computes in double, the position itself, plus the entries sorted by cell. */
-struct SortedCells {
+ * computes in double, the position itself. */
+struct DevicePoints {
   cl_uint count = 0;
   cl::Buffer cells;     // int4
   cl::Buffer offsets;   // 3 floats
   cl::Buffer positions; // 3 doubles, a single byte without double precision
-  cl::Buffer entries;   // Entry, sorted, padded to a power of two
 };
 
-/** \brief Entries needed on the device for \a count points: a power of two. */
-std::size_t
-paddedCount(std::size_t count);
-
-/** \brief Uploads the chosen points. The entries are not made yet. */
-SortedCells
+/** \brief Uploads the chosen points. */
+DevicePoints
 uploadPoints(Context& context,
              const Points& points,
              const Indices& chosen,
-             const CellFrame& frame);
+             const CellFrame& frame,
+             int threads);
 
-/** \brief Makes the entries of \a cells and sorts them by key, then index. */
+/** \brief Keys that are sorted at a time: the number is made a multiple of it. */
+constexpr std::size_t sort_block = 2048;
+
+/** \brief The keys of \a points, sorted, then largest keys up to a whole block. */
+cl::Buffer
+sortedKeys(Context& context,
+           const DevicePoints& points,
+           const CellFrame& frame,
+           const KeyLayout& layout);
+
+/** \brief Sorts \a count keys on the device, a multiple of \ref sort_block. */
 void
-sortCells(Context& context, SortedCells& cells);
+sortKeys(Context& context, const cl::Buffer& keys, std::size_t count);
 
-/** \brief Sorts \a padded entries (see \ref paddedCount) on the device. */
-void
-sortEntries(Context& context, const cl::Buffer& entries, std::size_t padded);
+/** \brief The cells that hold a query, and where the points around them stand. */
+struct CellTable {
+  static constexpr std::size_t rows = 9, row_places = 13; // of cells.cl
 
-/** \brief For each cell that holds a query, the runs of points around it. */
-struct RunTable {
-  cl::Buffer cell_slot; // by place of a cell's first query: its row in runs
-  cl::Buffer runs;      // 25 x (begin, next chunk, end) a slot
+  cl_uint slots = 0;
+  cl::Buffer query_slot; // slot of the query at a place
+  cl::Buffer slot_place; // place of a slot's first query
+  cl::Buffer places;     // rows x row_places a slot
+
+  std::size_t
+  bytes() const
+  {
+    return slots * rows * row_places * sizeof(cl_uint);
+  }
 };
 
-RunTable
-neighbourRuns(Context& context, const SortedCells& queries, const SortedCells& points);
+/** \brief Gives the cells of queries their slots; the places are not filled in. */
+CellTable
+assignSlots(Context& context,
+            const cl::Buffer& query_keys,
+            std::size_t queries,
+            const KeyLayout& layout);
+
+/** \brief Fills in the places: for every row of cells around a slot, and every bin of
+ * the row, its first point in sorted order, and behind the last bin its end. */
+void
+fillTable(Context& context,
+          CellTable& table,
+          const cl::Buffer& query_keys,
+          const cl::Buffer& point_keys,
+          std::size_t points,
+          const KeyLayout& layout);
 
 /** \brief Definitions that specialise the tensor kernel for a centroid and weightings.
  */
@@ -77,19 +107,37 @@ tensorDefinitions(Centroid centroid,
                   const Weighting& tensor_weight,
                   const Weighting& centroid_weight);
 
-/** \brief Runs the tensor kernel.
- * \param[in] radii one a query
- * \param[out] components six floats a query: xx xy xz yy yz zz \param[out] counts
- * neighbours of each query */
-void
-computeTensors(Context& context,
-               const std::string& definitions,
-               const CellFrame& frame,
-               const SortedCells& queries,
-               const SortedCells& points,
-               const RunTable& table,
-               const std::vector<double>& radii,
-               cl::Buffer& components,
-               cl::Buffer& counts);
+/** \brief What \ref computeTensors works on. */
+struct TensorJob {
+  const CellFrame& frame;
+  const KeyLayout& layout;
+  const DevicePoints& queries;
+  const cl::Buffer& query_keys;
+  const DevicePoints& points;
+  const cl::Buffer& point_keys;
+  const CellTable& table;
+  const std::vector<double>& radii; ///< one a query
+};
+
+/** \brief Tensors on the device, by place of the query in sorted order. */
+struct DeviceTensors {
+  cl::Buffer radii;      // one a query, by index
+  cl_uint stride = 0;    // between components
+  cl::Buffer components; // xx xy xz yy yz zz
+  cl::Buffer counts;     // neighbours
+};
+
+/** \brief Runs the tensor kernel, specialised by \a definitions. */
+DeviceTensors
+computeTensors(Context& context, const std::string& definitions, const TensorJob& job);
+
+/** \brief Runs the eigen-analysis.
+ * \return records (\ref PointDistributionTensor), by index of the query */
+cl::Buffer
+computeShapes(Context& context,
+              const DeviceTensors& tensors,
+              const cl::Buffer& query_keys,
+              std::size_t queries,
+              const KeyLayout& layout);
 
 } // namespace linelet::opencl

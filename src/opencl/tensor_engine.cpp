@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
+#include <iterator>
+
+#include <Eigen/Geometry>
 
 #include <linelet/support/threads.h>
 
@@ -15,6 +17,10 @@
 namespace linelet::opencl {
 
 namespace {
+
+/** \brief Points or queries of a slab: the device counts places of its tables in 32
+ * bits. */
+constexpr std::size_t most_at_once = std::size_t{1} << 25;
 
 /** \brief Adds the time since its making, or the last call, to a stage. */
 class Lap {
@@ -36,16 +42,15 @@ private:
   Clock::time_point last_ = Clock::now();
 };
 
-/** \brief Bytes on the device for so many points and queries. */
+/** \brief Bytes on the device for so many points and queries, the table apart. */
 std::size_t
 bytesNeeded(std::size_t points, std::size_t queries)
 {
-  const std::size_t entries =
-      sizeof(Entry) * (paddedCount(points) + paddedCount(queries));
-  const std::size_t a_point = 16 + 12 + 24 + 12 + 24; // cell, offset, position, sorted
-  const std::size_t a_query =
-      16 + 12 + 24 + 8 + 12 + 300 + 28; // runs in a cell of its own
-  return entries + a_point * points + a_query * queries;
+  // Cell, offset, position, key, sorted position.
+  const std::size_t a_point = 16 + 12 + 24 + 8 + 12;
+  // Cell, offset, position, key, slot, radii, tensor, count, record.
+  const std::size_t a_query = 16 + 12 + 24 + 8 + 8 + 12 + 24 + 4 + 76;
+  return a_point * points + a_query * queries + 16 * sort_block;
 }
 
 bool
@@ -87,7 +92,7 @@ public:
         monitor_(monitor),
         definitions_(tensorDefinitions(
             settings.centroid, settings.weighting, settings.centroid_weighting)),
-        records_(queries.size(), unknownTensor(0))
+        records_(queries.size())
   {
   }
 
@@ -96,15 +101,20 @@ public:
   {
     memory_limit_ = memory_limit;
     Indices points, queries;
+    points.reserve(surface_.size());
+    queries.reserve(queries_.size());
     for (std::size_t i = 0; i < surface_.size(); ++i)
       if (surface_[i].allFinite())
         points.push_back(static_cast<Index>(i));
-    for (std::size_t i = 0; i < queries_.size(); ++i)
+    for (std::size_t i = 0; i < queries_.size(); ++i) {
       if (queries_[i].allFinite() && radiusOf(i) > 0 && std::isfinite(radiusOf(i)))
         queries.push_back(static_cast<Index>(i));
+      else
+        records_[i] = unknownTensor(0);
+    }
     if (monitor_ != nullptr)
       monitor_->begin("tensor", queries_.size());
-    if (!points.empty() && !queries.empty())
+    if (!queries.empty())
       solve(points, queries);
     return std::move(records_);
   }
@@ -127,10 +137,18 @@ private:
     double largest = 0;
     for (const Index i : queries)
       largest = std::max(largest, radiusOf(i));
-    if (queries.size() == 1 ||
-        bytesNeeded(points.size(), queries.size()) <= memory_limit_) {
+    if (points.empty()) {
+      for (const Index i : queries)
+        records_[i] = unknownTensor(0);
+      return;
+    }
+    const CellFrame frame(surface_, points, largest);
+    const std::size_t count = std::max(points.size(), queries.size());
+    const bool small = bytesNeeded(points.size(), queries.size()) <= memory_limit_ &&
+                       count <= most_at_once;
+    if (queries.size() == 1 || (small && frame.fits(count))) {
       try {
-        solveSlab(points, queries, largest);
+        solveSlab(points, queries, frame);
         ++slabs;
         if (monitor_ != nullptr)
           monitor_->advance(queries.size());
@@ -145,103 +163,105 @@ private:
   }
 
   /** \brief Cuts the queries at their median along the longest axis; each half takes
-   * the points as far as the radius beyond it. */
+   * the points as far as the radius around it. */
   void
   halve(const Indices& points, Indices& queries, double largest)
   {
-    Point low = queries_[queries.front()], high = low;
-    for (const Index i : queries) {
-      low = low.cwiseMin(queries_[i]);
-      high = high.cwiseMax(queries_[i]);
-    }
+    const Eigen::AlignedBox3d box = boxOf(queries);
     int axis = 0;
-    (high - low).maxCoeff(&axis);
+    box.sizes().maxCoeff(&axis);
     const auto middle =
         queries.begin() + static_cast<Indices::difference_type>(queries.size() / 2);
     std::nth_element(queries.begin(), middle, queries.end(), [&](Index a, Index b) {
       return queries_[a][axis] < queries_[b][axis];
     });
-    const double cut = queries_[*middle][axis];
     Indices halves[2] = {{queries.begin(), middle}, {middle, queries.end()}};
     queries = {};
-    for (int side = 0; side < 2; ++side) {
-      const double reach = largest * (1 + 1e-6);
+    const Point reach = Point::Constant(largest * (1 + 1e-6));
+    for (Indices& half : halves) {
+      const Eigen::AlignedBox3d inner = boxOf(half);
+      const Eigen::AlignedBox3d outer(inner.min() - reach, inner.max() + reach);
       Indices near;
-      for (const Index i : points)
-        if (side == 0 ? surface_[i][axis] <= cut + reach
-                      : surface_[i][axis] >= cut - reach)
-          near.push_back(i);
-      if (!near.empty())
-        solve(near, halves[side]);
+      std::copy_if(points.begin(),
+                   points.end(),
+                   std::back_inserter(near),
+                   [&](Index i) { return outer.contains(surface_[i]); });
+      solve(near, half);
     }
   }
 
-  void
-  solveSlab(const Indices& points, const Indices& queries, double largest)
+  Eigen::AlignedBox3d
+  boxOf(const Indices& queries) const
   {
-    const CellFrame frame(surface_, points, largest);
+    Eigen::AlignedBox3d box;
+    for (const Index i : queries)
+      box.extend(queries_[i]);
+    return box;
+  }
+
+  void
+  solveSlab(const Indices& points, const Indices& queries, const CellFrame& frame)
+  {
+    const int threads = threadCount(settings_.threads);
+    const KeyLayout layout = frame.layout(std::max(points.size(), queries.size()));
     Lap lap(context_.queue());
-    SortedCells sorted_points = uploadPoints(context_, surface_, points, frame);
     // Most often every point asks for its own neighbourhood.
     const bool same = &surface_ == &queries_ && points == queries;
-    SortedCells sorted_queries =
-        same ? sorted_points : uploadPoints(context_, queries_, queries, frame);
-    lap.add(times_.upload);
-    sortCells(context_, sorted_points);
-    if (same)
-      sorted_queries = sorted_points;
-    else
-      sortCells(context_, sorted_queries);
-    const RunTable table = neighbourRuns(context_, sorted_queries, sorted_points);
-    lap.add(times_.grid);
+    const DevicePoints device_points =
+        uploadPoints(context_, surface_, points, frame, threads);
+    const DevicePoints device_queries =
+        same ? device_points
+             : uploadPoints(context_, queries_, queries, frame, threads);
     std::vector<double> radii;
     radii.reserve(queries.size());
     for (const Index i : queries)
       radii.push_back(radiusOf(i));
-    cl::Buffer device_components, device_counts;
-    computeTensors(context_,
-                   definitions_,
-                   frame,
-                   sorted_queries,
-                   sorted_points,
-                   table,
-                   radii,
-                   device_components,
-                   device_counts);
+    lap.add(times_.upload);
+
+    const cl::Buffer point_keys = sortedKeys(context_, device_points, frame, layout);
+    const cl::Buffer query_keys =
+        same ? point_keys : sortedKeys(context_, device_queries, frame, layout);
+    CellTable table = assignSlots(context_, query_keys, queries.size(), layout);
+    if (queries.size() > 1 &&
+        bytesNeeded(points.size(), queries.size()) + table.bytes() > memory_limit_)
+      throw cl::Error(CL_MEM_OBJECT_ALLOCATION_FAILURE, "the table of cells");
+    fillTable(context_, table, query_keys, point_keys, points.size(), layout);
+    lap.add(times_.grid);
+
+    const DeviceTensors tensors = computeTensors(context_,
+                                                 definitions_,
+                                                 {frame,
+                                                  layout,
+                                                  device_queries,
+                                                  query_keys,
+                                                  device_points,
+                                                  point_keys,
+                                                  table,
+                                                  radii});
     lap.add(times_.tensor);
-    std::vector<float> components(6 * queries.size());
-    std::vector<cl_uint> counts(queries.size());
-    context_.queue().enqueueReadBuffer(device_components,
-                                       CL_TRUE,
-                                       0,
-                                       components.size() * sizeof(float),
-                                       components.data());
-    context_.queue().enqueueReadBuffer(
-        device_counts, CL_TRUE, 0, counts.size() * sizeof(cl_uint), counts.data());
-    lap.add(times_.download);
-    analyse(queries, radii, components, counts);
+    const cl::Buffer records =
+        computeShapes(context_, tensors, query_keys, queries.size(), layout);
     lap.add(times_.analysis);
+    download(records, queries);
+    lap.add(times_.download);
   }
 
   void
-  analyse(const Indices& queries,
-          const std::vector<double>& radii,
-          const std::vector<float>& components,
-          const std::vector<cl_uint>& counts)
+  download(const cl::Buffer& device_records, const Indices& queries)
   {
-    const auto count = static_cast<std::ptrdiff_t>(queries.size());
-#pragma omp parallel for num_threads(threadCount(settings_.threads))
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const float* t = &components[6 * i];
-      // An extent below float's precision of the radius is rounding.
-      const double least = 1e-6 * radii[i];
-      const double trace = double{t[0]} + double{t[3]} + double{t[5]};
-      records_[queries[i]] =
-          trace > least * least
-              ? recordOf({t[0], t[1], t[2], t[3], t[4], t[5]}, 0, counts[i])
-              : unknownTensor(counts[i]);
+    const auto read = [&](PointDistributionTensor* records) {
+      context_.queue().enqueueReadBuffer(
+          device_records, CL_TRUE, 0, queries.size() * sizeof *records, records);
+    };
+    if (queries.size() == records_.size() &&
+        std::is_sorted(queries.begin(), queries.end())) {
+      read(records_.data());
+      return;
     }
+    std::vector<PointDistributionTensor> records(queries.size());
+    read(records.data());
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      records_[queries[i]] = records[i];
   }
 
   Context& context_;

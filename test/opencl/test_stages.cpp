@@ -8,7 +8,10 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
+#include <Eigen/QR>
 #include <gtest/gtest.h>
+
+#include <linelet/features/tensor_estimation.h>
 
 #include "stages.h"
 
@@ -29,98 +32,258 @@ protected:
     context = std::make_unique<Context>();
   }
 
-  std::vector<Entry>
+  template <class T>
+  std::vector<T>
   download(const cl::Buffer& buffer, std::size_t count) const
   {
-    std::vector<Entry> entries(count);
+    std::vector<T> values(count);
     context->queue().enqueueReadBuffer(
-        buffer, CL_TRUE, 0, count * sizeof(Entry), entries.data());
-    return entries;
+        buffer, CL_TRUE, 0, count * sizeof(T), values.data());
+    return values;
+  }
+
+  template <class T>
+  cl::Buffer
+  upload(const std::vector<T>& values) const
+  {
+    cl::Buffer buffer = context->buffer(values.size() * sizeof(T));
+    context->queue().enqueueWriteBuffer(
+        buffer, CL_TRUE, 0, values.size() * sizeof(T), values.data());
+    return buffer;
+  }
+
+  Points
+  box(std::size_t count, const Point& extent)
+  {
+    boost::random::uniform_real_distribution<double> unit(0, 1);
+    Points points;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = unit(random), y = unit(random), z = unit(random);
+      points.emplace_back(extent.cwiseProduct(Point(x, y, z)));
+    }
+    return points;
   }
 
   std::unique_ptr<Context> context;
   boost::random::mt19937 random{7};
 };
 
-bool
-before(const Entry& a, const Entry& b)
+Indices
+allOf(const Points& points)
 {
-  return a.key != b.key ? a.key < b.key : a.index < b.index;
+  Indices all(points.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
 }
 
 } // namespace
 
-TEST_F(Stages, SortOrdersByKeyAndKeepsEveryEntry)
+TEST_F(Stages, SortOrdersKeysOfAnyNumberOfBlocks)
 {
-  for (const std::size_t count : {1u, 2u, 511u, 512u, 513u, 5000u, 70000u}) {
-    SCOPED_TRACE(count);
-    const std::size_t padded = paddedCount(count);
-    // Few different keys, so that equal ones are many.
-    boost::random::uniform_int_distribution<std::uint64_t> key(0, count / 3);
-    std::vector<Entry> entries(padded);
-    for (std::size_t i = 0; i < padded; ++i)
-      entries[i] = {i < count ? key(random) : ~cl_ulong{0}, static_cast<cl_uint>(i), 0};
-    const cl::Buffer buffer = context->buffer(padded * sizeof(Entry));
-    context->queue().enqueueWriteBuffer(
-        buffer, CL_TRUE, 0, padded * sizeof(Entry), entries.data());
-    sortEntries(*context, buffer, padded);
-    const std::vector<Entry> sorted = download(buffer, padded);
-    std::sort(entries.begin(), entries.end(), before);
-    for (std::size_t i = 0; i < padded; ++i) {
-      ASSERT_EQ(sorted[i].key, entries[i].key) << "at " << i;
-      ASSERT_EQ(sorted[i].index, entries[i].index) << "at " << i;
+  for (const std::size_t blocks :
+       {1u, 2u, 3u, 4u, 5u, 7u, 8u, 13u, 16u, 31u, 45u, 64u}) {
+    SCOPED_TRACE(blocks);
+    const std::size_t count = blocks * sort_block;
+    // All of them, few different ones, ascending, descending.
+    for (const std::uint64_t range : {~std::uint64_t{0}, std::uint64_t{5}}) {
+      boost::random::uniform_int_distribution<std::uint64_t> key(0, range);
+      std::vector<cl_ulong> keys(count);
+      for (cl_ulong& k : keys)
+        k = key(random);
+      for (int order = 0; order < 3; ++order) {
+        const cl::Buffer buffer = upload(keys);
+        sortKeys(*context, buffer, count);
+        const auto sorted = download<cl_ulong>(buffer, count);
+        std::sort(keys.begin(), keys.end());
+        ASSERT_TRUE(sorted == keys) << "order " << order;
+        if (order == 1)
+          std::reverse(keys.begin(), keys.end());
+      }
     }
   }
 }
 
-TEST_F(Stages, RunsHoldEveryPointWithinTheRadius)
+TEST_F(Stages, KeysOrderPointsByRowThenAlongXThenByIndex)
 {
-  // Wide enough along x that runs cross chunks of cells.
-  boost::random::uniform_real_distribution<double> unit(0, 1);
-  Points points;
-  for (int i = 0; i < 3000; ++i)
-    points.emplace_back(200 * unit(random), 4 * unit(random), 3 * unit(random));
-  Indices all(points.size());
-  std::iota(all.begin(), all.end(), 0u);
+  const Points points = box(5000, Point(30, 7, 3));
+  const Indices all = allOf(points);
+  const CellFrame frame(points, all, 0.9);
+  const KeyLayout layout = frame.layout(points.size());
+  const DevicePoints on_device = uploadPoints(*context, points, all, frame, 1);
+  const auto keys =
+      download<cl_ulong>(sortedKeys(*context, on_device, frame, layout), points.size());
+  const std::uint64_t mask = (std::uint64_t{1} << layout.index_bits) - 1;
+  std::vector<bool> seen(points.size(), false);
+  const auto cellAlong = [&](std::size_t i, int axis) {
+    return std::floor((points[i][axis] - frame.corner[axis]) / frame.cell_size);
+  };
+  for (std::size_t place = 0; place < keys.size(); ++place) {
+    const std::size_t i = keys[place] & mask;
+    ASSERT_LT(i, points.size());
+    EXPECT_FALSE(seen[i]) << "point " << i << " stands at two places";
+    seen[i] = true;
+    if (place == 0)
+      continue;
+    const std::size_t before = keys[place - 1] & mask;
+    ASSERT_LE(cellAlong(before, 2), cellAlong(i, 2));
+    if (cellAlong(before, 2) < cellAlong(i, 2))
+      continue;
+    ASSERT_LE(cellAlong(before, 1), cellAlong(i, 1));
+    if (cellAlong(before, 1) < cellAlong(i, 1))
+      continue;
+    // Bins are a quarter of a cell wide.
+    ASSERT_LT(points[before].x(), points[i].x() + frame.cell_size / 4 * (1 + 1e-5));
+  }
+}
+
+TEST_F(Stages, TableHoldsEveryPointWithinTheRadius)
+{
+  // Wide enough along x that rows cross chunks of cells.
+  const Points points = box(3000, Point(200, 4, 3));
+  const Indices all = allOf(points);
   const double radius = 1.1;
   const CellFrame frame(points, all, radius);
-  SortedCells cells = uploadPoints(*context, points, all, frame);
-  sortCells(*context, cells);
-  const RunTable table = neighbourRuns(*context, cells, cells);
-  const std::vector<Entry> entries = download(cells.entries, points.size());
-  std::vector<cl_uint> slots(points.size());
-  context->queue().enqueueReadBuffer(
-      table.cell_slot, CL_TRUE, 0, slots.size() * sizeof(cl_uint), slots.data());
-  std::vector<cl_uint> runs(table.runs.getInfo<CL_MEM_SIZE>() / sizeof(cl_uint));
-  context->queue().enqueueReadBuffer(
-      table.runs, CL_TRUE, 0, runs.size() * sizeof(cl_uint), runs.data());
+  const KeyLayout layout = frame.layout(points.size());
+  const DevicePoints on_device = uploadPoints(*context, points, all, frame, 1);
+  const cl::Buffer device_keys = sortedKeys(*context, on_device, frame, layout);
+  CellTable table = assignSlots(*context, device_keys, points.size(), layout);
+  fillTable(*context, table, device_keys, device_keys, points.size(), layout);
+  const auto keys = download<cl_ulong>(device_keys, points.size());
+  const auto slots = download<cl_uint>(table.query_slot, points.size());
+  const auto places = download<cl_uint>(table.places, table.bytes() / sizeof(cl_uint));
+  const std::uint64_t mask = (std::uint64_t{1} << layout.index_bits) - 1;
 
-  std::size_t first_of_cell = 0, checked = 0;
-  for (std::size_t place = 0; place < points.size(); ++place) {
-    if (entries[place].key != entries[first_of_cell].key)
-      first_of_cell = place;
-    if (place % 37 != 0)
-      continue;
-    std::vector<cl_uint> found;
-    for (std::size_t row = 0; row < 25; ++row) {
-      const cl_uint* run = &runs[3 * (25 * slots[first_of_cell] + row)];
-      EXPECT_LE(run[0], run[1]);
-      EXPECT_LE(run[1], run[2]);
-      for (cl_uint p = run[0]; p < run[2]; ++p)
-        found.push_back(entries[p].index);
+  std::size_t checked = 0;
+  for (std::size_t place = 0; place < points.size(); place += 37) {
+    ASSERT_LT(slots[place], table.slots);
+    std::vector<std::size_t> found;
+    for (std::size_t row = 0; row < CellTable::rows; ++row) {
+      const cl_uint* bins =
+          &places[CellTable::row_places * (CellTable::rows * slots[place] + row)];
+      EXPECT_TRUE(std::is_sorted(bins, bins + CellTable::row_places));
+      for (cl_uint p = bins[0]; p < bins[CellTable::row_places - 1]; ++p)
+        found.push_back(keys[p] & mask);
     }
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end())
-        << "a point stands in two runs";
-    const Point& query = points[entries[place].index];
+        << "a point stands in two rows";
+    const Point& query = points[keys[place] & mask];
     for (std::size_t i = 0; i < points.size(); ++i)
       if ((points[i] - query).norm() <= radius) {
-        EXPECT_TRUE(
-            std::binary_search(found.begin(), found.end(), static_cast<cl_uint>(i)));
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), i));
         ++checked;
       }
   }
   EXPECT_GT(checked, 200u);
+}
+
+TEST_F(Stages, TensorsAreThoseOfTheNeighbours)
+{
+  const Points points = box(700, Point(5, 4, 3));
+  const Indices all = allOf(points);
+  const std::vector<double> radii(points.size(), 0.8);
+  const CellFrame frame(points, all, 0.8);
+  const KeyLayout layout = frame.layout(points.size());
+  const DevicePoints on_device = uploadPoints(*context, points, all, frame, 1);
+  const cl::Buffer device_keys = sortedKeys(*context, on_device, frame, layout);
+  CellTable table = assignSlots(*context, device_keys, points.size(), layout);
+  fillTable(*context, table, device_keys, device_keys, points.size(), layout);
+  const DeviceTensors tensors = computeTensors(
+      *context,
+      tensorDefinitions(Centroid::QueryPoint, Kernel::Const, Kernel::Const),
+      {frame, layout, on_device, device_keys, on_device, device_keys, table, radii});
+  const auto keys = download<cl_ulong>(device_keys, points.size());
+  const auto components = download<float>(tensors.components, 6 * tensors.stride);
+  const auto counts = download<cl_uint>(tensors.counts, points.size());
+  for (std::size_t place = 0; place < points.size(); ++place) {
+    const Point& query = points[keys[place] & ((1u << layout.index_bits) - 1)];
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    cl_uint count = 0;
+    for (const Point& p : points)
+      if ((p - query).squaredNorm() <= 0.8 * 0.8) {
+        sum += (p - query) * (p - query).transpose();
+        ++count;
+      }
+    ASSERT_EQ(counts[place], count);
+    sum /= count;
+    const double expected[] = {
+        sum(0, 0), sum(0, 1), sum(0, 2), sum(1, 1), sum(1, 2), sum(2, 2)};
+    for (std::size_t k = 0; k < 6; ++k)
+      ASSERT_NEAR(components[k * tensors.stride + place], expected[k], 1e-6);
+  }
+}
+
+TEST_F(Stages, ShapesAreThoseOfTheEigenAnalysisInDouble)
+{
+  // Wires, sheets and balls in any direction and of any size, with what can be exactly
+  // 0 or equal among them.
+  boost::random::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<SymmetricTensor> given;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Matrix3d random_matrix =
+        Eigen::Matrix3d::NullaryExpr([&] { return unit(random); });
+    const Eigen::Matrix3d turned =
+        random_matrix.householderQr().householderQ() * Eigen::Matrix3d::Identity();
+    const double small = std::pow(10.0, -4 * std::abs(unit(random)));
+    const Eigen::Vector3d values =
+        std::pow(10.0, 3 * unit(random)) *
+        Eigen::Vector3d(i % 5 == 0 ? 0 : small * small, i % 3 == 0 ? 1 : small, 1);
+    const Eigen::Matrix3d t = turned * values.asDiagonal() * turned.transpose();
+    given.push_back({t(0, 0), t(0, 1), t(0, 2), t(1, 1), t(1, 2), t(2, 2)});
+  }
+  given.push_back({1, 0, 0, 1, 0, 1});
+  given.push_back({0, 0, 0, 2, 0, 0});
+  given.push_back({0, 0, 0, 0, 0, 0});
+  const auto count = static_cast<cl_uint>(given.size());
+
+  DeviceTensors tensors;
+  tensors.stride = count + 16 - count % 16;
+  std::vector<float> components(6 * tensors.stride);
+  std::vector<cl_ulong> keys;
+  for (std::size_t i = 0; i < count; ++i) {
+    const SymmetricTensor& t = given[i];
+    const double entries[] = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
+    for (std::size_t k = 0; k < 6; ++k)
+      components[k * tensors.stride + i] = static_cast<float>(entries[k]);
+    keys.push_back(count - 1 - i); // records go to the index, not to the place
+  }
+  tensors.radii = upload(std::vector<float>(count, 1.0F));
+  tensors.components = upload(components);
+  tensors.counts = upload(std::vector<cl_uint>(count, 42));
+  KeyLayout layout;
+  layout.index_bits = 20;
+  auto records = download<PointDistributionTensor>(
+      computeShapes(*context, tensors, upload(keys), count, layout), count);
+  std::reverse(records.begin(), records.end());
+  EXPECT_TRUE(std::isnan(records.back().linearity));
+  EXPECT_TRUE(std::isnan(records.back().xx));
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    SCOPED_TRACE(i);
+    const PointDistributionTensor& r = records[i];
+    const PointDistributionTensor e = recordOf(given[i], 0, 42);
+    ASSERT_EQ(r.neighbors, 42u);
+    ASSERT_NEAR(r.linearity, e.linearity, 5e-6);
+    ASSERT_NEAR(r.planarity, e.planarity, 5e-6);
+    ASSERT_NEAR(r.sphericity, e.sphericity, 5e-6);
+    ASSERT_NEAR(r.lambda1, e.lambda1, 2e-6 * e.lambda3);
+    ASSERT_NEAR(r.lambda2, e.lambda2, 2e-6 * e.lambda3);
+    ASSERT_NEAR(r.lambda3, e.lambda3, 2e-6 * e.lambda3);
+    // Directions, where there is but one: their sign is part of what is promised,
+    // except where two components are about as large.
+    const auto expectAlong = [&](Eigen::Vector3f a, Eigen::Vector3f b, double gap) {
+      EXPECT_NEAR(a.norm(), 1, 1e-5);
+      EXPECT_GE(a.maxCoeff(), -a.minCoeff());
+      if (gap > 1e-2 * e.lambda3) {
+        EXPECT_NEAR(std::abs(a.dot(b)), 1, 1e-5);
+      }
+    };
+    expectAlong({r.major_x, r.major_y, r.major_z},
+                {e.major_x, e.major_y, e.major_z},
+                e.lambda3 - e.lambda2);
+    expectAlong({r.normal_x, r.normal_y, r.normal_z},
+                {e.normal_x, e.normal_y, e.normal_z},
+                e.lambda2 - e.lambda1);
+  }
 }
 
 TEST_F(Stages, WeightsAreThoseOfWeighting)

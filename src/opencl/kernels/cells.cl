@@ -3,49 +3,64 @@
 
 // Cells and the runs of sorted points around them.
 //
-// A cell is half as wide as the largest radius, so a neighbourhood lies in 5 x 5 x 5 cells.
-// The key of a cell orders by z, y, x: five cells beside each other along x, a row, are one
-// run of sorted points.
+// A cell is as wide as the largest radius, so a neighbourhood lies in 3 x 3 x 3 cells.
+// Along x a cell is divided into bins. The key of a point is the number of its bin, counted
+// along x, then y, then z, and below it the point's index: a row of cells is one run of
+// sorted points, and so is any stretch of its bins.
 
-#define REACH 2 // cells that a neighbourhood reaches beyond its own
+#define REACH 1 // cells that a neighbourhood reaches beyond its own
 #define SIDE (2 * REACH + 1)
 #define ROWS (SIDE * SIDE)
-#define KEY_BITS 21
-#define PADDING_KEY 0xffffffffffffffffUL
+#define BINS 4                        // of a cell
+#define ROW_BINS (SIDE * BINS)        // of a row of cells
+#define ROW_PLACES (ROW_BINS + 1)     // their borders
+#define TABLE_SIZE (ROWS * ROW_PLACES) // of a cell
 
-ulong
-keyOf(int4 cell)
+// How keys are made: cells along x and y, bits of the index.
+typedef struct {
+  uint nx, ny, index_bits;
+} KeyLayout;
+
+INLINE ulong
+keyOf(KeyLayout layout, int x, int y, int z, uint bin)
 {
-  return ((ulong)cell.z << (2 * KEY_BITS)) | ((ulong)cell.y << KEY_BITS) | (ulong)cell.x;
+  return ((((ulong)z * layout.ny + (ulong)y) * layout.nx + (ulong)x) * BINS + bin)
+         << layout.index_bits;
 }
 
-int4
-cellOf(ulong key)
+// Number of the cell that a key lies in.
+INLINE ulong
+cellOf(KeyLayout layout, ulong key)
 {
-  const ulong mask = ((ulong)1 << KEY_BITS) - 1;
-  return (int4)((int)(key & mask),
-                (int)((key >> KEY_BITS) & mask),
-                (int)(key >> (2 * KEY_BITS)),
-                0);
+  return (key >> layout.index_bits) / BINS;
 }
 
 kernel void
-cellKeys(global const int4* cells, uint count, global Entry* entries)
+cellKeys(global const int4* cells,
+         global const float* offsets,
+         uint count,
+         float inverse_cell_size,
+         KeyLayout layout,
+         global ulong* keys)
 {
   const uint i = get_global_id(0);
-  entries[i].key = i < count ? keyOf(cells[i]) : PADDING_KEY;
-  entries[i].index = i;
-  entries[i].unused = 0;
+  ulong key = ~0UL;
+  if (i < count) {
+    const int bin = (int)(offsets[3 * i] * inverse_cell_size * BINS);
+    const int4 cell = cells[i];
+    key = keyOf(layout, cell.x, cell.y, cell.z, (uint)clamp(bin, 0, BINS - 1)) | i;
+  }
+  keys[i] = key;
 }
 
-// First place in the sorted entries whose key is not below the given one.
-uint
-lowerBound(global const Entry* entries, uint count, ulong key)
+// First place in the sorted keys, from `begin` on, whose key is not below the given one.
+INLINE uint
+lowerBound(global const ulong* keys, uint begin, uint end, ulong key)
 {
-  uint begin = 0;
+  uint count = end - begin;
   while (count > 0) {
     const uint half_count = count / 2;
-    if (entries[begin + half_count].key < key) {
+    if (keys[begin + half_count] < key) {
       begin += half_count + 1;
       count -= half_count + 1;
     }
@@ -55,90 +70,82 @@ lowerBound(global const Entry* entries, uint count, ulong key)
   return begin;
 }
 
-// Gives every cell that holds a query a slot of its own; `cell_slot` at the place of the
-// first query of the cell says which. The numbering differs from run to run, what is
-// stored under it does not.
+// Gives every cell that holds a query a slot of its own, and tells its queries. The
+// numbering differs from run to run, what is stored under it does not.
 kernel void
-assignSlots(global const Entry* queries,
+assignSlots(global const ulong* queries,
             uint count,
-            global uint* cell_slot,
+            KeyLayout layout,
+            global uint* query_slot,
             global uint* slot_place,
             global uint* slots)
 {
-  const uint place = get_global_id(0);
-  if (place >= count || (place > 0 && queries[place - 1].key == queries[place].key))
+  uint place = get_global_id(0);
+  if (place >= count)
+    return;
+  const ulong cell = cellOf(layout, queries[place]);
+  if (place > 0 && cellOf(layout, queries[place - 1]) == cell)
     return;
   const uint slot = atomic_inc(slots);
-  cell_slot[place] = slot;
   slot_place[slot] = place;
+  for (; place < count && cellOf(layout, queries[place]) == cell; ++place)
+    query_slot[place] = slot;
 }
 
-// For every slot and each of the rows around its cell: where the run of points begins,
-// where the next chunk along x begins inside it, and where it ends. Positions along x are
-// relative to a chunk of cells, which keeps them exact in float.
-#define CHUNK_BITS 6
-
+// For every slot and each of the rows around its cell: where the bins of the row begin
+// among the sorted points, and where the last one ends.
 kernel void
-neighbourRuns(global const Entry* queries,
-              global const uint* slot_place,
-              uint slots,
-              global const Entry* points,
-              uint count,
-              global uint* runs)
+cellTable(global const ulong* queries,
+          global const uint* slot_place,
+          uint slots,
+          KeyLayout layout,
+          global const ulong* points,
+          uint count,
+          global uint* table)
 {
   const uint slot = get_global_id(0) / ROWS;
   if (slot >= slots)
     return;
   const uint row = get_global_id(0) % ROWS;
-  const int4 cell = cellOf(queries[slot_place[slot]].key);
-  const int x = max(cell.x - REACH, 0), y = cell.y + (int)(row % SIDE) - REACH,
-            z = cell.z + (int)(row / SIDE) - REACH;
-  global uint* run = runs + 3 * (ROWS * slot + row);
-  if (y < 0 || z < 0) {
-    run[0] = run[1] = run[2] = 0;
-    return;
+  const ulong cell = cellOf(layout, queries[slot_place[slot]]);
+  // The host leaves the outermost cells of every axis empty, so no step leads around them.
+  const long y = (long)(row % SIDE) - REACH, z = (long)(row / SIDE) - REACH;
+  const ulong first_cell =
+      (ulong)((long)cell + (z * (long)layout.ny + y) * (long)layout.nx - REACH);
+  const ulong first_bin = first_cell * BINS;
+  global uint* places = table + TABLE_SIZE * slot + ROW_PLACES * row;
+  uint place = lowerBound(points, 0, count, first_bin << layout.index_bits);
+  const uint end =
+      lowerBound(points, place, count, (first_bin + ROW_BINS) << layout.index_bits);
+  for (uint bin = 0; bin < ROW_BINS; ++bin) {
+    place = lowerBound(points, place, end, (first_bin + bin) << layout.index_bits);
+    places[bin] = place;
   }
-  // The host leaves the last places of every axis free, so x never carries into y.
-  const ulong row_key = keyOf((int4)(0, y, z, 0));
-  const int x_end = cell.x + REACH + 1;
-  const int next_chunk = ((x >> CHUNK_BITS) + 1) << CHUNK_BITS;
-  const uint begin = lowerBound(points, count, row_key + (ulong)x);
-  const uint end = begin + lowerBound(points + begin, count - begin, row_key + (ulong)x_end);
-  run[0] = begin;
-  run[1] = next_chunk < x_end
-               ? begin + lowerBound(points + begin, end - begin, row_key + (ulong)next_chunk)
-               : end;
-  run[2] = end;
+  places[ROW_BINS] = end;
 }
 
-// Positions in sorted order: x relative to its chunk, y and z to their cell; beside them
-// the exact ones, where the device computes in double.
+// Positions along x are relative to a chunk of cells, which keeps them exact in float.
+#define CHUNK_BITS 5
+#define CHUNK_MASK ((1 << CHUNK_BITS) - 1)
+
+// Positions in sorted order: x relative to its chunk, y and z to their cell.
 kernel void
-gatherPoints(global const Entry* entries,
+gatherPoints(global const ulong* points,
              uint count,
+             KeyLayout layout,
              global const float* offsets,
              global const int4* cells,
              float cell_size,
              global float* x,
              global float* y,
-             global float* z
-#ifdef EXACT
-             ,
-             global const double* positions,
-             global double* exact
-#endif
-)
+             global float* z)
 {
   const uint place = get_global_id(0);
   if (place >= count)
     return;
-  const uint i = entries[place].index;
-  const int chunk_mask = (1 << CHUNK_BITS) - 1;
-  x[place] = offsets[3 * i] + cell_size * (float)(cells[i].x & chunk_mask);
+  const ulong index_mask = ((ulong)1 << layout.index_bits) - 1;
+  const uint i = (uint)(points[place] & index_mask);
+  x[place] = offsets[3 * i] + cell_size * (float)(cells[i].x & CHUNK_MASK);
   y[place] = offsets[3 * i + 1];
   z[place] = offsets[3 * i + 2];
-#ifdef EXACT
-  for (uint axis = 0; axis < 3; ++axis)
-    exact[3 * place + axis] = positions[3 * i + axis];
-#endif
 }

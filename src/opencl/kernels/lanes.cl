@@ -18,6 +18,7 @@
 typedef float Floats;
 typedef int Ints;
 #define LOAD(pointer) (*(pointer))
+#define STORE(values, pointer) (*(pointer) = (values))
 #define ANY(mask) (mask)
 #define LANES 0
 #define MASK_IF(condition) ((condition) ? -1 : 0)
@@ -25,6 +26,7 @@ typedef int Ints;
 typedef JOIN(float, WIDTH) Floats;
 typedef JOIN(int, WIDTH) Ints;
 #define LOAD(pointer) JOIN(vload, WIDTH)(0, pointer)
+#define STORE(values, pointer) JOIN(vstore, WIDTH)(values, 0, pointer)
 #define ANY(mask) any(mask)
 #if WIDTH == 4
 #define LANES (int4)(0, 1, 2, 3)

@@ -14,20 +14,26 @@
 #ifdef CENTROID
 
 #define BAND 1.5e-5f
+#define BIN_ROUNDING 1e-3f // of a bin
 #define MOST_MEDIAN_STEPS 300
 #define MEDIAN_STEP 1e-7f // a shorter step, in units of the radius, ends the iteration
 #define MEDIAN_HERE 1e-6f // neighbours so close to the iterate count as lying at it
 
 typedef struct {
   global const float *x, *y, *z; // sorted points, relative to chunk and cells
-  global const uint* runs;       // ROWS x (begin, next chunk, end) of the query's cell
-  float qx, qy, qz;              // query, relative to its chunk and cells
+  global const uint* table;      // ROWS x ROW_PLACES of the query's cell
+  float qx;                      // query, relative to the first chunk of the rows
+  float bx;                      // the same, relative to the first bin of the rows
+  float qy, qz;                  // query, relative to its cell
   float chunk_step;              // length of a chunk
-  int chunk;                     // chunk of the first cell of the runs less the query's
+  int next_chunk;                // bin with which the next chunk begins
   float cell_size, inverse_radius;
   float surely_inside, perhaps_inside; // squared distances, see BAND
 #ifdef EXACT
-  global const double *exact, *query; // sorted points, this query
+  global const ulong* points;   // sorted keys
+  ulong index_mask;             // the part of them that is the index
+  global const double* exact;   // points by index
+  global const double* query;   // this query
   double squared_radius;
 #endif
 } Walk;
@@ -70,7 +76,8 @@ decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
   for (uint lane = 0; lane < WIDTH; ++lane) {
     if (lanes[lane] == 0)
       continue;
-    global const double* point = walk->exact + 3 * (first + lane);
+    global const double* point =
+        walk->exact + 3 * (walk->points[first + lane] & walk->index_mask);
     const double dx = point[0] - walk->query[0], dy = point[1] - walk->query[1],
                  dz = point[2] - walk->query[2];
     // Rounded after every operation and added in the order of the other engines: volatile
@@ -89,9 +96,8 @@ decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
 #endif
 }
 
-// Adds the neighbours among WIDTH sorted points, of which only the first `left` count if
-// this is the tail of a run; o is the query as the run's coordinates see it, c the centre
-// relative to the query.
+// Adds the neighbours among WIDTH sorted points, of which the first `left` count; o is
+// the query as the run's coordinates see it, c the centre relative to the query.
 INLINE void
 addPoints(const Walk* walk,
           uint first,
@@ -102,7 +108,6 @@ addPoints(const Walk* walk,
           float cx,
           float cy,
           float cz,
-          const bool tail,
           const int sweep,
           const bool exact,
           LaneSums* sums)
@@ -111,15 +116,11 @@ addPoints(const Walk* walk,
   const Floats dx = LOAD(walk->x + first) - ox, dy = LOAD(walk->y + first) - oy,
                dz = LOAD(walk->z + first) - oz;
   const Floats squared = dx * dx + dy * dy + dz * dz;
-  Ints inside = MASK_IF(squared <= walk->surely_inside);
-  Ints perhaps = MASK_IF(squared <= walk->perhaps_inside);
+  const Ints valid = MASK_IF(LANES < left);
+  Ints inside = MASK_IF(squared <= walk->surely_inside) & valid;
+  const Ints perhaps = MASK_IF(squared <= walk->perhaps_inside) & valid;
   if (exact)
-    inside = decideBorder(walk, first, squared, inside);
-  if (tail) {
-    const Ints valid = MASK_IF(LANES < left);
-    inside &= valid;
-    perhaps &= valid;
-  }
+    inside = decideBorder(walk, first, squared, inside) & valid;
   sums->count -= inside;
   if (!exact)
     sums->perhaps -= perhaps;
@@ -180,11 +181,8 @@ walkRun(const Walk* walk,
         const bool exact,
         LaneSums* sums)
 {
-  uint i = begin;
-  for (; i + WIDTH <= end; i += WIDTH)
-    addPoints(walk, i, WIDTH, ox, oy, oz, cx, cy, cz, false, sweep, exact, sums);
-  if (i < end)
-    addPoints(walk, i, (int)(end - i), ox, oy, oz, cx, cy, cz, true, sweep, exact, sums);
+  for (uint i = begin; i < end; i += WIDTH)
+    addPoints(walk, i, (int)(end - i), ox, oy, oz, cx, cy, cz, sweep, exact, sums);
 }
 
 // Distance between a place and the interval [0, width].
@@ -200,21 +198,37 @@ walkNeighbours(
     const Walk* walk, float cx, float cy, float cz, const int sweep, const bool exact)
 {
   LaneSums lanes = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  const float ox = walk->qx - (float)walk->chunk * walk->chunk_step;
+  const float bins_a_length = BINS / walk->cell_size;
   for (int row = 0; row < ROWS; ++row) {
-    global const uint* run = walk->runs + 3 * row;
     // The query as the row's cells see it.
     const float oy = walk->qy - (float)(row % SIDE - REACH) * walk->cell_size;
     const float oz = walk->qz - (float)(row / SIDE - REACH) * walk->cell_size;
     const float dy = distanceTo(oy, walk->cell_size);
     const float dz = distanceTo(oz, walk->cell_size);
-    if (dy * dy + dz * dz > walk->perhaps_inside)
+    const float left_over = walk->perhaps_inside - dy * dy - dz * dz;
+    if (left_over < 0)
       continue;
-    walkRun(walk, run[0], run[1], ox, oy, oz, cx, cy, cz, sweep, exact, &lanes);
-    if (run[1] < run[2]) {
-      const float next = ox - walk->chunk_step;
-      walkRun(walk, run[1], run[2], next, oy, oz, cx, cy, cz, sweep, exact, &lanes);
-    }
+    // The bins that the ball meets; a little more, for the rounding of bins and roots.
+    const float chord = sqrt(left_over);
+    const float first = (walk->bx - chord) * bins_a_length - BIN_ROUNDING;
+    const float last = (walk->bx + chord) * bins_a_length + BIN_ROUNDING + 1;
+    global const uint* places = walk->table + ROW_PLACES * row;
+    const uint begin = places[(int)clamp(first, 0.0f, (float)ROW_BINS)];
+    const uint end = places[(int)clamp(last, 0.0f, (float)ROW_BINS)];
+    const uint chunk_end = clamp(places[walk->next_chunk], begin, end);
+    walkRun(walk, begin, chunk_end, walk->qx, oy, oz, cx, cy, cz, sweep, exact, &lanes);
+    walkRun(walk,
+            chunk_end,
+            end,
+            walk->qx - walk->chunk_step,
+            oy,
+            oz,
+            cx,
+            cy,
+            cz,
+            sweep,
+            exact,
+            &lanes);
   }
   Sums sums;
   sums.weight = sumFloats(lanes.weight);
@@ -269,12 +283,14 @@ tensorSums(const Walk* walk, const bool exact)
   return walkNeighbours(walk, cx, cy, cz, SWEEP_MOMENTS, exact);
 }
 
-// Output: for every query xx xy xz yy yz zz, and the count.
+// The tensor of the query at every place, component after component (`stride` apart): xx xy
+// xz yy yz zz; NaN where no neighbour has weight. And how many neighbours there are.
 kernel void
-tensors(global const Entry* queries,
+tensors(global const ulong* queries,
         uint count,
-        global const uint* cell_slot,
-        global const uint* all_runs,
+        KeyLayout layout,
+        global const uint* query_slot,
+        global const uint* table,
         global const float* offsets,
         global const int4* cells,
         global const float* radii,
@@ -282,12 +298,14 @@ tensors(global const Entry* queries,
         global const float* x,
         global const float* y,
         global const float* z,
-        global float* tensors_out,
-        global uint* counts_out
+        uint stride,
+        global float* components,
+        global uint* counts
 #ifdef EXACT
         ,
-        global const double* exact,
-        global const double* positions,
+        global const ulong* points,
+        global const double* point_positions,
+        global const double* query_positions,
         global const double* exact_radii
 #endif
 )
@@ -295,39 +313,43 @@ tensors(global const Entry* queries,
   const uint place = get_global_id(0);
   if (place >= count)
     return;
-  const uint i = queries[place].index;
-  const uint cell_begin = lowerBound(queries, count, queries[place].key);
-  const int chunk_mask = (1 << CHUNK_BITS) - 1;
+  const ulong index_mask = ((ulong)1 << layout.index_bits) - 1;
+  const uint i = (uint)(queries[place] & index_mask);
+  const int first_cell = cells[i].x - REACH; // of the rows
+  const float radius = radii[i];
   Walk walk;
   walk.x = x;
   walk.y = y;
   walk.z = z;
-  walk.runs = all_runs + 3 * ROWS * cell_slot[cell_begin];
-  walk.qx = offsets[3 * i] + cell_size * (float)(cells[i].x & chunk_mask);
+  walk.table = table + TABLE_SIZE * query_slot[place];
+  walk.qx = offsets[3 * i] + cell_size * (float)(REACH + (first_cell & CHUNK_MASK));
+  walk.bx = offsets[3 * i] + cell_size * (float)REACH;
   walk.qy = offsets[3 * i + 1];
   walk.qz = offsets[3 * i + 2];
-  walk.chunk_step = cell_size * (float)(chunk_mask + 1);
-  walk.chunk = (max(cells[i].x - REACH, 0) >> CHUNK_BITS) - (cells[i].x >> CHUNK_BITS);
+  walk.chunk_step = cell_size * (float)(CHUNK_MASK + 1);
+  walk.next_chunk = min((CHUNK_MASK + 1 - (first_cell & CHUNK_MASK)) * BINS, ROW_BINS);
   walk.cell_size = cell_size;
-  walk.inverse_radius = 1 / radii[i];
-  walk.surely_inside = radii[i] * radii[i] * (1 - BAND);
-  walk.perhaps_inside = radii[i] * radii[i] * (1 + BAND);
+  walk.inverse_radius = 1 / radius;
+  walk.surely_inside = radius * radius * (1 - BAND);
+  walk.perhaps_inside = radius * radius * (1 + BAND);
 #ifdef EXACT
-  walk.exact = exact;
-  walk.query = positions + 3 * i;
+  walk.points = points;
+  walk.index_mask = index_mask;
+  walk.exact = point_positions;
+  walk.query = query_positions + 3 * i;
   walk.squared_radius = exact_radii[i] * exact_radii[i];
 #endif
   Sums s = tensorSums(&walk, false);
   if (s.border > 0)
     s = tensorSums(&walk, true);
-  global float* t = tensors_out + 6 * i;
+  global float* t = components + place;
   t[0] = s.xx / s.weight;
-  t[1] = s.xy / s.weight;
-  t[2] = s.xz / s.weight;
-  t[3] = s.yy / s.weight;
-  t[4] = s.yz / s.weight;
-  t[5] = s.zz / s.weight;
-  counts_out[i] = s.count;
+  t[stride] = s.xy / s.weight;
+  t[2 * stride] = s.xz / s.weight;
+  t[3 * stride] = s.yy / s.weight;
+  t[4 * stride] = s.yz / s.weight;
+  t[5 * stride] = s.zz / s.weight;
+  counts[place] = s.count;
 }
 
 #endif // CENTROID
