@@ -8,71 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "graph_reader.h"
+
 namespace linelet {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// A run of equal values among the defined scales: places first..last.
-struct Run {
-  std::size_t first, last;
-  double value;
-};
-
-/// The defined scales of a graph.
-struct Defined {
-  std::vector<std::size_t> scale;
-  std::vector<double> value;
-  std::vector<double> position; ///< what the area integrates over
-};
-
-Defined
-definedScales(const std::vector<double>& linearity,
-              const std::vector<double>& radii,
-              GraphIntegral integral)
-{
-  Defined graph;
-  for (std::size_t k = 0; k < linearity.size(); ++k) {
-    if (std::isnan(linearity[k]))
-      continue;
-    graph.scale.push_back(k);
-    graph.value.push_back(linearity[k]);
-    graph.position.push_back(integral == GraphIntegral::LogRadius ? std::log(radii[k])
-                                                                  : radii[k]);
-  }
-  return graph;
-}
-
-/// Runs of the places from \a begin on. A run holds what differs little from its first
-/// value, so that a slow ramp stays a ramp.
-std::vector<Run>
-runsFrom(const Defined& graph, std::size_t begin)
-{
-  std::vector<Run> runs;
-  for (std::size_t i = begin; i < graph.value.size(); ++i) {
-    if (!runs.empty() && std::abs(graph.value[i] - runs.back().value) <= flat_linearity)
-      runs.back().last = i;
-    else
-      runs.push_back({i, i, graph.value[i]});
-  }
-  return runs;
-}
-
-/// Area under the graph between two places, both included.
-double
-area(const Defined& graph, std::size_t first, std::size_t last, GraphIntegral integral)
-{
-  double sum = 0;
-  if (integral == GraphIntegral::Scales)
-    for (std::size_t i = first; i <= last; ++i)
-      sum += graph.value[i];
-  else
-    for (std::size_t i = first; i < last; ++i)
-      sum += (graph.value[i] + graph.value[i + 1]) / 2 *
-             (graph.position[i + 1] - graph.position[i]);
-  return sum;
-}
 
 double
 unit(double x)
@@ -94,6 +36,115 @@ score(ScaleScore kind,
 
 } // namespace
 
+GraphReader::GraphReader(const std::vector<double>& radii,
+                         const LinearityGraphSettings& settings)
+    : settings_(settings)
+{
+  for (const double radius : radii)
+    positions_.push_back(
+        settings.integral == GraphIntegral::LogRadius ? std::log(radius) : radius);
+}
+
+void
+GraphReader::findRuns(std::size_t begin, std::vector<Run>& runs) const
+{
+  runs.clear();
+  for (std::size_t i = begin; i < value_.size(); ++i) {
+    if (!runs.empty() && std::abs(value_[i] - runs.back().value) <= flat_linearity)
+      runs.back().last = i;
+    else
+      runs.push_back({i, i, value_[i]});
+  }
+}
+
+double
+GraphReader::area(std::size_t first, std::size_t last) const
+{
+  double sum = 0;
+  if (settings_.integral == GraphIntegral::Scales)
+    for (std::size_t i = first; i <= last; ++i)
+      sum += value_[i];
+  else
+    for (std::size_t i = first; i < last; ++i)
+      sum += (value_[i] + value_[i + 1]) / 2 *
+             (positions_[scale_[i + 1]] - positions_[scale_[i]]);
+  return sum;
+}
+
+const LinearityGraph&
+GraphReader::read(const std::vector<double>& linearity,
+                  const std::vector<std::uint32_t>& neighbors)
+{
+  scale_.clear();
+  value_.clear();
+  minima_.clear();
+  result_.maxima.clear();
+  result_.minima.clear();
+  result_.best = LinearityGraph::none;
+  result_.area = result_.largest = result_.blend = nan;
+  for (std::size_t k = 0; k < linearity.size(); ++k) {
+    if (std::isnan(linearity[k]))
+      continue;
+    scale_.push_back(k);
+    value_.push_back(linearity[k]);
+  }
+  if (scale_.empty())
+    return result_;
+  const std::size_t end = scale_.size() - 1;
+  result_.largest = *std::max_element(value_.begin(), value_.end());
+
+  findRuns(0, runs_);
+  for (std::size_t i = 1; i + 1 < runs_.size(); ++i)
+    if (runs_[i].value < runs_[i - 1].value && runs_[i].value < runs_[i + 1].value)
+      minima_.push_back(runs_[i]);
+  for (const Run& minimum : minima_)
+    result_.minima.push_back(scale_[minimum.last]);
+  result_.area = area(0, minima_.empty() ? end : minima_.back().last);
+
+  std::size_t begin = 0;
+  while (begin <= end && neighbors[scale_[begin]] < settings_.min_neighbors)
+    ++begin;
+  if (begin > 0)
+    findRuns(begin, runs_);
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const Run& run = runs_[i];
+    if ((i == 0 || runs_[i - 1].value <= run.value) &&
+        (i + 1 >= runs_.size() || runs_[i + 1].value <= run.value))
+      addMaximum(run, begin, end);
+  }
+  return result_;
+}
+
+void
+GraphReader::addMaximum(const Run& run, std::size_t begin, std::size_t end)
+{
+  std::size_t left = begin, right = end;
+  for (const Run& minimum : minima_) {
+    if (minimum.last < run.first)
+      left = std::max(left, minimum.last);
+    if (minimum.first > run.last)
+      right = std::min(right, minimum.first);
+  }
+  const double value = value_[run.first];
+  const double fraction =
+      result_.area > 0 ? unit(area(left, right) / result_.area) : 1.0;
+  const double delta = value - std::max(value_[left], value_[right]);
+  const double relative_scale =
+      static_cast<double>(scale_[run.first]) / static_cast<double>(positions_.size());
+  result_.maxima.push_back(
+      {scale_[run.first],
+       scale_[left],
+       scale_[right],
+       fraction,
+       delta,
+       score(settings_.score, relative_scale, value, fraction, delta)});
+  if (result_.best == LinearityGraph::none ||
+      result_.maxima.back().score > result_.maxima[result_.best].score) {
+    result_.best = result_.maxima.size() - 1;
+    result_.blend = std::clamp(fraction / 2 + (value - 0.5), 0.05, 0.95);
+  }
+}
+
 LinearityGraph
 readLinearityGraph(const std::vector<double>& linearity,
                    const std::vector<std::uint32_t>& neighbors,
@@ -103,62 +154,7 @@ readLinearityGraph(const std::vector<double>& linearity,
   if (linearity.size() != radii.size() || neighbors.size() != radii.size())
     throw std::invalid_argument(
         "readLinearityGraph: linearity, neighbors and radii differ in length");
-  LinearityGraph result;
-  result.area = result.largest = result.blend = nan;
-  const Defined graph = definedScales(linearity, radii, settings.integral);
-  if (graph.scale.empty())
-    return result;
-  const std::size_t end = graph.scale.size() - 1;
-  result.largest = *std::max_element(graph.value.begin(), graph.value.end());
-
-  const std::vector<Run> runs = runsFrom(graph, 0);
-  std::vector<Run> minima;
-  for (std::size_t i = 1; i + 1 < runs.size(); ++i)
-    if (runs[i].value < runs[i - 1].value && runs[i].value < runs[i + 1].value)
-      minima.push_back(runs[i]);
-  for (const Run& minimum : minima)
-    result.minima.push_back(graph.scale[minimum.last]);
-  const std::size_t area_end = minima.empty() ? end : minima.back().last;
-  result.area = area(graph, 0, area_end, settings.integral);
-
-  std::size_t begin = 0;
-  while (begin <= end && neighbors[graph.scale[begin]] < settings.min_neighbors)
-    ++begin;
-  const std::vector<Run> candidates = runsFrom(graph, begin);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Run& run = candidates[i];
-    if ((i > 0 && candidates[i - 1].value > run.value) ||
-        (i + 1 < candidates.size() && candidates[i + 1].value > run.value))
-      continue;
-    std::size_t left = begin, right = end;
-    for (const Run& minimum : minima) {
-      if (minimum.last < run.first)
-        left = std::max(left, minimum.last);
-      if (minimum.first > run.last)
-        right = std::min(right, minimum.first);
-    }
-    const double value = graph.value[run.first];
-    const double fraction =
-        result.area > 0
-            ? unit(area(graph, left, right, settings.integral) / result.area)
-            : 1.0;
-    const double delta = value - std::max(graph.value[left], graph.value[right]);
-    const double relative_scale =
-        static_cast<double>(graph.scale[run.first]) / static_cast<double>(radii.size());
-    result.maxima.push_back(
-        {graph.scale[run.first],
-         graph.scale[left],
-         graph.scale[right],
-         fraction,
-         delta,
-         score(settings.score, relative_scale, value, fraction, delta)});
-    if (result.best == LinearityGraph::none ||
-        result.maxima.back().score > result.maxima[result.best].score) {
-      result.best = result.maxima.size() - 1;
-      result.blend = std::clamp(fraction / 2 + (value - 0.5), 0.05, 0.95);
-    }
-  }
-  return result;
+  return GraphReader(radii, settings).read(linearity, neighbors);
 }
 
 } // namespace linelet

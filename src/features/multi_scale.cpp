@@ -58,7 +58,29 @@ graphOf(const ScaleSweep& sweep)
   return graph;
 }
 
-/// Runs the sweep for all queries; visit(query, sweep) is called from many threads.
+MultiScaleShape
+recordOf(const ShapeGraph& graph, const ScaleSweep& sweep, ShapeSummary& summary)
+{
+  static_assert(sizeof(ScaleShape) == 7 * sizeof(float));
+  const ScaleShape& first = graph.front();
+  MultiScaleShape record =
+      summary({&first.linearity,
+               &first.planarity,
+               &first.sphericity,
+               &first.neighbors,
+               sizeof(ScaleShape) / sizeof(float)},
+              sweep.neighbors().back() - sweep.neighborsBeside().back());
+  if (record.scale >= 0) {
+    const ScaleShape& best = graph[static_cast<std::size_t>(record.scale)];
+    record.major_x = best.major_x;
+    record.major_y = best.major_y;
+    record.major_z = best.major_z;
+  }
+  return record;
+}
+
+/// Runs the sweep for all queries; every thread makes itself a visitor of (query,
+/// sweep).
 template <class Visit>
 void
 sweepQueries(const UniformGrid& grid,
@@ -68,7 +90,7 @@ sweepQueries(const UniformGrid& grid,
              const std::vector<double>& radii,
              const MultiScaleSettings& settings,
              Monitor* monitor,
-             const Visit& visit)
+             const Visit& make_visitor)
 {
   std::atomic<bool> cancelled{false};
   // No more threads than there are chunks: waking a thread costs more than a few
@@ -81,6 +103,7 @@ sweepQueries(const UniformGrid& grid,
 #endif
   {
     ScaleSweep sweep(radii, settings);
+    auto visit = make_visitor();
 #ifdef _OPENMP
 #pragma omp for schedule(dynamic, chunk_size)
 #endif
@@ -134,21 +157,15 @@ applyStopRule(const Points& surface,
     if (monitor != nullptr)
       monitor->begin("largest radius", surface.size());
     bool any_defined = false;
-    sweepQueries(grid,
-                 surface,
-                 0,
-                 surface.size(),
-                 radius,
-                 settings,
-                 monitor,
-                 [&](std::size_t query, const ScaleSweep& sweep) {
-                   changes[query] = change(sweep.factors()[0], last[query]);
-                   // A point that has just got a shape has changed.
-                   if (std::isnan(last[query].linearity) &&
-                       !std::isnan(sweep.linearity()[0]))
-                     changes[query] = 1;
-                   last[query] = sweep.factors()[0];
-                 });
+    sweepQueries(grid, surface, 0, surface.size(), radius, settings, monitor, [&] {
+      return [&](std::size_t query, const ScaleSweep& sweep) {
+        changes[query] = change(sweep.factors()[0], last[query]);
+        // A point that has just got a shape has changed.
+        if (std::isnan(last[query].linearity) && !std::isnan(sweep.linearity()[0]))
+          changes[query] = 1;
+        last[query] = sweep.factors()[0];
+      };
+    });
     for (const ShapeFactors& factors : last)
       any_defined = any_defined || !std::isnan(factors.linearity);
     if (any_defined &&
@@ -210,10 +227,9 @@ multiScaleShapes(const Points& surface,
 {
   MultiScaleShapes result = multiScaleRadii(surface, settings, monitor);
   if (chosenScaleEngine(surface, queries, result.radii.back(), settings) ==
-      ScaleEngine::Grid) {
-    multiScaleShapesOnGrid(surface, queries, settings, sink, monitor, result);
+          ScaleEngine::Grid &&
+      multiScaleShapesOnGrid(surface, queries, settings, sink, monitor, result))
     return result;
-  }
   result.shapes.resize(queries.size());
   const UniformGrid grid = gridFor(surface, result.radii.back());
   if (monitor != nullptr)
@@ -223,23 +239,15 @@ multiScaleShapes(const Points& surface,
   std::vector<ShapeGraph> graphs(sink ? std::min(block, queries.size()) : 0);
   for (std::size_t begin = 0; begin < queries.size(); begin += block) {
     const std::size_t end = std::min(begin + block, queries.size());
-    sweepQueries(grid,
-                 queries,
-                 begin,
-                 end,
-                 result.radii,
-                 settings,
-                 monitor,
-                 [&](std::size_t query, const ScaleSweep& sweep) {
-                   ShapeGraph graph = graphOf(sweep);
-                   result.shapes[query] = summarise(graph,
-                                                    sweep.neighbors().back() -
-                                                        sweep.neighborsBeside().back(),
-                                                    result.radii,
-                                                    settings.graph);
-                   if (sink)
-                     graphs[query - begin] = std::move(graph);
-                 });
+    sweepQueries(grid, queries, begin, end, result.radii, settings, monitor, [&] {
+      return [&, summary = ShapeSummary(result.radii, settings.graph)](
+                 std::size_t query, const ScaleSweep& sweep) mutable {
+        ShapeGraph graph = graphOf(sweep);
+        result.shapes[query] = recordOf(graph, sweep, summary);
+        if (sink)
+          graphs[query - begin] = std::move(graph);
+      };
+    });
     if (sink)
       for (std::size_t query = begin; query < end; ++query)
         sink(query, graphs[query - begin]);
@@ -265,8 +273,10 @@ fourthOrderTensors(const Points& surface,
                radii,
                settings,
                monitor,
-               [&](std::size_t query, const ScaleSweep& sweep) {
-                 tensors[query] = fourthOrderTensor(sweep.tensors(), weight);
+               [&] {
+                 return [&](std::size_t query, const ScaleSweep& sweep) {
+                   tensors[query] = fourthOrderTensor(sweep.tensors(), weight);
+                 };
                });
   return tensors;
 }

@@ -6,32 +6,142 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
 
+#include <features/grid/ladder_engine.h>
 #include <features/shape_summary.h>
-#include <linelet/features/grid_tensor_engine.h>
 #include <linelet/search/uniform_grid.h>
+#include <linelet/support/threads.h>
 
 namespace linelet {
 
 namespace {
 
-/// Queries whose graphs are held at once: 80 MB at eleven scales.
-constexpr std::size_t block_size = std::size_t{1} << 18;
+using grid::leaf_queries;
+using grid::LeafShapes;
 
-void
-put(const PointDistributionTensor& record, std::uint32_t here, ScaleShape& shape)
+/// Bytes of graphs that are held at once.
+constexpr std::size_t graph_memory = std::size_t{64} << 20;
+
+/** \brief No more threads than have something to do: for few queries, waking a thread
+ * costs more than it does. */
+int
+usefulThreads(unsigned requested, std::size_t queries)
 {
-  shape.neighbors = record.neighbors;
-  // One neighbour beside the point spans a line whatever the shape of the cloud.
-  if (record.neighbors < here + 2)
-    return;
-  shape.linearity = record.linearity;
-  shape.planarity = record.planarity;
-  shape.sphericity = record.sphericity;
-  shape.major_x = record.major_x;
-  shape.major_y = record.major_y;
-  shape.major_z = record.major_z;
+  constexpr std::size_t queries_a_thread = 1024;
+  const std::size_t useful = queries / queries_a_thread + 1;
+  return static_cast<int>(
+      std::min(useful, static_cast<std::size_t>(threadCount(requested))));
 }
+
+/** \brief Major directions of tensors, one a lane. */
+class Directions {
+public:
+  std::array<grid::Lanes<double>, 6> tensor;
+
+  void
+  compute()
+  {
+    grid::EigenBatch batch{};
+    batch.count = leaf_queries;
+    for (std::size_t entry = 0; entry < 6; ++entry)
+      batch.tensor[entry] = tensor[entry].lane;
+    for (std::size_t i = 0; i < 3; ++i) {
+      batch.values[i] = unused_[i].lane;
+      batch.major[i] = major_[i].lane;
+      batch.normal[i] = unused_[3 + i].lane;
+    }
+    kernels_.eigen(batch);
+  }
+
+  template <class Record>
+  void
+  put(std::size_t lane, Record& record) const
+  {
+    record.major_x = static_cast<float>(major_[0][lane]);
+    record.major_y = static_cast<float>(major_[1][lane]);
+    record.major_z = static_cast<float>(major_[2][lane]);
+  }
+
+private:
+  grid::SweepKernels kernels_ = grid::sweepKernels();
+  std::array<grid::Lanes<double>, 3> major_;
+  std::array<grid::Lanes<double>, 6> unused_;
+};
+
+/** \brief Makes the records of a leaf. */
+class Recorder {
+public:
+  Recorder(const std::vector<double>& radii,
+           const LinearityGraphSettings& settings,
+           std::vector<MultiScaleShape>& shapes)
+      : summary_(radii, settings), shapes_(shapes)
+  {
+  }
+
+  void
+  operator()(const LeafShapes& leaf)
+  {
+    std::array<MultiScaleShape, leaf_queries> records;
+    for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+      MultiScaleShape& record = records[lane];
+      record = summary_({&leaf.linearity[0][lane],
+                         &leaf.planarity[0][lane],
+                         &leaf.sphericity[0][lane],
+                         &leaf.neighbors[0][lane],
+                         leaf_queries},
+                        leaf.here[lane]);
+      if (record.scale >= 0)
+        for (std::size_t entry = 0; entry < 6; ++entry)
+          directions_.tensor[entry][lane] =
+              leaf.tensors[static_cast<std::size_t>(record.scale)][entry][lane];
+    }
+    directions_.compute();
+    for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+      if (records[lane].scale >= 0)
+        directions_.put(lane, records[lane]);
+      shapes_[leaf.query[lane]] = records[lane];
+    }
+  }
+
+private:
+  ShapeSummary summary_;
+  Directions directions_;
+  std::vector<MultiScaleShape>& shapes_;
+};
+
+/** \brief Writes the graphs of a leaf into those of all queries from \a first on. */
+class GraphWriter {
+public:
+  GraphWriter(std::size_t first, std::vector<ShapeGraph>& graphs)
+      : first_(first), graphs_(graphs)
+  {
+  }
+
+  void
+  operator()(const LeafShapes& leaf)
+  {
+    for (std::size_t k = 0; k < leaf.linearity.size(); ++k) {
+      directions_.tensor = leaf.tensors[k];
+      directions_.compute();
+      for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+        ScaleShape& shape = graphs_[leaf.query[lane] - first_][k];
+        shape.neighbors = leaf.neighbors[k][lane];
+        if (std::isnan(leaf.linearity[k][lane]))
+          continue;
+        shape.linearity = leaf.linearity[k][lane];
+        shape.planarity = leaf.planarity[k][lane];
+        shape.sphericity = leaf.sphericity[k][lane];
+        directions_.put(lane, shape);
+      }
+    }
+  }
+
+private:
+  std::size_t first_;
+  std::vector<ShapeGraph>& graphs_;
+  Directions directions_;
+};
 
 } // namespace
 
@@ -41,9 +151,6 @@ chosenScaleEngine(const Points& surface,
                   double largest_radius,
                   const MultiScaleSettings& settings)
 {
-  // On a wire with 325 neighbours the grid takes a half to a quarter of the time,
-  // with medians as much as the sweep. Few points keep all their digits, as nobody
-  // waits for them.
   constexpr std::size_t samples = 64, few = 300, least_points = 1000,
                         least_queries = 256;
   if (settings.engine != ScaleEngine::Auto)
@@ -58,7 +165,7 @@ chosenScaleEngine(const Points& surface,
   return neighbors > few * count ? ScaleEngine::Grid : ScaleEngine::Sweep;
 }
 
-void
+bool
 multiScaleShapesOnGrid(const Points& surface,
                        const Points& queries,
                        const MultiScaleSettings& settings,
@@ -66,37 +173,53 @@ multiScaleShapesOnGrid(const Points& surface,
                        Monitor* monitor,
                        MultiScaleShapes& result)
 {
-  TensorSettings pass;
-  pass.weighting = settings.weighting;
-  pass.centroid = settings.centroid;
-  pass.centroid_weighting = settings.centroid_weighting;
-  pass.threads = settings.threads;
   const std::vector<double>& radii = result.radii;
-  const UniformGrid places(surface, radii.front());
-
-  result.shapes.resize(queries.size());
-  for (std::size_t begin = 0; begin < queries.size(); begin += block_size) {
-    const std::size_t end = std::min(begin + block_size, queries.size());
-    const Points block(queries.begin() + static_cast<std::ptrdiff_t>(begin),
-                       queries.begin() + static_cast<std::ptrdiff_t>(end));
-    std::vector<ShapeGraph> graphs(block.size(), ShapeGraph(radii.size()));
-    std::vector<std::uint32_t> here;
-    here.reserve(block.size());
-    for (const Point& query : block)
-      here.push_back(static_cast<std::uint32_t>(places.countWithin(query, 0)));
-    for (std::size_t k = 0; k < radii.size(); ++k) {
-      pass.radius = radii[k];
-      const std::vector<PointDistributionTensor> records =
-          estimateTensorsOnGrid(surface, block, pass, {}, monitor);
-      for (std::size_t i = 0; i < block.size(); ++i)
-        put(records[i], here[i], graphs[i][k]);
-    }
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      result.shapes[begin + i] = summarise(graphs[i], here[i], radii, settings.graph);
-      if (sink)
-        sink(begin + i, graphs[i]);
-    }
+  const grid::LadderEngine engine(
+      surface, radii.back(), usefulThreads(settings.threads, queries.size()));
+  if (!engine.usable())
+    return false;
+  result.shapes.assign(queries.size(), MultiScaleShape());
+  if (monitor != nullptr)
+    monitor->begin("multi-scale", queries.size());
+  const auto recorder = [&] { return Recorder(radii, settings.graph, result.shapes); };
+  if (!sink) {
+    engine.run(
+        queries,
+        nullptr,
+        radii,
+        settings,
+        [&] { return grid::LeafVisitor(recorder()); },
+        monitor);
+    return true;
   }
+
+  const std::size_t most = std::max<std::size_t>(
+      4096, graph_memory / (radii.size() * sizeof(ScaleShape) + sizeof(ShapeGraph)));
+  std::vector<ShapeGraph> graphs;
+  Indices chosen;
+  for (std::size_t begin = 0; begin < queries.size(); begin += most) {
+    const std::size_t end = std::min(begin + most, queries.size());
+    graphs.assign(end - begin, ShapeGraph(radii.size()));
+    chosen.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      chosen.push_back(static_cast<Index>(i));
+    engine.run(
+        queries,
+        end - begin < queries.size() ? &chosen : nullptr,
+        radii,
+        settings,
+        [&] {
+          return [record = recorder(),
+                  write = GraphWriter(begin, graphs)](const LeafShapes& leaf) mutable {
+            record(leaf);
+            write(leaf);
+          };
+        },
+        monitor);
+    for (std::size_t i = begin; i < end; ++i)
+      sink(i, graphs[i - begin]);
+  }
+  return true;
 }
 
 } // namespace linelet

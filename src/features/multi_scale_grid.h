@@ -7,13 +7,12 @@
 
 namespace linelet {
 
-/** \brief The shapes of all queries at the radii of \a result, one pass of the grid
- * engine a radius. Nothing is shared between the passes, but a vector sweep is so much
- * faster that from a few hundred neighbours a point on all of them together beat one
- * shared search in double, and for medians come close to it (`linelet-benchmark
- * --benchmark_filter=multiscale-cost`).
- * \param[in,out] result shapes are filled in */
-void
+/** \brief The shapes of all queries at the radii of \a result, by one sweep of the grid
+ * engine over all scales.
+ * \param[in,out] result shapes are filled in
+ * \return false, and nothing done, where the points cannot be sorted into blocks: the
+ * radius is too small beside their extent */
+bool
 multiScaleShapesOnGrid(const Points& surface,
                        const Points& queries,
                        const MultiScaleSettings& settings,

@@ -4,46 +4,46 @@
 #include <features/shape_summary.h>
 
 #include <cmath>
-#include <cstddef>
 
 namespace linelet {
 
+ShapeSummary::ShapeSummary(const std::vector<double>& radii,
+                           const LinearityGraphSettings& settings)
+    : radii_(radii),
+      reader_(radii, settings),
+      linearity_(radii.size()),
+      neighbors_(radii.size())
+{
+}
+
 MultiScaleShape
-summarise(const ShapeGraph& graph,
-          std::uint32_t here,
-          const std::vector<double>& radii,
-          const LinearityGraphSettings& settings)
+ShapeSummary::operator()(const GraphColumns& graph, std::uint32_t here)
 {
   MultiScaleShape record;
-  std::vector<double> linearity;
-  std::vector<std::uint32_t> neighbors;
-  linearity.reserve(graph.size());
-  neighbors.reserve(graph.size());
-  for (const ScaleShape& shape : graph) {
-    linearity.push_back(static_cast<double>(shape.linearity));
-    neighbors.push_back(shape.neighbors);
+  for (std::size_t k = 0; k < radii_.size(); ++k) {
+    const std::size_t place = k * graph.stride;
+    linearity_[k] = static_cast<double>(graph.linearity[place]);
+    neighbors_[k] = graph.neighbors[place];
     if (record.first_neighbors == 0)
-      record.first_neighbors = shape.neighbors - here;
-    // fmin passes over scales that are not defined.
-    record.min_sphericity = std::fmin(record.min_sphericity, shape.sphericity);
+      record.first_neighbors = neighbors_[k] - here;
+    // False for scales that are not defined.
+    const float sphericity = graph.sphericity[place];
+    if (std::isnan(record.min_sphericity) || sphericity < record.min_sphericity)
+      record.min_sphericity = sphericity;
   }
-  const LinearityGraph reading =
-      readLinearityGraph(linearity, neighbors, radii, settings);
+  const LinearityGraph& reading = reader_.read(linearity_, neighbors_);
   record.linearity_sum = static_cast<float>(reading.area);
   record.linearity_max = static_cast<float>(reading.largest);
   const std::size_t scale = reading.scale();
   if (scale == LinearityGraph::none)
     return record;
-  const ScaleShape& best = graph[scale];
-  record.linearity = best.linearity;
-  record.planarity = best.planarity;
-  record.sphericity = best.sphericity;
-  record.optimal_radius = static_cast<float>(radii[scale]);
+  const std::size_t best = scale * graph.stride;
+  record.linearity = graph.linearity[best];
+  record.planarity = graph.planarity[best];
+  record.sphericity = graph.sphericity[best];
+  record.optimal_radius = static_cast<float>(radii_[scale]);
   record.blend = static_cast<float>(reading.blend);
-  record.major_x = best.major_x;
-  record.major_y = best.major_y;
-  record.major_z = best.major_z;
-  record.neighbors = best.neighbors;
+  record.neighbors = graph.neighbors[best];
   record.scale = static_cast<std::int32_t>(scale);
   return record;
 }

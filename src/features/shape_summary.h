@@ -3,21 +3,44 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include <linelet/features/linearity_graph.h>
 #include <linelet/features/multi_scale_types.h>
+
+#include "graph_reader.h"
 
 namespace linelet {
 
-/** \brief The record of a point from its graphs.
- * \param[in] here points of the surface at the very place of the query, which are among
- * the neighbours of every scale */
-MultiScaleShape
-summarise(const ShapeGraph& graph,
-          std::uint32_t here,
-          const std::vector<double>& radii,
-          const LinearityGraphSettings& settings);
+/** \brief Where the graphs of a point stand: a value a scale, \a stride values apart.
+ */
+struct GraphColumns {
+  const float* linearity;
+  const float* planarity;
+  const float* sphericity;
+  const std::uint32_t* neighbors;
+  std::size_t stride;
+};
+
+/** \brief Makes the records of points from their graphs. Holds buffers: make one a
+ * thread and use it for many points. */
+class ShapeSummary {
+public:
+  ShapeSummary(const std::vector<double>& radii,
+               const LinearityGraphSettings& settings);
+
+  /** \brief The record of a point, without its direction.
+   * \param[in] here points of the surface at the very place of the query, which are
+   * among the neighbours of every scale */
+  MultiScaleShape
+  operator()(const GraphColumns& graph, std::uint32_t here);
+
+private:
+  std::vector<double> radii_;
+  GraphReader reader_;
+  std::vector<double> linearity_;
+  std::vector<std::uint32_t> neighbors_;
+};
 
 } // namespace linelet

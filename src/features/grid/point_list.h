@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 #include <hwy/aligned_allocator.h>
 
@@ -41,6 +43,26 @@ public:
     z = y + stride;
     h = z + stride;
     id = ids_.get();
+  }
+
+  /** \brief Makes room for \a more entries behind the last one, and keeps what is
+   * there. */
+  void
+  extend(std::size_t more)
+  {
+    if (x != nullptr && size + more <= capacity_)
+      return;
+    PointList larger;
+    larger.reserve(2 * (size + more));
+    larger.size = size;
+    if (x != nullptr) {
+      std::memcpy(larger.x, x, size * sizeof(float));
+      std::memcpy(larger.y, y, size * sizeof(float));
+      std::memcpy(larger.z, z, size * sizeof(float));
+      std::memcpy(larger.h, h, size * sizeof(float));
+      std::memcpy(larger.id, id, size * sizeof(std::uint32_t));
+    }
+    *this = std::move(larger);
   }
 
   /** \brief Appends padding behind the last entry. */

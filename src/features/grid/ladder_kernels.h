@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <linelet/tensor/weighting.h>
+
+#include "point_list.h"
+#include "sweep_kernels.h"
+
+namespace linelet::grid {
+
+/** \brief Queries that are looked at together, one a lane of the widest vector. */
+constexpr std::size_t leaf_queries = 16;
+
+/** \brief A number for every query of a leaf. */
+template <class T>
+struct alignas(64) Lanes {
+  T lane[leaf_queries] = {};
+
+  T&
+  operator[](std::size_t i)
+  {
+    return lane[i];
+  }
+  const T&
+  operator[](std::size_t i) const
+  {
+    return lane[i];
+  }
+};
+
+/** \brief Where the queries of a leaf are, relative to its center. */
+struct LeafQueries {
+  Lanes<float> x, y, z;
+};
+
+/** \brief Places in \ref LadderSums of the sums over points p. */
+enum Moment : std::size_t { Total, X, Y, Z, XX, XY, XZ, YY, YZ, ZZ, moments };
+
+/** \brief Weighted moments of a neighbourhood of every query, and its size. */
+struct LadderSums {
+  std::array<Lanes<double>, moments> sum;
+  Lanes<float> found;
+};
+
+/** \brief One scale of a ladder, seen from a leaf. Lengths are in units of the largest
+ * radius. */
+struct LadderScale {
+  float radius;
+  Band band;     ///< squared
+  float near;    ///< squared distance from the center up to which a point is certainly
+                 ///< a neighbour of all queries; negative: none is
+  float far;     ///< and beyond which it is of none
+  bool relative; ///< sums are about each query, not about the center of the leaf: the
+                 ///< leaf is wide beside the radius, and moments would cancel
+};
+
+/** \brief A point that rounding leaves undecided for some queries at one scale. */
+struct Doubt {
+  std::uint32_t place; ///< in its list
+  std::uint16_t scale;
+  std::uint16_t queries; ///< a bit each
+};
+
+/** \brief Where the exact coordinates of the points of a list are. */
+struct ExactSource {
+  const double* x;
+  const double* y;
+  const double* z;
+  std::array<double, 3> origin; ///< subtracted first
+  double scale;                 ///< then multiplied by
+  std::array<double, 3> center; ///< and subtracted at last
+};
+
+/** \brief What a tensor refers to. */
+enum class Reference {
+  Query, ///< sums are about the center of the leaf, the tensor about the query
+  Mean,  ///< the tensor is about the mean of what was summed
+  Sums   ///< what the sums are about already
+};
+
+/** \brief Sums of one scale on their way to tensors. */
+struct LadderFinish {
+  const LadderSums& sums;
+  const Moments* inside; ///< of points that all queries have, about the center, or null
+  bool relative;         ///< sums are about the query, not the center
+  Reference reference;
+  std::array<Lanes<double>, 3> query; ///< relative to the center
+  double coordinate_error;
+  double weight_absolute, weight_relative; ///< errors; absolute times radius squared
+};
+
+/** \brief The inner loops of the ladder, compiled for every instruction set. */
+struct LadderKernels {
+  /** \brief Appends the points of \a in that are neighbours of all queries from a
+   * scale on, and of none before, to the shell of that scale, relative to \a center.
+   * Those that any scale leaves open go to \a out as they are, and so do all within
+   * \a core (squared) of the center. */
+  void (*splitNode)(const PointList& in,
+                    const Float3& center,
+                    float core,
+                    const LadderScale* scales,
+                    std::size_t count,
+                    PointList* shells,
+                    PointList& out);
+
+  /** \brief Appends the points of a recentred list to \a certain of the first scale at
+   * which all queries have them as neighbours, and to \a open of every smaller one at
+   * which some may. */
+  void (*splitLeaf)(const PointList& in,
+                    const LadderScale* scales,
+                    std::size_t count,
+                    PointList* certain,
+                    PointList* open);
+
+  /** \brief Adds the moments of all points of \a list. */
+  void (*addMoments)(const PointList& list, Moments& sums);
+
+  /** \brief Puts a recentred list in the order of the smallest scale that can reach a
+   * point. \param[out] ends points that each scale can reach */
+  void (*order)(PointList& list,
+                PointList& spare,
+                const LadderScale* scales,
+                std::size_t count,
+                std::size_t* ends);
+
+  /** \brief Makes the coordinates of points within \a reach (squared) of the center
+   * anew from those in double. */
+  void (*sharpen)(PointList& list, float reach, const ExactSource& source);
+
+  /** \brief Adds the number of points within \a tolerance (squared) of each query, of
+   * those within \a reach (squared) of the center. */
+  void (*coincident)(const PointList& list,
+                     float reach,
+                     float tolerance,
+                     const LeafQueries& queries,
+                     Lanes<float>& counts);
+
+  /** \brief Moments of the neighbours, all with weight 1. */
+  void (*constPairs)(const PointList& list,
+                     const LeafQueries& queries,
+                     const LadderScale& scale,
+                     std::uint16_t scale_number,
+                     LadderSums& sums,
+                     std::vector<Doubt>& doubts);
+
+  /** \brief Moments of the neighbours at all scales, weighted by the distance from the
+   * query. \param[in] first_only no second moments are needed */
+  void (*weightedPairs)(const PointList& list,
+                        const std::size_t* ends,
+                        const LeafQueries& queries,
+                        const LadderScale* scales,
+                        std::size_t count,
+                        const Weighting& weighting,
+                        bool first_only,
+                        LadderSums* sums,
+                        std::vector<Doubt>& doubts);
+
+  /** \brief Moments of the neighbours at one scale about \a centers, weighted by the
+   * distance from there. */
+  void (*centredPairs)(const PointList& list,
+                       std::size_t end,
+                       const LeafQueries& queries,
+                       const LadderScale& scale,
+                       const LeafQueries& centers,
+                       const Weighting& weighting,
+                       LadderSums& sums);
+
+  /** \brief Tensors from sums. \return queries, a bit each, whose float sums are good
+   * for shape factors to 1e-4 */
+  std::uint32_t (*finish)(const LadderFinish& work,
+                          std::array<Lanes<double>, 6>& tensors,
+                          Lanes<float>& found);
+
+  /** \brief Shape factors of tensors. */
+  void (*factors)(const std::array<Lanes<double>, 6>& tensors,
+                  Lanes<float>& linearity,
+                  Lanes<float>& planarity,
+                  Lanes<float>& sphericity);
+};
+
+/** \brief The inner loops for the best instruction set of this machine. */
+LadderKernels
+ladderKernels();
+
+} // namespace linelet::grid

@@ -1,0 +1,449 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Sums over pairs of candidates and queries, a query a lane. Included once per
+// instruction set, so it has a guard that toggles.
+
+#if defined(LINELET_GRID_LADDER_PAIRS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LINELET_GRID_LADDER_PAIRS_INL
+#undef LINELET_GRID_LADDER_PAIRS_INL
+#else
+#define LINELET_GRID_LADDER_PAIRS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "ladder_kernels.h"
+#include "ladder_lists-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace linelet::grid {
+namespace HWY_NAMESPACE {
+
+/** \brief Points summed in float before the sum goes on in double. */
+constexpr std::size_t chunk_points = 64;
+
+/** \brief Some points of a list, and the products of their coordinates. */
+struct Chunk {
+  const float *x, *y, *z;
+  std::size_t first, size;
+  alignas(64) float xx[chunk_points], xy[chunk_points], xz[chunk_points],
+      yy[chunk_points], yz[chunk_points], zz[chunk_points];
+
+  HWY_INLINE
+  Chunk(const PointList& list, std::size_t begin, std::size_t end, bool products)
+      : x(list.x + begin),
+        y(list.y + begin),
+        z(list.z + begin),
+        first(begin),
+        size(end - begin)
+  {
+    const F f;
+    if (products)
+      for (std::size_t i = 0; i < size; i += hn::Lanes(f)) {
+        const V a = hn::LoadU(f, x + i), b = hn::LoadU(f, y + i),
+                c = hn::LoadU(f, z + i);
+        hn::Store(hn::Mul(a, a), f, xx + i);
+        hn::Store(hn::Mul(a, b), f, xy + i);
+        hn::Store(hn::Mul(a, c), f, xz + i);
+        hn::Store(hn::Mul(b, b), f, yy + i);
+        hn::Store(hn::Mul(b, c), f, yz + i);
+        hn::Store(hn::Mul(c, c), f, zz + i);
+      }
+  }
+};
+
+/** \brief Values for every pair of a chunk and a vector of queries. */
+struct PairBuffer {
+  alignas(64) float value[chunk_points * leaf_queries];
+};
+
+/** \brief Positions of a vector of queries. */
+struct QueryVector {
+  V x, y, z;
+
+  HWY_INLINE
+  QueryVector(const LeafQueries& queries, std::size_t q)
+      : x(hn::Load(F(), queries.x.lane + q)),
+        y(hn::Load(F(), queries.y.lane + q)),
+        z(hn::Load(F(), queries.z.lane + q))
+  {
+  }
+
+  HWY_INLINE V
+  squaredFrom(const Chunk& chunk, std::size_t c) const
+  {
+    const V dx = hn::Sub(constant(chunk.x[c]), x),
+            dy = hn::Sub(constant(chunk.y[c]), y),
+            dz = hn::Sub(constant(chunk.z[c]), z);
+    return hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+  }
+};
+
+/** \brief Sums of a vector of queries, in float. */
+struct PairSums {
+  V total, x, y, z, xx, xy, xz, yy, yz, zz, found;
+
+  HWY_INLINE
+  PairSums()
+  {
+    total = x = y = z = xx = xy = xz = yy = yz = zz = found = hn::Zero(F());
+  }
+
+  /** \brief Point \a c about the origin of the chunk. */
+  template <bool second>
+  HWY_INLINE void
+  add(V w, const Chunk& chunk, std::size_t c)
+  {
+    total = hn::Add(total, w);
+    x = hn::MulAdd(w, constant(chunk.x[c]), x);
+    y = hn::MulAdd(w, constant(chunk.y[c]), y);
+    z = hn::MulAdd(w, constant(chunk.z[c]), z);
+    if constexpr (second) {
+      xx = hn::MulAdd(w, constant(chunk.xx[c]), xx);
+      xy = hn::MulAdd(w, constant(chunk.xy[c]), xy);
+      xz = hn::MulAdd(w, constant(chunk.xz[c]), xz);
+      yy = hn::MulAdd(w, constant(chunk.yy[c]), yy);
+      yz = hn::MulAdd(w, constant(chunk.yz[c]), yz);
+      zz = hn::MulAdd(w, constant(chunk.zz[c]), zz);
+    }
+  }
+
+  /** \brief The same with weight 1 where \a mask is. */
+  template <class Mask>
+  HWY_INLINE void
+  addMasked(Mask mask, const Chunk& chunk, std::size_t c)
+  {
+    const auto sum = [&](V& s, float value) HWY_ATTR {
+      s = hn::IfThenElse(mask, hn::Add(s, constant(value)), s);
+    };
+    sum(total, 1);
+    sum(x, chunk.x[c]);
+    sum(y, chunk.y[c]);
+    sum(z, chunk.z[c]);
+    sum(xx, chunk.xx[c]);
+    sum(xy, chunk.xy[c]);
+    sum(xz, chunk.xz[c]);
+    sum(yy, chunk.yy[c]);
+    sum(yz, chunk.yz[c]);
+    sum(zz, chunk.zz[c]);
+  }
+
+  /** \brief Point \a c about positions \a from. */
+  HWY_INLINE void
+  addAbout(V w, const Chunk& chunk, std::size_t c, const QueryVector& from)
+  {
+    const V dx = hn::Sub(constant(chunk.x[c]), from.x),
+            dy = hn::Sub(constant(chunk.y[c]), from.y),
+            dz = hn::Sub(constant(chunk.z[c]), from.z);
+    const V wx = hn::Mul(w, dx), wy = hn::Mul(w, dy), wz = hn::Mul(w, dz);
+    total = hn::Add(total, w);
+    x = hn::Add(x, wx);
+    y = hn::Add(y, wy);
+    z = hn::Add(z, wz);
+    xx = hn::MulAdd(wx, dx, xx);
+    xy = hn::MulAdd(wx, dy, xy);
+    xz = hn::MulAdd(wx, dz, xz);
+    yy = hn::MulAdd(wy, dy, yy);
+    yz = hn::MulAdd(wy, dz, yz);
+    zz = hn::MulAdd(wz, dz, zz);
+  }
+
+  HWY_INLINE void
+  addTo(LadderSums& sums, std::size_t q) const
+  {
+    put(total, sums.sum[Total], q);
+    put(x, sums.sum[X], q);
+    put(y, sums.sum[Y], q);
+    put(z, sums.sum[Z], q);
+    put(xx, sums.sum[XX], q);
+    put(xy, sums.sum[XY], q);
+    put(xz, sums.sum[XZ], q);
+    put(yy, sums.sum[YY], q);
+    put(yz, sums.sum[YZ], q);
+    put(zz, sums.sum[ZZ], q);
+    const F f;
+    hn::Store(hn::Add(found, hn::Load(f, sums.found.lane + q)), f, sums.found.lane + q);
+  }
+
+private:
+  static HWY_INLINE void
+  put(V values, Lanes<double>& sum, std::size_t q)
+  {
+    const hn::ScalableTag<double> d;
+    const hn::Rebind<float, hn::ScalableTag<double>> half;
+    const std::size_t lanes = hn::Lanes(d);
+    alignas(64) float buffer[leaf_queries];
+    hn::Store(values, F(), buffer);
+    for (std::size_t i = 0; i < hn::Lanes(F()); i += lanes) {
+      double* const at = sum.lane + q + i;
+      hn::Store(hn::Add(hn::Load(d, at), hn::PromoteTo(d, hn::Load(half, buffer + i))),
+                d,
+                at);
+    }
+  }
+};
+
+void
+coincident(const PointList& list,
+           float reach,
+           float tolerance,
+           const LeafQueries& queries,
+           Lanes<float>& counts)
+{
+  const F f;
+  const Chunk points(list, 0, list.size, false);
+  for (std::size_t q = 0; q < leaf_queries; q += hn::Lanes(f)) {
+    const QueryVector query(queries, q);
+    V count = hn::Load(f, counts.lane + q);
+    for (std::size_t c = 0; c < list.size; ++c)
+      if (list.h[c] <= reach)
+        count = hn::Add(count,
+                        hn::IfThenElseZero(
+                            hn::Le(query.squaredFrom(points, c), constant(tolerance)),
+                            constant(1)));
+    hn::Store(count, f, counts.lane + q);
+  }
+}
+
+/** \brief Notes queries for which rounding may decide. */
+template <class Mask>
+HWY_INLINE void
+doubt(Mask mask,
+      std::size_t place,
+      std::uint16_t scale,
+      std::size_t q,
+      std::vector<Doubt>& doubts)
+{
+  if (HWY_LIKELY(hn::AllFalse(F(), mask)))
+    return;
+  doubts.push_back({static_cast<std::uint32_t>(place),
+                    scale,
+                    static_cast<std::uint16_t>(bitsOf(mask) << q)});
+}
+
+void
+constPairs(const PointList& list,
+           const LeafQueries& queries,
+           const LadderScale& scale,
+           std::uint16_t scale_number,
+           LadderSums& sums,
+           std::vector<Doubt>& doubts)
+{
+  const F f;
+  for (std::size_t begin = 0; begin < list.size; begin += chunk_points) {
+    const std::size_t end = HWY_MIN(begin + chunk_points, list.size);
+    const Chunk chunk(list, begin, end, !scale.relative);
+    for (std::size_t q = 0; q < leaf_queries; q += hn::Lanes(f)) {
+      const QueryVector query(queries, q);
+      const V low = constant(scale.band.low), high = constant(scale.band.high);
+      PairSums part;
+      if (scale.relative) {
+        for (std::size_t c = 0; c < chunk.size; ++c) {
+          const V squared = query.squaredFrom(chunk, c);
+          const auto within = hn::Le(squared, low);
+          doubt(hn::AndNot(within, hn::Le(squared, high)),
+                begin + c,
+                scale_number,
+                q,
+                doubts);
+          part.addAbout(hn::IfThenElseZero(within, constant(1)), chunk, c, query);
+        }
+      }
+      else {
+        // |p - q|^2 <= r^2 as |p|^2 - 2 p.q <= r^2 - |q|^2.
+        const V square = hn::MulAdd(
+            query.x, query.x, hn::MulAdd(query.y, query.y, hn::Mul(query.z, query.z)));
+        const V least = hn::Sub(low, square), most = hn::Sub(high, square);
+        const V qx = hn::Add(query.x, query.x), qy = hn::Add(query.y, query.y),
+                qz = hn::Add(query.z, query.z);
+        const float* const h = list.h + begin;
+        for (std::size_t c = 0; c < chunk.size; ++c) {
+          V s = hn::NegMulAdd(qx, constant(chunk.x[c]), constant(h[c]));
+          s = hn::NegMulAdd(qy, constant(chunk.y[c]), s);
+          s = hn::NegMulAdd(qz, constant(chunk.z[c]), s);
+          const auto within = hn::Le(s, least);
+          doubt(
+              hn::AndNot(within, hn::Le(s, most)), begin + c, scale_number, q, doubts);
+          part.addMasked(within, chunk, c);
+        }
+      }
+      part.addTo(sums, q);
+    }
+  }
+}
+
+/** \brief w of the pairs of a buffer, by squared distances and distances. */
+using PairWeights = void (*)(const Weighting& weighting,
+                             const float* squared,
+                             const float* distance,
+                             float inverse_radius,
+                             std::size_t count,
+                             float* weight);
+
+template <class W, Kernel kernel>
+HWY_INLINE V
+weightAt(const W& weight, V squared, V distance, V inverse, V inverse_squared)
+{
+  if constexpr (kernel == Kernel::Const || kernel == Kernel::Quadratic ||
+                kernel == Kernel::Epanechnikov || kernel == Kernel::QuadraticInverse ||
+                kernel == Kernel::Step)
+    return weight(hn::Mul(squared, inverse_squared));
+  else // neighbours lie within the radius, up to rounding
+    return hn::Max(weight.ofRoot(hn::Min(hn::Mul(distance, inverse), constant(1))),
+                   hn::Zero(F()));
+}
+
+template <Kernel kernel>
+void
+pairWeights(const Weighting& weighting,
+            const float* squared,
+            const float* distance,
+            float inverse_radius,
+            std::size_t count,
+            float* weight)
+{
+  const F f;
+  const ClampedWeight<kernel> w(weighting);
+  const V inverse = constant(inverse_radius),
+          inverse_squared = constant(inverse_radius * inverse_radius);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(f))
+    hn::Store(weightAt<ClampedWeight<kernel>, kernel>(w,
+                                                      hn::Load(f, squared + i),
+                                                      hn::Load(f, distance + i),
+                                                      inverse,
+                                                      inverse_squared),
+              f,
+              weight + i);
+}
+
+template <Kernel kernel>
+PairWeights
+pairWeightsOf(const ClampedWeight<kernel>&)
+{
+  return pairWeights<kernel>;
+}
+
+/** \brief Sums of a chunk at one scale, by weights that are there. */
+template <bool relative, bool second>
+void
+sumPairs(const Chunk& chunk,
+         std::size_t size,
+         const float* squared,
+         const float* weights,
+         const QueryVector& query,
+         const LadderScale& scale,
+         std::uint16_t scale_number,
+         std::size_t q,
+         LadderSums& sums,
+         std::vector<Doubt>& doubts)
+{
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  const V low = constant(scale.band.low), high = constant(scale.band.high);
+  PairSums part;
+  for (std::size_t c = 0; c < size; ++c) {
+    const V s = hn::Load(f, squared + c * lanes);
+    const auto within = hn::Le(s, low);
+    doubt(
+        hn::AndNot(within, hn::Le(s, high)), chunk.first + c, scale_number, q, doubts);
+    const V w = hn::IfThenElseZero(within, hn::Load(f, weights + c * lanes));
+    part.found = hn::IfThenElse(within, hn::Add(part.found, constant(1)), part.found);
+    if constexpr (relative)
+      part.addAbout(w, chunk, c, query);
+    else
+      part.template add<second>(w, chunk, c);
+  }
+  part.addTo(sums, q);
+}
+
+void
+weightedPairs(const PointList& list,
+              const std::size_t* ends,
+              const LeafQueries& queries,
+              const LadderScale* scales,
+              std::size_t count,
+              const Weighting& weighting,
+              bool first_only,
+              LadderSums* sums,
+              std::vector<Doubt>& doubts)
+{
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  PairWeights weights = nullptr;
+  withWeight(weighting, [&](const auto& w) HWY_ATTR { weights = pairWeightsOf(w); });
+  PairBuffer squared, distance, weight;
+  std::size_t smallest = 0;
+  for (std::size_t begin = 0; begin < list.size; begin += chunk_points) {
+    const std::size_t end = HWY_MIN(begin + chunk_points, list.size);
+    const Chunk chunk(list, begin, end, !first_only);
+    while (ends[smallest] <= begin)
+      ++smallest;
+    for (std::size_t q = 0; q < leaf_queries; q += lanes) {
+      const QueryVector query(queries, q);
+      for (std::size_t c = 0; c < chunk.size; ++c) {
+        const V s = query.squaredFrom(chunk, c);
+        hn::Store(s, f, squared.value + c * lanes);
+        hn::Store(hn::Sqrt(s), f, distance.value + c * lanes);
+      }
+      for (std::size_t k = smallest; k < count; ++k) {
+        const std::size_t size = HWY_MIN(end, ends[k]) - begin;
+        weights(weighting,
+                squared.value,
+                distance.value,
+                1 / scales[k].radius,
+                size * lanes,
+                weight.value);
+        const auto sum = scales[k].relative ? sumPairs<true, true>
+                         : first_only       ? sumPairs<false, false>
+                                            : sumPairs<false, true>;
+        sum(chunk,
+            size,
+            squared.value,
+            weight.value,
+            query,
+            scales[k],
+            static_cast<std::uint16_t>(k),
+            q,
+            sums[k],
+            doubts);
+      }
+    }
+  }
+}
+
+void
+centredPairs(const PointList& list,
+             std::size_t end,
+             const LeafQueries& queries,
+             const LadderScale& scale,
+             const LeafQueries& centers,
+             const Weighting& weighting,
+             LadderSums& sums)
+{
+  const F f;
+  const std::size_t lanes = hn::Lanes(f);
+  const float inverse = 1 / scale.radius;
+  withWeight(weighting, [&](const auto& w) HWY_ATTR {
+    for (std::size_t begin = 0; begin < end; begin += chunk_points) {
+      const Chunk chunk(list, begin, HWY_MIN(begin + chunk_points, end), false);
+      for (std::size_t q = 0; q < leaf_queries; q += lanes) {
+        const QueryVector query(queries, q), center(centers, q);
+        const V low = constant(scale.band.low), factor = constant(inverse * inverse);
+        PairSums part;
+        for (std::size_t c = 0; c < chunk.size; ++c) {
+          const auto within = hn::Le(query.squaredFrom(chunk, c), low);
+          const V u = hn::Mul(center.squaredFrom(chunk, c), factor);
+          part.addAbout(hn::IfThenElseZero(within, w(u)), chunk, c, center);
+        }
+        part.addTo(sums, q);
+      }
+    }
+  });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace linelet::grid
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,538 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ladder_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace linelet::grid {
+
+namespace {
+
+// Lists leave out, or sum up, what is certain by more than rounding.
+constexpr double margin = 1e-5;
+
+constexpr double float_rounding = 0x1p-24;
+
+// Radii below need coordinates with more digits than those relative to the block.
+constexpr double sharp_radius = 0.125;
+
+// Parts of the block, and parts of a part: cut in two so many times.
+constexpr int first_cuts = 4, cuts = 3;
+
+Float3
+toFloat(const Point& p)
+{
+  return {
+      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+} // namespace
+
+LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
+    : job_(job),
+      lists_(sweepKernels()),
+      kernels_(ladderKernels()),
+      visit_(std::move(visit)),
+      method_(methodFor(job.settings)),
+      weight_error_(weightError(job.settings.weighting)),
+      scales_(job.radii.size()),
+      certain_(job.radii.size()),
+      open_(job.radii.size()),
+      ends_(job.radii.size()),
+      sums_(job.radii.size()),
+      centre_sums_(job.radii.size()),
+      shapes_(job.radii.size()),
+      sweep_(job.radii, job.settings)
+{
+  for (std::size_t k = 0; k < job.radii.size(); ++k) {
+    certain_[k].reserve(0);
+    open_[k].reserve(0);
+  }
+  for (const double radius : job.radii)
+    radii_.push_back(radius / job.radii.back());
+}
+
+LadderSweep::Method
+LadderSweep::methodFor(const MultiScaleSettings& settings)
+{
+  const bool centred = settings.centroid != Centroid::QueryPoint;
+  // At its step rounding would decide; the medians iterate to the last digit.
+  if (settings.weighting.kernel() == Kernel::Step ||
+      (centred && settings.centroid_weighting.kernel() == Kernel::Step) ||
+      settings.centroid == Centroid::Median ||
+      settings.centroid == Centroid::WeightedMedian)
+    return Method::Double;
+  if (settings.weighting.kernel() == Kernel::Const &&
+      settings.centroid != Centroid::WeightedMean)
+    return Method::Sums;
+  return centred ? Method::Centre : Method::Weights;
+}
+
+void
+LadderSweep::operator()(const LadderPiece& piece)
+{
+  const BlockFrame::Cell cell = job_.frame.cell(job_.queries.key(piece.block));
+  const double unit = job_.radii.back();
+  origin_ = job_.frame.center(cell);
+  reach_ = job_.frame.edge() / unit / 2 + 1;
+  first_ = piece.begin;
+  const std::size_t count = piece.end - piece.begin;
+  queries_.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / unit);
+  gather(cell);
+  refine(0, count, region_, 0, first_cuts);
+}
+
+LadderSweep::Part
+LadderSweep::part(std::size_t begin, std::size_t end) const
+{
+  Point low = queries_[begin], high = low;
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    low = low.cwiseMin(queries_[i]);
+    high = high.cwiseMax(queries_[i]);
+  }
+  // As float: lists are made relative to it in float.
+  const Point center = ((low + high) / 2).cast<float>().cast<double>();
+  double size = 0;
+  for (std::size_t i = begin; i < end; ++i)
+    size = std::max(size, (queries_[i] - center).squaredNorm());
+  return {begin, end, center, std::sqrt(size)};
+}
+
+void
+LadderSweep::gather(const BlockFrame::Cell& cell)
+{
+  Point low = queries_.front(), high = low;
+  for (const Point& query : queries_) {
+    low = low.cwiseMin(query);
+    high = high.cwiseMax(query);
+  }
+  const Box box{toFloat(low), toFloat(high)};
+  constexpr double longest = 1 + margin;
+
+  // Blocks that follow each other along x are one run of points.
+  std::array<std::pair<std::size_t, std::size_t>, 9> runs;
+  std::size_t count = 0, points = 0;
+  for (std::int64_t z = std::max<std::int64_t>(cell[2] - 1, 0); z <= cell[2] + 1; ++z)
+    for (std::int64_t y = std::max<std::int64_t>(cell[1] - 1, 0); y <= cell[1] + 1;
+         ++y) {
+      const std::uint64_t last = job_.frame.key({cell[0] + 1, y, z});
+      std::size_t block = job_.surface.lowerBound(
+          job_.frame.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}),
+          cursors_[count]);
+      cursors_[count] = block;
+      const std::size_t begin = job_.surface.begin(block);
+      while (block < job_.surface.blocks() && job_.surface.key(block) <= last)
+        ++block;
+      runs[count] = {begin, job_.surface.begin(block)};
+      points += runs[count].second - begin;
+      ++count;
+    }
+  region_.reserve(points);
+  region_.size = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (runs[i].first < runs[i].second)
+      lists_.gather({job_.surface.coordinate(0),
+                     job_.surface.coordinate(1),
+                     job_.surface.coordinate(2),
+                     runs[i].first,
+                     runs[i].second,
+                     {origin_.x(), origin_.y(), origin_.z()},
+                     1 / job_.radii.back()},
+                    box,
+                    static_cast<float>(longest * longest),
+                    region_);
+  region_.pad();
+}
+
+void
+LadderSweep::refine(std::size_t begin,
+                    std::size_t end,
+                    const PointList& list,
+                    std::size_t depth,
+                    int cuts_left)
+{
+  if (end - begin <= leaf_queries) {
+    solve(part(begin, end), list, depth);
+    return;
+  }
+  if (cuts_left == 0) {
+    const PointList& shrunk = shrink(part(begin, end), list, depth);
+    refine(begin, end, shrunk, depth + 1, cuts);
+    return;
+  }
+  const std::size_t middle = begin + BlockOrder::half(end - begin);
+  refine(begin, middle, list, depth, cuts_left - 1);
+  refine(middle, end, list, depth, cuts_left - 1);
+}
+
+const PointList&
+LadderSweep::shrink(const Part& queries, const PointList& list, std::size_t depth)
+{
+  if (levels_.size() <= depth) {
+    levels_.emplace_back();
+    inside_.emplace_back(radii_.size());
+  }
+  PointList& kept = levels_[depth];
+  kept.reserve(list.size);
+  if (method_ != Method::Sums) {
+    const double far = 1 + queries.size + margin;
+    const Ball ball{toFloat(queries.center), -1, static_cast<float>(far * far)};
+    lists_.classify(list, ball, false, kept, nullptr);
+    return kept;
+  }
+  setScales(queries, false);
+  for (PointList& shell : certain_)
+    shell.size = 0;
+  const double core = queries.size + margin;
+  kernels_.splitNode(list,
+                     toFloat(queries.center),
+                     static_cast<float>(core * core),
+                     scales_.data(),
+                     scales_.size(),
+                     certain_.data(),
+                     kept);
+  Moments sum;
+  for (std::size_t k = 0; k < radii_.size(); ++k) {
+    if (certain_[k].size > 0)
+      kernels_.addMoments(certain_[k], sum);
+    inside_[depth][k] = sum.relativeTo(-queries.center);
+    if (depth > 0)
+      inside_[depth][k] += inside_[depth - 1][k];
+  }
+  return kept;
+}
+
+double
+LadderSweep::coordinateError(std::size_t scale, double size) const
+{
+  // Candidates and queries are rounded relative to the center of the leaf, candidates
+  // far away relative to the block as well.
+  const double far = radii_[scale] + size;
+  return float_rounding * (far + size + radii_[scale] +
+                           (radii_[scale] < sharp_radius ? 0 : reach_ + far));
+}
+
+void
+LadderSweep::setScales(const Part& queries, bool leaf)
+{
+  const double size = queries.size;
+  for (std::size_t k = 0; k < radii_.size(); ++k) {
+    const double radius = radii_[k], near = radius - size - margin,
+                 far = radius + size + margin;
+    LadderScale& scale = scales_[k];
+    scale.radius = static_cast<float>(radius);
+    // A coordinate of a part that is no leaf has no more digits than the block gives.
+    const bool inner = near > 0 && (leaf || radius >= sharp_radius);
+    scale.near = inner ? static_cast<float>(near * near) : -1.0F;
+    scale.far = static_cast<float>(far * far);
+    scale.relative = radius < size / 2;
+    // Rounding of coordinates, each of which changes the distance, and of the steps to
+    // |p|^2 and from it to |p - q|^2.
+    const double steps = float_rounding * (6 * far * far + 6 * far * size +
+                                           2 * size * size + 2 * radius * radius);
+    const double error =
+        1.25 * (2 * std::sqrt(3.0) * radius * coordinateError(k, size) + steps);
+    const double squared = radius * radius;
+    scale.band = {static_cast<float>((squared - error) * (1 - float_rounding)),
+                  static_cast<float>((squared + error) * (1 + float_rounding))};
+  }
+}
+
+void
+LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth)
+{
+  const std::size_t count = queries.end - queries.begin;
+  shapes_.count = count;
+  for (std::size_t lane = 0; lane < leaf_queries; ++lane) {
+    const std::size_t query = queries.begin + std::min(lane, count - 1);
+    shapes_.query[lane] = job_.queries.index(first_ + query);
+    const Point at = queries_[query] - queries.center;
+    const Float3 rounded = toFloat(at);
+    at_.x[lane] = rounded[0];
+    at_.y[lane] = rounded[1];
+    at_.z[lane] = rounded[2];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      exact_at_[axis][lane] = at[static_cast<Eigen::Index>(axis)];
+  }
+  setScales(queries, true);
+  redo_ = 0;
+  if (method_ == Method::Double)
+    redo_ = (1U << leaf_queries) - 1;
+  else {
+    const double far = 1 + queries.size + margin,
+                 sharp = sharp_radius + queries.size + 2 * margin;
+    leaf_.reserve(list.size);
+    lists_.classify(list,
+                    {toFloat(queries.center), -1, static_cast<float>(far * far)},
+                    true,
+                    leaf_,
+                    nullptr);
+    kernels_.sharpen(leaf_,
+                     static_cast<float>(sharp * sharp),
+                     {job_.surface.coordinate(0),
+                      job_.surface.coordinate(1),
+                      job_.surface.coordinate(2),
+                      {origin_.x(), origin_.y(), origin_.z()},
+                      1 / job_.radii.back(),
+                      {queries.center.x(), queries.center.y(), queries.center.z()}});
+    countHere(queries);
+    doubts_.clear();
+    std::fill(sums_.begin(), sums_.end(), LadderSums());
+    if (method_ == Method::Sums)
+      sums(queries, depth);
+    else {
+      kernels_.order(leaf_, spare_, scales_.data(), scales_.size(), ends_.data());
+      method_ == Method::Weights ? weights(queries) : centred(queries);
+    }
+  }
+  for (std::size_t lane = 0; lane < count; ++lane)
+    if ((redo_ >> lane & 1) != 0)
+      inDouble(queries.begin, lane);
+  visit_(shapes_);
+}
+
+void
+LadderSweep::countHere(const Part& queries)
+{
+  const double core = queries.size + margin;
+  const auto reach = static_cast<float>(core * core);
+  // What may be the same place is looked at in double.
+  const double near = 4 * float_rounding * queries.size + 1e-14;
+  Lanes<float> counts;
+  kernels_.coincident(leaf_, reach, static_cast<float>(near * near), at_, counts);
+  const bool own = &job_.queries == &job_.surface;
+  const float expected = own ? 1 : 0;
+  for (std::size_t lane = 0; lane < shapes_.count; ++lane) {
+    shapes_.here[lane] = own ? 1 : 0;
+    if (counts[lane] >= expected && counts[lane] <= expected)
+      continue;
+    const Point at = job_.queries.point(first_ + queries.begin + lane);
+    std::uint32_t here = 0;
+    for (std::size_t i = 0; i < leaf_.size; ++i)
+      if (leaf_.h[i] <= reach &&
+          (job_.surface.point(leaf_.id[i]) - at).squaredNorm() <= 0)
+        ++here;
+    shapes_.here[lane] = here;
+  }
+}
+
+void
+LadderSweep::sums(const Part& queries, std::size_t depth)
+{
+  for (std::size_t k = 0; k < radii_.size(); ++k)
+    certain_[k].size = open_[k].size = 0;
+  kernels_.splitLeaf(
+      leaf_, scales_.data(), scales_.size(), certain_.data(), open_.data());
+  for (std::size_t k = 0; k < radii_.size(); ++k)
+    kernels_.constPairs(
+        open_[k], at_, scales_[k], static_cast<std::uint16_t>(k), sums_[k], doubts_);
+  settle(queries, open_.data(), false, Kernel::Const, sums_);
+  const Reference reference =
+      job_.settings.centroid == Centroid::Mean ? Reference::Mean : Reference::Query;
+  Moments certain;
+  for (std::size_t k = 0; k < radii_.size(); ++k) {
+    if (certain_[k].size > 0)
+      kernels_.addMoments(certain_[k], certain);
+    Moments inside = certain;
+    if (depth > 0)
+      inside += inside_[depth - 1][k].relativeTo(queries.center);
+    finish(queries, k, sums_[k], &inside, reference, scales_[k].relative);
+  }
+}
+
+void
+LadderSweep::weights(const Part& queries)
+{
+  kernels_.weightedPairs(leaf_,
+                         ends_.data(),
+                         at_,
+                         scales_.data(),
+                         scales_.size(),
+                         job_.settings.weighting,
+                         false,
+                         sums_.data(),
+                         doubts_);
+  settle(queries, &leaf_, true, job_.settings.weighting, sums_);
+  for (std::size_t k = 0; k < radii_.size(); ++k)
+    finish(queries, k, sums_[k], nullptr, Reference::Query, scales_[k].relative);
+}
+
+void
+LadderSweep::centred(const Part& queries)
+{
+  const Weighting& weighting = job_.settings.weighting;
+  const Weighting centre_weighting = job_.settings.centroid == Centroid::WeightedMean
+                                         ? job_.settings.centroid_weighting
+                                         : Weighting(Kernel::Const);
+  std::fill(centre_sums_.begin(), centre_sums_.end(), LadderSums());
+  kernels_.weightedPairs(leaf_,
+                         ends_.data(),
+                         at_,
+                         scales_.data(),
+                         scales_.size(),
+                         centre_weighting,
+                         true,
+                         centre_sums_.data(),
+                         doubts_);
+  settle(queries, &leaf_, true, centre_weighting, centre_sums_);
+  std::size_t next = 0; // doubts are by scale
+  for (std::size_t k = 0; k < radii_.size(); ++k) {
+    LadderSums& sums = sums_[k];
+    const LadderSums& centre = centre_sums_[k];
+    LeafQueries centers;
+    for (std::size_t lane = 0; lane < leaf_queries; ++lane) {
+      const double total = centre.sum[Total][lane];
+      const auto place = [&](Moment m, const Lanes<float>& at) {
+        const double from = scales_[k].relative ? static_cast<double>(at[lane]) : 0.0;
+        return static_cast<float>(from + centre.sum[m][lane] / total);
+      };
+      if (!(total > 1e-3))
+        sums.sum[Total][lane] = -std::numeric_limits<double>::infinity(); // not good
+      centers.x[lane] = place(X, at_.x);
+      centers.y[lane] = place(Y, at_.y);
+      centers.z[lane] = place(Z, at_.z);
+    }
+    kernels_.centredPairs(leaf_, ends_[k], at_, scales_[k], centers, weighting, sums);
+    for (; next < doubts_.size() && doubts_[next].scale == k; ++next)
+      for (std::size_t lane = 0; lane < shapes_.count; ++lane)
+        if ((doubts_[next].queries >> lane & 1) != 0) {
+          const std::size_t place = doubts_[next].place;
+          const auto offset = [](float a, float b) {
+            return static_cast<double>(a) - static_cast<double>(b);
+          };
+          const Point v(offset(leaf_.x[place], centers.x[lane]),
+                        offset(leaf_.y[place], centers.y[lane]),
+                        offset(leaf_.z[place], centers.z[lane]));
+          add(weighting(v.norm() / radii_[k]), v, lane, sums);
+        }
+    sums.found = centre.found;
+    finish(queries, k, sums, nullptr, Reference::Sums, true);
+  }
+}
+
+void
+LadderSweep::add(double weight, const Point& v, std::size_t lane, LadderSums& sums)
+{
+  const std::array<double, moments> terms = {1,
+                                             v.x(),
+                                             v.y(),
+                                             v.z(),
+                                             v.x() * v.x(),
+                                             v.x() * v.y(),
+                                             v.x() * v.z(),
+                                             v.y() * v.y(),
+                                             v.y() * v.z(),
+                                             v.z() * v.z()};
+  for (std::size_t m = 0; m < moments; ++m)
+    sums.sum[m][lane] += weight * terms[m];
+}
+
+void
+LadderSweep::settle(const Part& queries,
+                    const PointList* lists,
+                    bool one_list,
+                    const Weighting& weighting,
+                    std::vector<LadderSums>& sums)
+{
+  if (doubts_.empty())
+    return;
+  for (Doubt& doubt : doubts_) {
+    const PointList& list = one_list ? *lists : lists[doubt.scale];
+    const double radius = job_.radii[doubt.scale];
+    const Point candidate = job_.surface.point(list.id[doubt.place]);
+    const Point about_center(
+        list.x[doubt.place], list.y[doubt.place], list.z[doubt.place]);
+    for (std::size_t lane = 0; lane < leaf_queries; ++lane) {
+      if ((doubt.queries >> lane & 1) == 0)
+        continue;
+      const Point query = job_.queries.point(first_ + queries.begin + lane);
+      if (lane >= shapes_.count ||
+          !((candidate - query).squaredNorm() <= radius * radius)) {
+        doubt.queries = static_cast<std::uint16_t>(doubt.queries & ~(1U << lane));
+        continue;
+      }
+      const Point v = about_center -
+                      Point(exact_at_[0][lane], exact_at_[1][lane], exact_at_[2][lane]);
+      LadderSums& sum = sums[doubt.scale];
+      add(weighting(v.norm() / radii_[doubt.scale]),
+          scales_[doubt.scale].relative ? v : about_center,
+          lane,
+          sum);
+      sum.found[lane] += 1;
+    }
+  }
+  std::stable_sort(doubts_.begin(), doubts_.end(), [](const Doubt& a, const Doubt& b) {
+    return a.scale < b.scale;
+  });
+}
+
+void
+LadderSweep::finish(const Part& queries,
+                    std::size_t scale,
+                    const LadderSums& sums,
+                    const Moments* inside,
+                    Reference reference,
+                    bool relative)
+{
+  Lanes<float> found;
+  const double radius = radii_[scale];
+  const std::uint32_t good = kernels_.finish({sums,
+                                              inside,
+                                              relative,
+                                              reference,
+                                              exact_at_,
+                                              4 * coordinateError(scale, queries.size),
+                                              weight_error_.absolute * radius * radius,
+                                              weight_error_.relative},
+                                             shapes_.tensors[scale],
+                                             found);
+  Lanes<float>& linearity = shapes_.linearity[scale];
+  Lanes<float>& planarity = shapes_.planarity[scale];
+  Lanes<float>& sphericity = shapes_.sphericity[scale];
+  kernels_.factors(shapes_.tensors[scale], linearity, planarity, sphericity);
+  for (std::size_t lane = 0; lane < shapes_.count; ++lane) {
+    const auto neighbors = static_cast<std::uint32_t>(found[lane]);
+    shapes_.neighbors[scale][lane] = neighbors;
+    // One neighbour beside the point spans a line whatever the shape of the cloud.
+    if (neighbors < shapes_.here[lane] + 2)
+      linearity[lane] = planarity[lane] = sphericity[lane] =
+          std::numeric_limits<float>::quiet_NaN();
+    else if ((good >> lane & 1) == 0)
+      redo_ |= 1U << lane;
+  }
+}
+
+void
+LadderSweep::inDouble(std::size_t begin, std::size_t lane)
+{
+  const Point query = job_.queries.point(first_ + begin + lane);
+  const double radius = job_.radii.back();
+  sweep_.clear();
+  for (std::size_t i = 0; i < region_.size; ++i) {
+    const Point offset = job_.surface.point(region_.id[i]) - query;
+    const double squared = offset.squaredNorm();
+    if (squared <= radius * radius)
+      sweep_.add(offset, squared);
+  }
+  sweep_.run();
+  shapes_.here[lane] = sweep_.neighbors().back() - sweep_.neighborsBeside().back();
+  for (std::size_t k = 0; k < radii_.size(); ++k) {
+    shapes_.neighbors[k][lane] = sweep_.neighbors()[k];
+    const ShapeFactors& factors = sweep_.factors()[k];
+    shapes_.linearity[k][lane] = static_cast<float>(factors.linearity);
+    shapes_.planarity[k][lane] = static_cast<float>(factors.planarity);
+    shapes_.sphericity[k][lane] = static_cast<float>(factors.sphericity);
+    const SymmetricTensor& t = sweep_.tensors()[k];
+    const std::array<double, 6> entries = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
+    for (std::size_t entry = 0; entry < 6; ++entry)
+      shapes_.tensors[k][entry][lane] = entries[entry];
+  }
+}
+
+} // namespace linelet::grid

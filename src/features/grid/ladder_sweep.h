@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include <features/scale_sweep.h>
+#include <linelet/features/multi_scale.h>
+
+#include "block_order.h"
+#include "ladder_kernels.h"
+#include "sweep_kernels.h"
+#include "weight_error.h"
+
+namespace linelet::grid {
+
+/** \brief The shapes of the neighbourhoods of some queries at all scales. Arrays have
+ * an entry a scale. */
+struct LeafShapes {
+  std::size_t count = 0; ///< queries
+  std::array<Index, leaf_queries> query{};
+  std::array<std::uint32_t, leaf_queries> here{}; ///< points in the place of each query
+  std::vector<Lanes<std::uint32_t>> neighbors;
+  /// NaN where a scale is not defined.
+  std::vector<Lanes<float>> linearity, planarity, sphericity;
+  std::vector<std::array<Lanes<double>, 6>> tensors; ///< xx xy xz yy yz zz, any unit
+
+  explicit LeafShapes(std::size_t scales)
+      : neighbors(scales),
+        linearity(scales),
+        planarity(scales),
+        sphericity(scales),
+        tensors(scales)
+  {
+  }
+};
+
+/** \brief Takes the shapes of a leaf; they are valid during the call. */
+using LeafVisitor = std::function<void(const LeafShapes&)>;
+
+/** \brief What the sweep over all blocks works on. */
+struct LadderJob {
+  const BlockFrame& frame; ///< edge at least the largest radius
+  const BlockOrder& surface;
+  const BlockOrder& queries; ///< may be the same
+  const MultiScaleSettings& settings;
+  const std::vector<double>& radii; ///< rising
+};
+
+/** \brief Queries of one block: slots begin to end of their BlockOrder, a part that it
+ * has cut. */
+struct LadderPiece {
+  std::size_t block, begin, end;
+};
+
+/** \brief Shapes at all radii of the queries of a piece; one a thread.
+ *
+ * The queries are split into parts, down to leaves of 16 queries that lie
+ * together, one a lane of a vector of floats. A leaf has one list of candidates for all
+ * scales, in the order of the smallest scale that can reach them: the neighbourhood of
+ * every scale is in the first so many of the list, and distances serve all scales. For
+ * const weights around the query or the mean, candidates are sorted into shells between
+ * the scales; a shell that all queries of a part share is summed once, and what is
+ * looked at pair by pair are the surfaces of the balls.
+ *
+ * Float coordinates are relative to the leaf, made from double for the smaller scales.
+ * As in \ref BlockSweep, pairs within rounding of a radius are decided in double, and a
+ * query with a scale whose float sums may be off by more than shape factors allow is
+ * computed again in double. */
+class LadderSweep {
+public:
+  LadderSweep(const LadderJob& job, LeafVisitor visit);
+
+  void
+  operator()(const LadderPiece& piece);
+
+private:
+  /** \brief How tensors are computed. */
+  enum class Method {
+    Sums,    ///< const around the query or the mean: sums of moments
+    Weights, ///< a kernel around the query
+    Centre,  ///< a kernel around a mean of the neighbours
+    Double   ///< all in double
+  };
+
+  static Method
+  methodFor(const MultiScaleSettings& settings);
+
+  /** \brief Part of the queries of the block, and the ball around them. */
+  struct Part {
+    std::size_t begin, end;
+    Point center; // relative to the block
+    double size;  // distance of the farthest query from the center
+  };
+
+  Part
+  part(std::size_t begin, std::size_t end) const;
+
+  void
+  gather(const BlockFrame::Cell& cell);
+
+  void
+  refine(std::size_t begin,
+         std::size_t end,
+         const PointList& list,
+         std::size_t depth,
+         int cuts);
+
+  /** \brief Makes the list and the sums of a part out of those of the part it is in. */
+  const PointList&
+  shrink(const Part& queries, const PointList& list, std::size_t depth);
+
+  void
+  setScales(const Part& queries, bool leaf);
+
+  void
+  solve(const Part& queries, const PointList& list, std::size_t depth);
+
+  void
+  countHere(const Part& queries);
+
+  void
+  sums(const Part& queries, std::size_t depth);
+
+  void
+  weights(const Part& queries);
+
+  void
+  centred(const Part& queries);
+
+  /** \brief Settles the pairs that rounding leaves undecided: those in \ref doubts_
+   * that are neighbours get the weight of their distance. */
+  void
+  settle(const Part& queries,
+         const PointList* lists,
+         bool one_list,
+         const Weighting& weighting,
+         std::vector<LadderSums>& sums);
+
+  static void
+  add(double weight, const Point& v, std::size_t lane, LadderSums& sums);
+
+  /** \brief From sums to tensors and factors, at one scale. */
+  void
+  finish(const Part& queries,
+         std::size_t scale,
+         const LadderSums& sums,
+         const Moments* inside,
+         Reference reference,
+         bool relative);
+
+  void
+  inDouble(std::size_t begin, std::size_t lane);
+
+  double
+  coordinateError(std::size_t scale, double size) const;
+
+  const LadderJob& job_;
+  SweepKernels lists_;
+  LadderKernels kernels_;
+  LeafVisitor visit_;
+  Method method_;
+  WeightError weight_error_;
+  std::vector<double> radii_; // in units of the largest
+
+  std::size_t first_ = 0;      // slot of the first query of the piece
+  Point origin_;               // center of the block
+  double reach_ = 1;           // largest coordinate of a list
+  std::vector<Point> queries_; // relative to the block, in units of the largest radius
+  std::array<std::size_t, 9> cursors_{}; // where the last block's runs began
+  PointList region_;                     // what any query of the block can reach
+
+  std::deque<PointList> levels_;            // one a depth of refinement
+  std::deque<std::vector<Moments>> inside_; // the same, about the block's center
+  std::vector<LadderScale> scales_;         // seen from the part at hand
+  std::vector<PointList> certain_, open_;   // one a scale
+  PointList leaf_, spare_;
+  std::vector<std::size_t> ends_;
+
+  LeafQueries at_;                        // relative to the leaf
+  std::array<Lanes<double>, 3> exact_at_; // the same in double
+  std::vector<LadderSums> sums_, centre_sums_;
+  std::vector<Doubt> doubts_;
+  std::uint32_t redo_ = 0; // queries, a bit each
+  LeafShapes shapes_;
+  ScaleSweep sweep_;
+};
+
+} // namespace linelet::grid
