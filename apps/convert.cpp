@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "frame.h"
+#include "options.h"
 
 namespace linelet::apps {
 
@@ -16,16 +17,17 @@ runConvert(const std::vector<std::string>& arguments)
   Frame frame("convert", "Convert between .las, .pcd, .ply, .xyz, .txt, .csv and .obj");
   std::string in, out;
   io::ReadOptions options;
+  io::WriteOptions writing;
   frame.app.add_option("IN", in, "point file")->required();
   frame.app.add_option("OUT", out, "point file, in the format of its ending")
       ->required();
-  frame.app.add_flag(
-      "--lenient", options.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, options);
+  addOptions(frame.app, writing);
   frame.parse(arguments);
 
   std::vector<std::string> warnings;
   const io::Cloud cloud = io::readCloud(in, options, &warnings, &frame.monitor);
-  io::writeCloud(out, cloud, &warnings, &frame.monitor);
+  io::writeCloud(out, cloud, writing, &warnings, &frame.monitor);
   frame.warn(warnings);
   std::printf("%zu points with %zu attributes: %s\n",
               cloud.points.size(),

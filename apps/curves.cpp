@@ -61,8 +61,7 @@ runCurves(const std::vector<std::string>& arguments)
   frame.app
       .add_option("--classes", classes, "only points of these classes, such as 14,15")
       ->delimiter(',');
-  frame.app.add_flag(
-      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, reading);
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;

@@ -51,7 +51,7 @@ generateGeometry(const std::vector<std::string>& arguments)
   cloud.points = evaluation::sample(geometry, settings);
   const CurveNetwork network = evaluation::truthOf(geometry, settings.out_of_plane);
   std::vector<std::string> warnings;
-  io::writeCloud(output, cloud, &warnings, &frame.monitor);
+  io::writeCloud(output, cloud, {}, &warnings, &frame.monitor);
   if (!truth.empty())
     io::writeCurves(truth, network);
   frame.warn(warnings);

@@ -89,7 +89,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
   const CurveNetwork network = toNetwork(scan.wires);
   const io::Cloud cloud = toCloud(scan);
   std::vector<std::string> warnings;
-  io::writeCloud(output, cloud, &warnings, &frame.monitor);
+  io::writeCloud(output, cloud, {}, &warnings, &frame.monitor);
   if (!truth.empty())
     io::writeCurves(truth, network, cloud.shift, cloud.wkt);
   frame.warn(warnings);

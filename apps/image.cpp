@@ -58,8 +58,7 @@ runImage(const std::vector<std::string>& arguments)
   frame.app.add_option("OUTPUT", output, "picture, .png")->required();
   addOptions(frame.app, settings);
   addOptions(frame.app, shapes);
-  frame.app.add_flag(
-      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, reading);
   frame.parse(arguments);
   shapes.threads = frame.threads;
   // By value, so that an option file with every default means the same.

@@ -14,6 +14,7 @@
 
 #include "commands.h"
 #include "frame.h"
+#include "options.h"
 
 namespace linelet::apps {
 
@@ -214,8 +215,7 @@ runInfo(const std::vector<std::string>& arguments)
   std::string path;
   io::ReadOptions options;
   frame.app.add_option("FILE", path, "point file")->required();
-  frame.app.add_flag(
-      "--lenient", options.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, options);
   frame.parse(arguments);
 
   std::vector<std::string> warnings;

@@ -219,6 +219,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   MultiScaleSettings settings;
   CentroidShiftSettings shift;
   io::ReadOptions reading;
+  io::WriteOptions writing;
   std::string input, output, graphs;
   frame.app.add_option("INPUT", input, "point file")->required();
   frame.app.add_option("OUTPUT", output, "point file, format by ending")->required();
@@ -228,8 +229,8 @@ runMultiscale(const std::vector<std::string>& arguments)
                        shift.radius,
                        "first move every point to the mean of its neighbours within "
                        "this radius (the output has the moved points); 0: do not");
-  frame.app.add_flag(
-      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, reading);
+  addOptions(frame.app, writing);
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
   io::checkCloudOutput(output);
@@ -284,7 +285,7 @@ runMultiscale(const std::vector<std::string>& arguments)
     unknown += shape.scale < 0 ? 1 : 0;
   addColumns(cloud, result.shapes);
   warnings.clear();
-  io::writeCloud(output, cloud, &warnings, &frame.monitor);
+  io::writeCloud(output, cloud, writing, &warnings, &frame.monitor);
   frame.warn(warnings);
 
   std::printf("%s: %zu points, scale unit D %.6g, %zu radii from %.6g to %.6g\n"

@@ -71,8 +71,7 @@ runPowerlines(const std::vector<std::string>& arguments)
                   "folder for classified.las, wires.geojson, wires.gpkg, wires.dxf, "
                   "summary.json and report.html; made if need be")
       ->required();
-  frame.app.add_flag(
-      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, reading);
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;

@@ -167,6 +167,7 @@ runTensor(const std::vector<std::string>& arguments)
       "or a field the radius is chosen: three times the scale unit D.");
   TensorSettings settings;
   io::ReadOptions reading;
+  io::WriteOptions writing;
   std::string input, output, radius_field, knn_field, device;
   frame.app.add_option("INPUT", input, "point file")->required();
   frame.app.add_option("OUTPUT", output, "point file, format by ending")->required();
@@ -181,8 +182,8 @@ runTensor(const std::vector<std::string>& arguments)
                        device,
                        "OpenCL device by number or part of its name; linelet devices "
                        "lists them");
-  frame.app.add_flag(
-      "--lenient", reading.lenient, "read what is whole of a file that ends too early");
+  addOptions(frame.app, reading);
+  addOptions(frame.app, writing);
   frame.parse(arguments);
   settings.threads = frame.threads;
   io::checkCloudOutput(output);
@@ -221,7 +222,7 @@ runTensor(const std::vector<std::string>& arguments)
   addColumns(cloud, records);
   watch.lap();
   warnings.clear();
-  io::writeCloud(output, cloud, &warnings, &frame.monitor);
+  io::writeCloud(output, cloud, writing, &warnings, &frame.monitor);
   frame.warn(warnings);
   const double write_seconds = watch.lap();
 

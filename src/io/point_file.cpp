@@ -9,6 +9,7 @@
 
 #include "files.h"
 #include "readers.h"
+#include "shift_file.h"
 #include "writers.h"
 
 namespace linelet::io {
@@ -75,19 +76,34 @@ readCloud(const std::string& path,
   const MappedFile file(path);
   if (monitor != nullptr)
     monitor->begin("reading", 0);
-  return format.read({{path, warnings, monitor}, file.bytes(), options});
+  Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});
+  if (format.read != readLas)
+    cloud.shift += readShift(path);
+  return cloud;
 }
 
 void
 writeCloud(const std::string& path,
            const Cloud& cloud,
+           const WriteOptions& options,
            std::vector<std::string>* warnings,
            Monitor* monitor)
 {
   const Format& format = writtenFormatOf(path);
+  if (options.shifted && format.write == writeLas)
+    throw FileError(path + ": LAS carries a shift of its own; leave out --shifted");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
-  format.write({path, warnings, monitor}, cloud);
+  const Target target = {path, warnings, monitor};
+  if (!options.shifted) {
+    format.write(target, cloud);
+    writeShift(path, Point::Zero());
+    return;
+  }
+  Cloud near = cloud;
+  near.shift = Point::Zero();
+  format.write(target, near);
+  writeShift(path, cloud.shift);
 }
 
 } // namespace linelet::io

@@ -4,6 +4,8 @@
 // What one format holds and another can hold survives the way there and back.
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include <linelet/io/point_file.h>
@@ -166,14 +168,44 @@ TEST(Conversion, PclReadsCoordinatesThatFitFloats)
   Cloud cloud;
   cloud.points = {{1.5, -2.25, 100.125}, {0, 0, 0}};
   std::vector<std::string> warnings;
-  writeCloud(folder.file("a.pcd"), cloud, &warnings);
+  writeCloud(folder.file("a.pcd"), cloud, {}, &warnings);
   EXPECT_NE(bytesOf(folder.file("a.pcd")).find("SIZE 4 4 4\n"), std::string::npos);
   EXPECT_TRUE(warnings.empty());
   cloud.shift = {689000.125, 5527000, 0};
-  writeCloud(folder.file("a.pcd"), cloud, &warnings);
+  writeCloud(folder.file("a.pcd"), cloud, {}, &warnings);
   EXPECT_NE(bytesOf(folder.file("a.pcd")).find("SIZE 8 8 8\n"), std::string::npos);
   EXPECT_EQ(warnings.size(), 1U);
   expectWarningsAbout(warnings, "8 bytes");
+}
+
+TEST(Conversion, AShiftedFileIsReadByPclAndKeepsItsPlace)
+{
+  const Folder folder;
+  Cloud cloud;
+  cloud.shift = {689000.125, 5527000.0625, 0.1};
+  cloud.points = {{1.5, -2.25, 100.125}, {0, 0, 0}};
+  WriteOptions shifted;
+  shifted.shifted = true;
+  for (const char* name : {"a.pcd", "a.ply", "a.csv", "a.xyz"}) {
+    const std::string file = folder.file(name);
+    std::vector<std::string> warnings;
+    writeCloud(file, cloud, shifted, &warnings);
+    EXPECT_TRUE(warnings.empty()) << name;
+    EXPECT_EQ(bytesOf(file + ".shift"), "689000.125 5527000.0625 0.1\n");
+    expectSamePlaces(cloud, readCloud(file), 0);
+
+    // Of no use to what is written over it.
+    writeCloud(file, cloud);
+    EXPECT_FALSE(std::filesystem::exists(file + ".shift")) << name;
+    expectSamePlaces(cloud, readCloud(file), 0);
+  }
+  writeCloud(folder.file("a.pcd"), cloud, shifted);
+  EXPECT_NE(bytesOf(folder.file("a.pcd")).find("SIZE 4 4 4\n"), std::string::npos);
+  EXPECT_THROW(writeCloud(folder.file("a.las"), cloud, shifted), FileError);
+  for (const char* nonsense : {"", "1 2", "1 2 3 4", "1 2 nan", "1 2 x"}) {
+    std::ofstream(folder.file("a.pcd") + ".shift") << nonsense;
+    EXPECT_THROW(readCloud(folder.file("a.pcd")), FileError) << nonsense;
+  }
 }
 
 TEST(Conversion, MillimetresOfSmallCoordinatesSurviveFloats)
@@ -204,7 +236,7 @@ TEST(Conversion, PointsWithoutCoordinatesSurviveExceptInLas)
     EXPECT_EQ(after.points[2].x() + after.shift.x(), 4);
   }
   std::vector<std::string> warnings;
-  writeCloud(folder.file("a.las"), cloud, &warnings);
+  writeCloud(folder.file("a.las"), cloud, {}, &warnings);
   const Cloud after = readCloud(folder.file("a.las"));
   ASSERT_EQ(after.points.size(), 2U);
   EXPECT_EQ(valueAt(*after.find("id"), 1), 30);
@@ -218,7 +250,7 @@ TEST(Conversion, AnAttributeThatLasRoundsIsExactInExtraBytes)
   cloud.points = {{1, 2, 3}, {4, 5, 6}};
   cloud.set({"intensity", std::vector<float>{0.25F, 7.5F}, {}});
   std::vector<std::string> warnings;
-  writeCloud(folder.file("a.las"), cloud, &warnings);
+  writeCloud(folder.file("a.las"), cloud, {}, &warnings);
   expectWarningsAbout(warnings, "rounded");
   EXPECT_EQ(warnings.size(), 1U);
   const Cloud after = readCloud(folder.file("a.las"));

@@ -211,7 +211,7 @@ TEST(LasDetails, AClassBeyond31MakesANewFormatOfLas14)
   const std::size_t count = cloud.points.size();
   cloud.set({"classification", std::vector<std::uint8_t>(count, 64), {}});
   std::vector<std::string> warnings;
-  writeCloud(folder.file("out.las"), cloud, &warnings);
+  writeCloud(folder.file("out.las"), cloud, {}, &warnings);
   EXPECT_EQ(warnings.size(), 1U);
   const std::string after = bytesOf(folder.file("out.las"));
   EXPECT_EQ(after[104], 7);

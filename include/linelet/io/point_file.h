@@ -24,7 +24,32 @@ struct ReadOptions {
   bool lenient = false; ///< read what is whole of a file that ends too early
 };
 
-/** \brief Reads .las, .pcd, .ply, .xyz/.txt/.csv or the vertices of .obj, by ending.
+template <class Visit>
+void
+describe(ReadOptions& s, Visit&& visit)
+{
+  visit("lenient", s.lenient, "read what is whole of a file that ends too early");
+}
+
+/** \brief How to write a point file. */
+struct WriteOptions {
+  /// Write coordinates less the shift of the cloud, which goes into a file beside, PATH
+  /// with .shift behind, where \ref readCloud finds it. Not for LAS, which has its own.
+  bool shifted = false;
+};
+
+template <class Visit>
+void
+describe(WriteOptions& s, Visit&& visit)
+{
+  visit("shifted",
+        s.shifted,
+        "write coordinates less a shift, small enough for the floats of PCL, and the "
+        "shift to OUTPUT.shift, where linelet finds it again (not for .las)");
+}
+
+/** \brief Reads .las, .pcd, .ply, .xyz/.txt/.csv or the vertices of .obj, by ending;
+ * with a file of its shift beside it (see \ref WriteOptions) in world coordinates.
  * \param[in] path the file
  * \param[in] options see there
  * \param[out] warnings one sentence for every loss (null: not wanted)
@@ -35,12 +60,14 @@ readCloud(const std::string& path,
           std::vector<std::string>* warnings = nullptr,
           Monitor* monitor = nullptr);
 
-/** \brief Writes \a cloud in the format that the ending of \a path names.
+/** \brief Writes \a cloud in the format that the ending of \a path names, and removes
+ * a file of a shift that was there for another cloud.
  * \param[out] warnings one sentence for every attribute the format cannot hold
  * \throws FileError */
 void
 writeCloud(const std::string& path,
            const Cloud& cloud,
+           const WriteOptions& options = {},
            std::vector<std::string>* warnings = nullptr,
            Monitor* monitor = nullptr);
 
