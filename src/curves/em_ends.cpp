@@ -63,7 +63,7 @@ EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
     const Edge& edge = edges_[state.first_edge + e];
     double left = 1; // product of what is left of the points' densities
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
-      double& gone = removed_[pair_point_[k]];
+      double& gone = removed_[pair_slot_[k]];
       const double before = std::max(1e-12, 1 - gone);
       gone += pair_density_[k];
       left *= std::max(1e-12, 1 - gone) / before;
@@ -90,7 +90,7 @@ EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
   for (std::size_t e = 0; e < edges; ++e) {
     const Edge& edge = edges_[state.first_edge + e];
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k)
-      removed_[pair_point_[k]] = 0;
+      removed_[pair_slot_[k]] = 0;
   }
   return best_cut;
 }

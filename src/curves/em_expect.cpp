@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "em_kernels.h"
+#include "slot_kernels.h"
 
 namespace linelet {
 
@@ -25,27 +26,39 @@ EmFitter::collectPairs()
   reach_ = pair_reach * noise_;
   const double margin = 0.3 * noise_;
   const double reach = reach_ + margin;
-  pair_point_.clear();
-  for (auto& coordinate : pair_at_)
-    coordinate.clear();
+  std::vector<SlotRun> runs;
+  std::size_t count = 0;
   for (Edge& edge : edges_) {
-    edge.pairs_begin = pair_point_.size();
     const Point middle = edge.from + 0.5 * edge.length * edge.direction;
-    grid_.forEachWithin(middle, reach + 0.5 * edge.length, [&](Index i, double) {
-      const Point v = points_[i] - edge.from;
-      const double z = v.dot(edge.direction);
-      const double over = z - std::clamp(z, 0.0, edge.length);
-      if (v.squaredNorm() - z * z + over * over <= reach * reach) {
-        pair_point_.push_back(i);
-        for (int axis = 0; axis < 3; ++axis)
-          pair_at_[static_cast<std::size_t>(axis)].push_back(points_[i][axis]);
-      }
-    });
-    edge.pairs_end = pair_point_.size();
+    std::size_t most = count + SlotArrays::padding;
+    runs.clear();
+    grid_.forEachRun(
+        middle, reach + 0.5 * edge.length, [&](std::size_t begin, std::size_t end) {
+          runs.push_back({begin, end});
+          most += end - begin;
+        });
+    if (pair_slot_.size() < most) {
+      pair_slot_.resize(2 * most);
+      for (auto& coordinate : pair_at_)
+        coordinate.resize(2 * most);
+    }
+    const EdgeShape shape = shapeOf(edge);
+    NearEdge near;
+    std::copy_n(shape.from, 3, near.from);
+    std::copy_n(shape.direction, 3, near.direction);
+    near.length = edge.length;
+    near.reach = reach;
+    edge.pairs_begin = count;
+    count += slotKernels().nearEdge(*slots_,
+                                    runs,
+                                    near,
+                                    pair_slot_.data() + count,
+                                    {pair_at_[0].data() + count,
+                                     pair_at_[1].data() + count,
+                                     pair_at_[2].data() + count});
+    edge.pairs_end = count;
   }
-  const std::size_t size = pair_point_.size() + EdgePoints::padding;
-  for (auto& coordinate : pair_at_)
-    coordinate.resize(size);
+  const std::size_t size = count + EdgePoints::padding;
   pair_density_.resize(size);
   pair_place_.resize(size);
   pair_off_.resize(size);
@@ -82,7 +95,7 @@ EmFitter::expect()
                       pair_place_.data() + begin,
                       pair_off_.data() + begin);
     for (std::size_t k = begin; k < edge.pairs_end; ++k)
-      density_[pair_point_[k]] += pair_density_[k];
+      density_[pair_slot_[k]] += pair_density_[k];
   }
 
   log_likelihood_ = kernels.invert(density_.data(), n);
@@ -93,7 +106,7 @@ EmFitter::expect()
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     double count = 0;
     for (std::size_t k = edges_[e].pairs_begin; k < edges_[e].pairs_end; ++k) {
-      pair_density_[k] *= density_[pair_point_[k]];
+      pair_density_[k] *= density_[pair_slot_[k]];
       count += pair_density_[k];
     }
     edge_count_[e] = count;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "slot_kernels.h"
+
 namespace linelet {
 
 namespace {
@@ -17,7 +19,10 @@ constexpr double least_points = 2;
 EmFitter::EmFitter(const Points& points,
                    const UniformGrid& grid,
                    const CloudFrame& frame)
-    : points_(points), grid_(grid), frame_(frame)
+    : points_(points),
+      grid_(grid),
+      slots_(std::make_shared<SlotArrays>(grid)),
+      frame_(frame)
 {
 }
 
@@ -65,8 +70,8 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
   result.freedom = freedom_;
   const double background = outlier_share_ / frame_.volume;
   result.outlier.resize(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    result.outlier[i] = background * density_[i];
+  for (std::size_t slot = 0; slot < grid_.size(); ++slot)
+    result.outlier[grid_.slotIndices()[slot]] = background * density_[slot];
   for (const CurveState& state : states_) {
     result.curves.push_back(state.curve);
     const auto begin =

@@ -159,7 +159,7 @@ invert(double* densities, std::size_t count)
 }
 
 EmKernels
-kernels()
+emLoops()
 {
   return {densities, sums, invert};
 }
@@ -172,12 +172,12 @@ HWY_AFTER_NAMESPACE();
 
 namespace linelet {
 
-HWY_EXPORT(kernels);
+HWY_EXPORT(emLoops);
 
 const EmKernels&
 emKernels()
 {
-  static const EmKernels chosen = HWY_DYNAMIC_DISPATCH(kernels)();
+  static const EmKernels chosen = HWY_DYNAMIC_DISPATCH(emLoops)();
   return chosen;
 }
 

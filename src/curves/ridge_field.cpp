@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/LU>
+
+#include "slot_kernels.h"
 
 namespace linelet {
 
@@ -17,38 +20,36 @@ namespace {
 constexpr double least_share = 0.3;
 constexpr double least_support = 1.5;
 
-double
-kernel(double squared, double inverse_squared_radius)
-{
-  const double u = 1 - squared * inverse_squared_radius;
-  const double u2 = u * u;
-  return u2 * u2;
-}
-
 } // namespace
 
 RidgeField::RidgeField(const Points& points, double bandwidth)
-    : bandwidth_(bandwidth), grid_({}, 1)
+    : bandwidth_(bandwidth), grid_(points, 3 * bandwidth)
 {
-  const double radius = 3 * bandwidth;
-  const double inverse = 1 / (radius * radius);
-  const UniformGrid all(points, radius);
-  supports_.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double sum = 0;
-    all.forEachWithin(points[i], radius, [&](Index, double squared) {
-      sum += kernel(squared, inverse);
-    });
-    supports_[i] = sum;
-  }
-  if (points.empty())
+  supports_.assign(points.size(), 0);
+  if (grid_.size() == 0)
     return;
-  std::vector<double> sorted = supports_;
+  slots_ = std::make_shared<SlotArrays>(grid_);
+  std::vector<double> scores(points.size(), 0), sorted;
+  const auto look = [&] {
+    for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
+      const Sample here = sample(grid_.slots()[slot]);
+      const Index i = kept_indices_[grid_.slotIndices()[slot]];
+      supports_[i] = here.support;
+      scores[i] = here.support * (0.2 + linearityOf(here.covariance));
+    }
+  };
+  kept_ = points;
+  kept_indices_.resize(points.size());
+  std::iota(kept_indices_.begin(), kept_indices_.end(), Index(0));
+  look();
+  sorted = supports_;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   median_support_ = *middle;
 
   const double least = std::max(least_share * median_support_, least_support);
+  kept_.clear();
+  kept_indices_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (supports_[i] >= least) {
       kept_.push_back(points[i]);
@@ -57,12 +58,12 @@ RidgeField::RidgeField(const Points& points, double bandwidth)
     else
       supports_[i] = 0;
   }
-  grid_ = UniformGrid(kept_, radius);
-
-  std::vector<double> scores(points.size(), 0);
-  for (std::size_t k = 0; k < kept_.size(); ++k) {
-    const Sample here = sample(kept_[k], true);
-    scores[kept_indices_[k]] = here.support * (0.2 + linearityOf(here.covariance));
+  if (kept_.size() < points.size()) {
+    const std::vector<double> supports = supports_;
+    grid_ = UniformGrid(kept_, 3 * bandwidth);
+    slots_ = std::make_shared<SlotArrays>(grid_);
+    look();
+    supports_ = supports;
   }
   seeds_ = kept_indices_;
   std::sort(seeds_.begin(), seeds_.end(), [&](Index a, Index b) {
@@ -71,44 +72,27 @@ RidgeField::RidgeField(const Points& points, double bandwidth)
 }
 
 RidgeField::Sample
-RidgeField::sample(const Point& x, bool with_covariance) const
+RidgeField::sample(const Point& x) const
 {
+  static thread_local std::vector<SlotRun> runs;
+  runs.clear();
   const double radius = 3 * bandwidth_;
-  const double inverse = 1 / (radius * radius);
+  grid_.forEachRun(x, radius, [&](std::size_t begin, std::size_t end) {
+    runs.push_back({begin, end});
+  });
   Sample result;
-  Point first = Point::Zero();
-  if (with_covariance) {
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    grid_.forEachWithin(x, radius, [&](Index k, double squared) {
-      const double w = kernel(squared, inverse);
-      const Point v = kept_[k] - x;
-      const Point wv = w * v;
-      result.support += w;
-      first += wv;
-      xx += wv.x() * v.x();
-      xy += wv.x() * v.y();
-      xz += wv.x() * v.z();
-      yy += wv.y() * v.y();
-      yz += wv.y() * v.z();
-      zz += wv.z() * v.z();
-    });
-    if (!(result.support > 0))
-      return result;
-    first /= result.support;
-    result.covariance << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    result.covariance /= result.support;
-    result.covariance -= first * first.transpose();
-  }
-  else {
-    grid_.forEachWithin(x, radius, [&](Index k, double squared) {
-      const double w = kernel(squared, inverse);
-      result.support += w;
-      first += w * (kept_[k] - x);
-    });
-    if (!(result.support > 0))
-      return result;
-    first /= result.support;
-  }
+  if (runs.empty())
+    return result;
+  FieldSums sums;
+  slotKernels().fieldSums(*slots_, runs, x.data(), radius, sums);
+  result.support = sums.weight;
+  if (!(result.support > 0))
+    return result;
+  const Point first = Point(sums.first) / sums.weight;
+  const auto& s = sums.second;
+  result.covariance << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+  result.covariance /= sums.weight;
+  result.covariance -= first * first.transpose();
   result.mean = x + first;
   return result;
 }

@@ -135,12 +135,12 @@ private:
   void
   traceFrom(Point x)
   {
-    RidgeField::Sample here = field_.sample(x, true);
+    RidgeField::Sample here = field_.sample(x);
     Point d = majorDirection(here.covariance, Point::UnitX());
     for (int k = 0; k < 5; ++k) { // onto the ridge
       const Point off = here.mean - x;
       x += off - d.dot(off) * d;
-      here = field_.sample(x, true);
+      here = field_.sample(x);
       d = majorDirection(here.covariance, d);
     }
     const std::size_t attempt = discarded_.size();
@@ -191,7 +191,7 @@ private:
        Point& met)
   {
     const double h = step_length * b_;
-    RidgeField::Sample here = field_.sample(path.back(), true);
+    RidgeField::Sample here = field_.sample(path.back());
     double running = std::min(here.support, 1.5 * field_.medianSupport());
     Points tentative; // past the last well supported node
     Points directions;
@@ -204,7 +204,7 @@ private:
         d = blended / norm;
       Point x = last + h * d;
       for (int k = 0; k < correctors; ++k) {
-        const RidgeField::Sample at = field_.sample(x, false);
+        const RidgeField::Sample at = field_.sample(x);
         if (!(at.support > 0))
           break;
         const Point off = at.mean - x;
@@ -213,7 +213,7 @@ private:
       const Point moved = x - last;
       if (moved.squaredNorm() > 0.01 * h * h)
         d = (d + moved.normalized()).normalized();
-      here = field_.sample(x, true);
+      here = field_.sample(x);
       directions.push_back(d);
       if (directions.size() > turn_steps &&
           d.dot(directions[directions.size() - 1 - turn_steps]) < least_cosine) {

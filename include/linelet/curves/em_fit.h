@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <linelet/curves/em_banded.h>
@@ -48,6 +50,7 @@ struct EmFit {
 };
 
 struct EdgePoints;
+struct SlotArrays;
 struct EdgeShape;
 
 /** \brief Fits polylines to points by expectation maximisation.
@@ -116,19 +119,20 @@ private:
 
   const Points& points_;
   const UniformGrid& grid_;
+  std::shared_ptr<const SlotArrays> slots_; // of the grid
   CloudFrame frame_;
 
   std::vector<CurveState> states_;
   std::vector<Edge> edges_;
   // Pairs of an edge and a point near it, those of an edge together. The arrays end
   // with padding for vectors.
-  Indices pair_point_;
+  std::vector<std::uint64_t> pair_slot_;       // of the point, in the grid
   std::array<std::vector<double>, 3> pair_at_; // coordinates of the point
   std::vector<double> pair_density_;           // then responsibility
   std::vector<double> pair_place_;             // z, along the edge
   std::vector<double> pair_off_;               // squared distance from the edge's line
   std::vector<double> removed_; // per point, the share that a cut takes away
-  std::vector<double> density_; // per point; after expect() its inverse
+  std::vector<double> density_; // per slot; after expect() its inverse
   std::vector<double> edge_count_;
   double noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
   double reach_ = 0; // of the pairs collected

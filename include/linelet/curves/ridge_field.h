@@ -3,12 +3,15 @@
 
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/points.h>
 
 namespace linelet {
+
+struct SlotArrays;
 
 /** \brief Density of a cloud smoothed with bandwidth b, whose ridges are curves.
  *
@@ -24,11 +27,11 @@ public:
   struct Sample {
     double support = 0;         ///< sum of weights; 0: nothing within 3b
     Point mean = Point::Zero(); ///< weighted mean of the points
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< about the mean, if asked
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< about the mean
   };
 
   Sample
-  sample(const Point& x, bool with_covariance) const;
+  sample(const Point& x) const;
 
   /** \brief Start point candidates: indices into the points given, best score first.
    * The score is support * (0.2 + linearity). */
@@ -79,6 +82,7 @@ private:
   Points kept_;
   Indices kept_indices_;
   UniformGrid grid_;
+  std::shared_ptr<const SlotArrays> slots_; // of the grid
   Indices seeds_;
 };
 

@@ -59,6 +59,26 @@ public:
     });
   }
 
+  /** \brief The points that can be found, in grid order: their place in it is their
+   * slot. */
+  const Points&
+  slots() const
+  {
+    return points_;
+  }
+  /** \brief The index that the point of each slot was given. */
+  const Indices&
+  slotIndices() const
+  {
+    return indices_;
+  }
+
+  /** \brief Calls visit(begin, end) for runs of slots, ascending, that together hold
+   * every point within \a radius of \a query, and some others. */
+  template <class Visit>
+  void
+  forEachRun(const Point& query, double radius, Visit&& visit) const;
+
   /** \brief Indices of the points within \a radius of \a query, in grid order. */
   Indices
   within(const Point& query, double radius) const;
@@ -79,6 +99,12 @@ public:
   nearestK(const Point& query, std::size_t count) const;
 
 private:
+  /** \brief Calls visit(begin, end) for every row that \a radius around \a query
+   * reaches: its slots from the first that is not left of the ball. */
+  template <class Visit>
+  void
+  forEachRow(const Point& query, double radius, Visit&& visit) const;
+
   template <class Visit>
   void
   forEachSlot(const Point& query, double radius, Visit&& visit) const;
@@ -102,20 +128,19 @@ private:
 
 template <class Visit>
 void
-UniformGrid::forEachSlot(const Point& query, double radius, Visit&& visit) const
+UniformGrid::forEachRow(const Point& query, double radius, Visit&& visit) const
 {
   if (points_.empty() || !(radius >= 0) || !query.allFinite())
     return;
   const Point low = query.array() - radius, high = query.array() + radius;
   if ((high.array() < min_.array()).any() || (low.array() > max_.array()).any())
     return;
-  const double squared_radius = radius * radius;
-  const std::size_t y_end = row(high.y(), 1), z_end = row(high.z(), 2);
+  const std::size_t y_begin = row(low.y(), 1), y_end = row(high.y(), 1);
+  const std::size_t z_end = row(high.z(), 2);
   for (std::size_t z = row(low.z(), 2); z <= z_end; ++z) {
-    for (std::size_t y = row(low.y(), 1); y <= y_end; ++y) {
+    for (std::size_t y = y_begin; y <= y_end; ++y) {
       const std::size_t begin = row_begin_[z * rows_[0] + y];
       const std::size_t end = row_begin_[z * rows_[0] + y + 1];
-      // First point of the row that is not left of the ball.
       std::size_t slot = begin;
       for (std::size_t count = end - begin; count > 0;) {
         const std::size_t half = count / 2;
@@ -126,13 +151,51 @@ UniformGrid::forEachSlot(const Point& query, double radius, Visit&& visit) const
         else
           count = half;
       }
-      for (; slot < end && points_[slot].x() <= high.x(); ++slot) {
-        const double squared = (points_[slot] - query).squaredNorm();
-        if (squared <= squared_radius)
-          visit(slot, squared);
-      }
+      if (slot < end)
+        visit(slot, end);
     }
   }
+}
+
+template <class Visit>
+void
+UniformGrid::forEachSlot(const Point& query, double radius, Visit&& visit) const
+{
+  const double squared_radius = radius * radius, high = query.x() + radius;
+  forEachRow(query, radius, [&](std::size_t slot, std::size_t end) {
+    for (; slot < end && points_[slot].x() <= high; ++slot) {
+      const double squared = (points_[slot] - query).squaredNorm();
+      if (squared <= squared_radius)
+        visit(slot, squared);
+    }
+  });
+}
+
+template <class Visit>
+void
+UniformGrid::forEachRun(const Point& query, double radius, Visit&& visit) const
+{
+  const double high = query.x() + radius;
+  forEachRow(query, radius, [&](std::size_t begin, std::size_t end) {
+    // Most runs are short: look for their end in growing steps.
+    std::size_t slot = begin;
+    for (std::size_t step = 8; slot + step < end; step *= 2) {
+      if (points_[slot + step].x() > high) {
+        end = slot + step;
+        break;
+      }
+      slot += step;
+    }
+    while (slot < end) {
+      const std::size_t half = slot + (end - slot) / 2;
+      if (points_[half].x() <= high)
+        slot = half + 1;
+      else
+        end = half;
+    }
+    if (begin < end)
+      visit(begin, end);
+  });
 }
 
 } // namespace linelet

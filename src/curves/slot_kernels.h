@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <linelet/search/uniform_grid.h>
+
+namespace linelet {
+
+/** \brief Coordinates of the points of a grid by slot, one array an axis; each has room
+ * for \ref padding elements more than there are points. */
+struct SlotArrays {
+  static constexpr std::size_t padding = 16; ///< at least the lanes of any vector
+
+  explicit SlotArrays(const UniformGrid& grid)
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      axis[k].reserve(grid.size() + padding);
+      for (const Point& p : grid.slots())
+        axis[k].push_back(p[static_cast<Eigen::Index>(k)]);
+      axis[k].resize(grid.size() + padding, 0);
+    }
+  }
+
+  std::array<std::vector<double>, 3> axis;
+};
+
+/** \brief Slots from begin to end. */
+struct SlotRun {
+  std::size_t begin, end;
+};
+
+/** \brief Sums over points of w, w v and w v v^T, v their offset from a query. */
+struct FieldSums {
+  double weight;
+  double first[3];
+  double second[6]; ///< xx xy xz yy yz zz
+};
+
+/** \brief Those within a distance of an edge, one after the other. */
+struct NearEdge {
+  double from[3];
+  double direction[3]; ///< unit vector
+  double length;
+  double reach;
+};
+
+/** \brief Inner loops over runs of slots, for the instruction set of the machine that
+ * runs them. */
+struct SlotKernels {
+  /** \brief Sums with w = (1 - d^2 / radius^2)^4 within \a radius of \a query. */
+  void (*fieldSums)(const SlotArrays& points,
+                    const std::vector<SlotRun>& runs,
+                    const double* query,
+                    double radius,
+                    FieldSums& sums);
+
+  /** \brief Writes the slots and the coordinates of the points near \a edge to arrays
+   * with room for all points of the runs and \ref SlotArrays::padding more.
+   * \return their number */
+  std::size_t (*nearEdge)(const SlotArrays& points,
+                          const std::vector<SlotRun>& runs,
+                          const NearEdge& edge,
+                          std::uint64_t* slots,
+                          const std::array<double*, 3>& at);
+};
+
+/** \brief The kernels for this machine. */
+const SlotKernels&
+slotKernels();
+
+} // namespace linelet
