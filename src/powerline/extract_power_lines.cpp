@@ -113,6 +113,8 @@ extractPowerLines(const Points& points,
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
+    addSiblings(growth, pieces, settings);
+    mergePieces(growth, pieces, settings);
     std::vector<Hanging> hanging;
     for (Strand& strand : sortBundles(growth, std::move(pieces), settings))
       hanging.push_back({std::move(strand), {}});

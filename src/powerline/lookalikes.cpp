@@ -34,6 +34,7 @@ constexpr double plan_cell = 2;      // metres
 constexpr double longest_arm = 45;    // metres, both sides of a pylon
 constexpr double arm_reach = 4;       // metres, of a wire's end from the crossarm
 constexpr double most_parallel = 0.5; // cosine of crossarm and wire
+constexpr double arm_part = 0.4;      // of its length, that the ends spread over
 constexpr int carried = 2;            // wires that a crossarm holds, at least
 
 constexpr double ledge_from = 0.25; // metres beside a railing, where the roof ...
@@ -213,6 +214,7 @@ isCrossarm(const std::vector<Hanging>& wires, std::size_t candidate)
   if (m.length() > longest_arm)
     return false;
   int held = 0;
+  double low = m.end, high = m.begin;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     const SpanModel& other = wires[w].model();
     if (w == candidate || other.length() < m.length() ||
@@ -221,10 +223,15 @@ isCrossarm(const std::vector<Hanging>& wires, std::size_t candidate)
     for (int side = 0; side < 2; ++side) {
       const Point end = other.at(wires[w].edge(side));
       const double s = std::clamp(m.along(end), m.begin, m.end);
-      held += (m.at(s) - end).norm() <= arm_reach;
+      if ((m.at(s) - end).norm() > arm_reach)
+        continue;
+      ++held;
+      low = std::min(low, s);
+      high = std::max(high, s);
     }
   }
-  return held >= carried;
+  // Where a line branches off, others end at one end of its wires.
+  return held >= carried && high - low >= arm_part * m.length();
 }
 
 } // namespace linelet::powerline

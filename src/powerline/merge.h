@@ -24,6 +24,13 @@ mergePieces(Growth& growth,
             std::vector<Piece>& pieces,
             const PowerLineSettings& settings);
 
+/** \brief Looks for more wires of the same shape beside those found: in a thin scan two
+ * conductors a few metres apart make no line around any of their points. */
+void
+addSiblings(Growth& growth,
+            std::vector<Piece>& pieces,
+            const PowerLineSettings& settings);
+
 /** \brief Sorts out bundles: a short piece close beside a long one is completed to a
  * wire of its own by the shape of the long one, or becomes its companion. */
 std::vector<Strand>
