@@ -8,10 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <linelet/tensor/weighting.h>
-
 #include "point_list.h"
 #include "sweep_kernels.h"
+#include "weight_table.h"
 
 namespace linelet::grid {
 
@@ -131,13 +130,16 @@ struct LadderKernels {
                 std::size_t* ends);
 
   /** \brief Makes the coordinates of points within \a reach (squared) of the center
-   * anew from those in double. */
-  void (*sharpen)(PointList& list, float reach, const ExactSource& source);
+   * anew from those in double. Those within \a core (squared) are appended to \a near.
+   */
+  void (*sharpen)(PointList& list,
+                  float reach,
+                  const ExactSource& source,
+                  float core,
+                  PointList& near);
 
-  /** \brief Adds the number of points within \a tolerance (squared) of each query, of
-   * those within \a reach (squared) of the center. */
+  /** \brief Adds the number of points within \a tolerance (squared) of each query. */
   void (*coincident)(const PointList& list,
-                     float reach,
                      float tolerance,
                      const LeafQueries& queries,
                      Lanes<float>& counts);
@@ -157,7 +159,7 @@ struct LadderKernels {
                         const LeafQueries& queries,
                         const LadderScale* scales,
                         std::size_t count,
-                        const Weighting& weighting,
+                        const SweepWeight& weight,
                         bool first_only,
                         LadderSums* sums,
                         std::vector<Doubt>& doubts);
@@ -169,7 +171,7 @@ struct LadderKernels {
                        const LeafQueries& queries,
                        const LadderScale& scale,
                        const LeafQueries& centers,
-                       const Weighting& weighting,
+                       const SweepWeight& weight,
                        LadderSums& sums);
 
   /** \brief Tensors from sums. \return queries, a bit each, whose float sums are good

@@ -249,13 +249,20 @@ order(PointList& list,
 }
 
 void
-sharpen(PointList& list, float reach, const ExactSource& source)
+sharpen(PointList& list,
+        float reach,
+        const ExactSource& source,
+        float core,
+        PointList& near)
 {
   const F f;
   const V limit = constant(reach);
   for (std::size_t i = 0; i < list.size; i += hn::Lanes(f)) {
-    const auto near = hn::And(present(list, i), hn::Le(hn::Load(f, list.h + i), limit));
-    for (std::uint32_t bits = bitsOf(near), lane = 0; bits != 0; bits >>= 1, ++lane) {
+    const auto close =
+        hn::And(present(list, i), hn::Le(hn::Load(f, list.h + i), limit));
+    if (hn::AllFalse(f, close))
+      continue;
+    for (std::uint32_t bits = bitsOf(close), lane = 0; bits != 0; bits >>= 1, ++lane) {
       if ((bits & 1) == 0)
         continue;
       const std::size_t at = i + lane;
@@ -270,6 +277,13 @@ sharpen(PointList& list, float reach, const ExactSource& source)
       list.y[at] = y;
       list.z[at] = z;
       list.h[at] = x * x + y * y + z * z;
+      if (list.h[at] > core)
+        continue;
+      near.extend(1);
+      near.x[near.size] = x;
+      near.y[near.size] = y;
+      near.z[near.size] = z;
+      near.id[near.size++] = id;
     }
   }
 }

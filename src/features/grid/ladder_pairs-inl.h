@@ -15,6 +15,7 @@
 
 #include "ladder_kernels.h"
 #include "ladder_lists-inl.h"
+#include "table-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
@@ -186,7 +187,6 @@ private:
 
 void
 coincident(const PointList& list,
-           float reach,
            float tolerance,
            const LeafQueries& queries,
            Lanes<float>& counts)
@@ -197,11 +197,10 @@ coincident(const PointList& list,
     const QueryVector query(queries, q);
     V count = hn::Load(f, counts.lane + q);
     for (std::size_t c = 0; c < list.size; ++c)
-      if (list.h[c] <= reach)
-        count = hn::Add(count,
-                        hn::IfThenElseZero(
-                            hn::Le(query.squaredFrom(points, c), constant(tolerance)),
-                            constant(1)));
+      count = hn::Add(
+          count,
+          hn::IfThenElseZero(hn::Le(query.squaredFrom(points, c), constant(tolerance)),
+                             constant(1)));
     hn::Store(count, f, counts.lane + q);
   }
 }
@@ -324,8 +323,62 @@ pairWeightsOf(const ClampedWeight<kernel>&)
   return pairWeights<kernel>;
 }
 
-/** \brief Sums of a chunk at one scale, by weights that are there. */
-template <bool relative, bool second>
+/** \brief Weights of the pairs of buffers, neighbours all. */
+class PairWeighting {
+public:
+  explicit PairWeighting(const SweepWeight& weight)
+      : weight_(weight), tabled_(withTableOnly(weight, 1, [](const auto&) {}))
+  {
+    withWeight(weight.weighting,
+               [&](const auto& w) HWY_ATTR { direct_ = pairWeightsOf(w); });
+  }
+
+  /** \brief Whether distances are looked at, or their squares alone. */
+  bool
+  needsDistances() const
+  {
+    return !tabled_;
+  }
+
+  /** \param[in] least no squared distance is smaller */
+  void
+  fill(const PairBuffer& squared,
+       const PairBuffer& distance,
+       float least,
+       float inverse_radius,
+       std::size_t count,
+       PairBuffer& weights) const
+  {
+    const F f;
+    const float scale = inverse_radius * inverse_radius;
+    const bool far = least * scale >= weight_.table.from;
+    if (!withTableOnly(weight_, scale, [&](const auto& w) HWY_ATTR {
+          if (far)
+            for (std::size_t i = 0; i < count; i += hn::Lanes(f))
+              hn::Store(w.far(hn::Load(f, squared.value + i)), f, weights.value + i);
+          else
+            for (std::size_t i = 0; i < count; i += hn::Lanes(f))
+              hn::Store(w(hn::Load(f, squared.value + i)), f, weights.value + i);
+        }))
+      direct_(weight_.weighting,
+              squared.value,
+              distance.value,
+              inverse_radius,
+              count,
+              weights.value);
+  }
+
+private:
+  const SweepWeight& weight_;
+  bool tabled_;
+  PairWeights direct_ = nullptr;
+};
+
+/** \brief Sums of a chunk at one scale, by weights that are there.
+ * \tparam relative: to the queries, see LadderScale
+ * \tparam second: with second moments
+ * \tparam open: not all points are neighbours of all queries */
+template <bool relative, bool second, bool open>
 void
 sumPairs(const Chunk& chunk,
          std::size_t size,
@@ -343,17 +396,22 @@ sumPairs(const Chunk& chunk,
   const V low = constant(scale.band.low), high = constant(scale.band.high);
   PairSums part;
   for (std::size_t c = 0; c < size; ++c) {
-    const V s = hn::Load(f, squared + c * lanes);
-    const auto within = hn::Le(s, low);
-    doubt(
-        hn::AndNot(within, hn::Le(s, high)), chunk.first + c, scale_number, q, doubts);
-    const V w = hn::IfThenElseZero(within, hn::Load(f, weights + c * lanes));
-    part.found = hn::IfThenElse(within, hn::Add(part.found, constant(1)), part.found);
+    V w = hn::Load(f, weights + c * lanes);
+    if constexpr (open) {
+      const V s = hn::Load(f, squared + c * lanes);
+      const auto within = hn::Le(s, low);
+      doubt(
+          hn::AndNot(within, hn::Le(s, high)), chunk.first + c, scale_number, q, doubts);
+      w = hn::IfThenElseZero(within, w);
+      part.found = hn::IfThenElse(within, hn::Add(part.found, constant(1)), part.found);
+    }
     if constexpr (relative)
       part.addAbout(w, chunk, c, query);
     else
       part.template add<second>(w, chunk, c);
   }
+  if constexpr (!open)
+    part.found = constant(static_cast<float>(size));
   part.addTo(sums, q);
 }
 
@@ -363,44 +421,48 @@ weightedPairs(const PointList& list,
               const LeafQueries& queries,
               const LadderScale* scales,
               std::size_t count,
-              const Weighting& weighting,
+              const SweepWeight& weight,
               bool first_only,
               LadderSums* sums,
               std::vector<Doubt>& doubts)
 {
   const F f;
   const std::size_t lanes = hn::Lanes(f);
-  PairWeights weights = nullptr;
-  withWeight(weighting, [&](const auto& w) HWY_ATTR { weights = pairWeightsOf(w); });
-  PairBuffer squared, distance, weight;
+  const PairWeighting weighting(weight);
+  PairBuffer squared, distance, weights;
+  const auto certain =
+      first_only ? sumPairs<false, false, false> : sumPairs<false, true, false>;
+  const auto open =
+      first_only ? sumPairs<false, false, true> : sumPairs<false, true, true>;
   std::size_t smallest = 0;
   for (std::size_t begin = 0; begin < list.size; begin += chunk_points) {
     const std::size_t end = HWY_MIN(begin + chunk_points, list.size);
     const Chunk chunk(list, begin, end, !first_only);
     while (ends[smallest] <= begin)
       ++smallest;
+    const float nearest = smallest > 0 ? scales[smallest - 1].radius : 0;
+    std::size_t largest = smallest; // that the points are all within reach of
+    while (ends[largest] < end)
+      ++largest;
+    const float farthest = scales[largest].far;
     for (std::size_t q = 0; q < leaf_queries; q += lanes) {
       const QueryVector query(queries, q);
       for (std::size_t c = 0; c < chunk.size; ++c) {
         const V s = query.squaredFrom(chunk, c);
         hn::Store(s, f, squared.value + c * lanes);
-        hn::Store(hn::Sqrt(s), f, distance.value + c * lanes);
+        if (weighting.needsDistances())
+          hn::Store(hn::Sqrt(s), f, distance.value + c * lanes);
       }
       for (std::size_t k = smallest; k < count; ++k) {
         const std::size_t size = HWY_MIN(end, ends[k]) - begin;
-        weights(weighting,
-                squared.value,
-                distance.value,
-                1 / scales[k].radius,
-                size * lanes,
-                weight.value);
-        const auto sum = scales[k].relative ? sumPairs<true, true>
-                         : first_only       ? sumPairs<false, false>
-                                            : sumPairs<false, true>;
+        weighting.fill(squared, distance, nearest * nearest, 1 / scales[k].radius, size * lanes, weights);
+        const auto sum = scales[k].relative          ? sumPairs<true, true, true>
+                         : farthest < scales[k].near ? certain
+                                                     : open;
         sum(chunk,
             size,
             squared.value,
-            weight.value,
+            weights.value,
             query,
             scales[k],
             static_cast<std::uint16_t>(k),
@@ -412,33 +474,64 @@ weightedPairs(const PointList& list,
   }
 }
 
+template <class W>
+HWY_INLINE void
+centredPairsOf(const W& weight,
+               const PointList& list,
+               std::size_t end,
+               const LeafQueries& queries,
+               const LadderScale& scale,
+               const LeafQueries& centers,
+               LadderSums& sums)
+{
+  const V low = constant(scale.band.low);
+  for (std::size_t begin = 0; begin < end; begin += chunk_points) {
+    const Chunk chunk(list, begin, HWY_MIN(begin + chunk_points, end), false);
+    for (std::size_t q = 0; q < leaf_queries; q += hn::Lanes(F())) {
+      const QueryVector query(queries, q), center(centers, q);
+      PairSums part;
+      for (std::size_t c = 0; c < chunk.size; ++c) {
+        const auto within = hn::Le(query.squaredFrom(chunk, c), low);
+        const V w = hn::IfThenElseZero(within, weight(center.squaredFrom(chunk, c)));
+        part.addAbout(w, chunk, c, center);
+      }
+      part.addTo(sums, q);
+    }
+  }
+}
+
 void
 centredPairs(const PointList& list,
              std::size_t end,
              const LeafQueries& queries,
              const LadderScale& scale,
              const LeafQueries& centers,
-             const Weighting& weighting,
+             const SweepWeight& weight,
              LadderSums& sums)
 {
-  const F f;
-  const std::size_t lanes = hn::Lanes(f);
-  const float inverse = 1 / scale.radius;
-  withWeight(weighting, [&](const auto& w) HWY_ATTR {
-    for (std::size_t begin = 0; begin < end; begin += chunk_points) {
-      const Chunk chunk(list, begin, HWY_MIN(begin + chunk_points, end), false);
-      for (std::size_t q = 0; q < leaf_queries; q += lanes) {
-        const QueryVector query(queries, q), center(centers, q);
-        const V low = constant(scale.band.low), factor = constant(inverse * inverse);
-        PairSums part;
-        for (std::size_t c = 0; c < chunk.size; ++c) {
-          const auto within = hn::Le(query.squaredFrom(chunk, c), low);
-          const V u = hn::Mul(center.squaredFrom(chunk, c), factor);
-          part.addAbout(hn::IfThenElseZero(within, w(u)), chunk, c, center);
-        }
-        part.addTo(sums, q);
-      }
-    }
+  const float inverse = 1 / scale.radius, factor = inverse * inverse;
+  withWeight(weight.weighting, [&](const auto& direct) HWY_ATTR {
+    // Neighbours can be farther than the radius from the center.
+    if (!withTableOnly(weight, factor, [&](const auto& table) HWY_ATTR {
+          const V end_of_table = constant(scale.radius * scale.radius);
+          const auto w = [&](V squared) HWY_ATTR {
+            const auto beyond = hn::Ge(squared, end_of_table);
+            const V value = table(squared);
+            if (HWY_LIKELY(hn::AllFalse(F(), beyond)))
+              return value;
+            return hn::IfThenElse(
+                beyond, direct(hn::Mul(squared, constant(factor))), value);
+          };
+          centredPairsOf(w, list, end, queries, scale, centers, sums);
+        }))
+      centredPairsOf(
+          [&](V squared) HWY_ATTR { return direct(hn::Mul(squared, constant(factor))); },
+          list,
+          end,
+          queries,
+          scale,
+          centers,
+          sums);
   });
 }
 

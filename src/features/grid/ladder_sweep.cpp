@@ -38,6 +38,10 @@ LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
       kernels_(ladderKernels()),
       visit_(std::move(visit)),
       method_(methodFor(job.settings)),
+      weight_(job.settings.weighting),
+      centre_weight_(job.settings.centroid == Centroid::WeightedMean
+                         ? job.settings.centroid_weighting
+                         : Weighting(Kernel::Const)),
       weight_error_(weightError(job.settings.weighting)),
       scales_(job.radii.size()),
       certain_(job.radii.size()),
@@ -48,6 +52,7 @@ LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
       shapes_(job.radii.size()),
       sweep_(job.radii, job.settings)
 {
+  core_.reserve(0);
   for (std::size_t k = 0; k < job.radii.size(); ++k) {
     certain_[k].reserve(0);
     open_[k].reserve(0);
@@ -229,9 +234,9 @@ LadderSweep::setScales(const Part& queries, bool leaf)
     scale.radius = static_cast<float>(radius);
     // A coordinate of a part that is no leaf has no more digits than the block gives.
     const bool inner = near > 0 && (leaf || radius >= sharp_radius);
-    scale.near = inner ? static_cast<float>(near * near) : -1.0F;
+    scale.relative = radius < 1.5 * size;
+    scale.near = inner && !scale.relative ? static_cast<float>(near * near) : -1.0F;
     scale.far = static_cast<float>(far * far);
-    scale.relative = radius < size / 2;
     // Rounding of coordinates, each of which changes the distance, and of the steps to
     // |p|^2 and from it to |p - q|^2.
     const double steps = float_rounding * (6 * far * far + 6 * far * size +
@@ -273,6 +278,8 @@ LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth
                     true,
                     leaf_,
                     nullptr);
+    const double core = queries.size + margin;
+    core_.size = 0;
     kernels_.sharpen(leaf_,
                      static_cast<float>(sharp * sharp),
                      {job_.surface.coordinate(0),
@@ -280,7 +287,10 @@ LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth
                       job_.surface.coordinate(2),
                       {origin_.x(), origin_.y(), origin_.z()},
                       1 / job_.radii.back(),
-                      {queries.center.x(), queries.center.y(), queries.center.z()}});
+                      {queries.center.x(), queries.center.y(), queries.center.z()}},
+                     static_cast<float>(core * core),
+                     core_);
+    core_.pad();
     countHere(queries);
     doubts_.clear();
     std::fill(sums_.begin(), sums_.end(), LadderSums());
@@ -300,12 +310,10 @@ LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth
 void
 LadderSweep::countHere(const Part& queries)
 {
-  const double core = queries.size + margin;
-  const auto reach = static_cast<float>(core * core);
   // What may be the same place is looked at in double.
   const double near = 4 * float_rounding * queries.size + 1e-14;
   Lanes<float> counts;
-  kernels_.coincident(leaf_, reach, static_cast<float>(near * near), at_, counts);
+  kernels_.coincident(core_, static_cast<float>(near * near), at_, counts);
   const bool own = &job_.queries == &job_.surface;
   const float expected = own ? 1 : 0;
   for (std::size_t lane = 0; lane < shapes_.count; ++lane) {
@@ -314,9 +322,8 @@ LadderSweep::countHere(const Part& queries)
       continue;
     const Point at = job_.queries.point(first_ + queries.begin + lane);
     std::uint32_t here = 0;
-    for (std::size_t i = 0; i < leaf_.size; ++i)
-      if (leaf_.h[i] <= reach &&
-          (job_.surface.point(leaf_.id[i]) - at).squaredNorm() <= 0)
+    for (std::size_t i = 0; i < core_.size; ++i)
+      if ((job_.surface.point(core_.id[i]) - at).squaredNorm() <= 0)
         ++here;
     shapes_.here[lane] = here;
   }
@@ -354,7 +361,7 @@ LadderSweep::weights(const Part& queries)
                          at_,
                          scales_.data(),
                          scales_.size(),
-                         job_.settings.weighting,
+                         weight_,
                          false,
                          sums_.data(),
                          doubts_);
@@ -367,20 +374,17 @@ void
 LadderSweep::centred(const Part& queries)
 {
   const Weighting& weighting = job_.settings.weighting;
-  const Weighting centre_weighting = job_.settings.centroid == Centroid::WeightedMean
-                                         ? job_.settings.centroid_weighting
-                                         : Weighting(Kernel::Const);
   std::fill(centre_sums_.begin(), centre_sums_.end(), LadderSums());
   kernels_.weightedPairs(leaf_,
                          ends_.data(),
                          at_,
                          scales_.data(),
                          scales_.size(),
-                         centre_weighting,
+                         centre_weight_,
                          true,
                          centre_sums_.data(),
                          doubts_);
-  settle(queries, &leaf_, true, centre_weighting, centre_sums_);
+  settle(queries, &leaf_, true, centre_weight_.weighting, centre_sums_);
   std::size_t next = 0; // doubts are by scale
   for (std::size_t k = 0; k < radii_.size(); ++k) {
     LadderSums& sums = sums_[k];
@@ -398,7 +402,7 @@ LadderSweep::centred(const Part& queries)
       centers.y[lane] = place(Y, at_.y);
       centers.z[lane] = place(Z, at_.z);
     }
-    kernels_.centredPairs(leaf_, ends_[k], at_, scales_[k], centers, weighting, sums);
+    kernels_.centredPairs(leaf_, ends_[k], at_, scales_[k], centers, weight_, sums);
     for (; next < doubts_.size() && doubts_[next].scale == k; ++next)
       for (std::size_t lane = 0; lane < shapes_.count; ++lane)
         if ((doubts_[next].queries >> lane & 1) != 0) {

@@ -166,6 +166,7 @@ private:
   LadderKernels kernels_;
   LeafVisitor visit_;
   Method method_;
+  SweepWeight weight_, centre_weight_;
   WeightError weight_error_;
   std::vector<double> radii_; // in units of the largest
 
@@ -180,7 +181,7 @@ private:
   std::deque<std::vector<Moments>> inside_; // the same, about the block's center
   std::vector<LadderScale> scales_;         // seen from the part at hand
   std::vector<PointList> certain_, open_;   // one a scale
-  PointList leaf_, spare_;
+  PointList leaf_, core_, spare_; // core: near enough to be in the place of a query
   std::vector<std::size_t> ends_;
 
   LeafQueries at_;                        // relative to the leaf
