@@ -155,7 +155,7 @@ check(const CurveNetwork& network, const char* which)
   for (const Curve& curve : network.curves)
     for (const Point& vertex : curve.points)
       if (!vertex.allFinite())
-        throw std::invalid_argument(std::string("evaluate: the ") + which +
+        throw std::invalid_argument(std::string("the ") + which +
                                     " has a vertex that is not finite");
 }
 
@@ -169,11 +169,10 @@ measure(const CurveNetwork& reconstruction,
   check(reconstruction, "reconstruction");
   check(truth, "truth");
   if (!(settings.step > 0) || !(settings.reach >= 0))
-    throw std::invalid_argument(
-        "evaluate: step must be positive and reach must not be negative");
+    throw std::invalid_argument("step must be positive and reach must not be negative");
   const double true_length = length(truth), found_length = length(reconstruction);
   if (!(true_length > 0))
-    throw std::invalid_argument("evaluate: the truth holds no curve with a length");
+    throw std::invalid_argument("the truth holds no curve with a length");
 
   const SegmentTree truth_tree(truth), found_tree(reconstruction);
   Measures result;

@@ -84,7 +84,7 @@ check(const SamplingSettings& s)
 {
   const auto require = [](bool holds, const char* what) {
     if (!holds)
-      throw std::invalid_argument(std::string("generate: ") + what);
+      throw std::invalid_argument(what);
   };
   require(s.distribution >= 0 && s.distribution <= 1,
           "distribution must lie in [0, 1]");

@@ -103,7 +103,8 @@ coordinates(const Target& target, const Cloud& cloud, bool pcl)
   if (!floats && pcl)
     target.warn(
         "x, y and z are written with 8 bytes, as 4 cannot hold them; PCL's point "
-        "types do not read such fields: --shifted writes what they read");
+        "types do not read such fields (linelet convert --shifted writes what they "
+        "do)");
   const ValueType type = floats ? ValueType::Float32 : ValueType::Float64;
   return {{"x", type, nullptr, 0}, {"y", type, nullptr, 1}, {"z", type, nullptr, 2}};
 }
