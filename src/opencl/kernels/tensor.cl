@@ -150,19 +150,23 @@ addPoints(const Walk* walk,
     sums->xx += here ? w : zero;
   }
   else {
+#if TENSOR_WEIGHT == 0 // const: the weight of all is their number
+    const Floats wx = inside ? vx : zero, wy = inside ? vy : zero, wz = inside ? vz : zero;
+#else
     const Floats wanted = weightOf(TENSOR_WEIGHT,
                                    W_FIRST,
                                    W_SECOND,
                                    sqrt(vx * vx + vy * vy + vz * vz) * scale);
     const Floats w = inside ? wanted : zero;
-    const Floats wx = w * vx, wy = w * vy;
+    const Floats wx = w * vx, wy = w * vy, wz = w * vz;
     sums->weight += w;
+#endif
     sums->xx += wx * vx;
     sums->xy += wx * vy;
     sums->xz += wx * vz;
     sums->yy += wy * vy;
     sums->yz += wy * vz;
-    sums->zz += w * vz * vz;
+    sums->zz += wz * vz;
   }
 }
 
@@ -280,7 +284,11 @@ tensorSums(const Walk* walk, const bool exact)
 {
   float cx, cy, cz;
   findCentroid(walk, exact, &cx, &cy, &cz);
-  return walkNeighbours(walk, cx, cy, cz, SWEEP_MOMENTS, exact);
+  Sums sums = walkNeighbours(walk, cx, cy, cz, SWEEP_MOMENTS, exact);
+#if TENSOR_WEIGHT == 0
+  sums.weight = (float)sums.count;
+#endif
+  return sums;
 }
 
 // The tensor of the query at every place, component after component (`stride` apart): xx xy
