@@ -58,10 +58,7 @@ EmFitter::collectPairs()
                                      pair_at_[2].data() + count});
     edge.pairs_end = count;
   }
-  const std::size_t size = count + EdgePoints::padding;
-  pair_density_.resize(size);
-  pair_place_.resize(size);
-  pair_off_.resize(size);
+  pair_density_.resize(count + EdgePoints::padding);
 }
 
 bool
@@ -89,11 +86,7 @@ EmFitter::expect()
                              (shape.variance + edge.length * edge.length / 12))
              : 1 / edge.length);
     const std::size_t begin = edge.pairs_begin;
-    kernels.densities(shape,
-                      pointsOf(edge),
-                      pair_density_.data() + begin,
-                      pair_place_.data() + begin,
-                      pair_off_.data() + begin);
+    kernels.densities(shape, pointsOf(edge), pair_density_.data() + begin);
     for (std::size_t k = begin; k < edge.pairs_end; ++k)
       density_[pair_slot_[k]] += pair_density_[k];
   }

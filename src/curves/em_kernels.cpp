@@ -37,18 +37,39 @@ normalOdds(V z)
   return hn::Exp(D(), exponent);
 }
 
+/** \brief Points seen from an edge. */
+class Seen {
+public:
+  explicit Seen(const EdgeShape& edge)
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      from_[k] = constant(edge.from[k]);
+      direction_[k] = constant(edge.direction[k]);
+    }
+  }
+
+  /** \brief Places along the edge and squared distances from its line. */
+  HWY_INLINE void
+  at(V x, V y, V z, V& place, V& off) const
+  {
+    x = hn::Sub(x, from_[0]);
+    y = hn::Sub(y, from_[1]);
+    z = hn::Sub(z, from_[2]);
+    place = hn::MulAdd(
+        x, direction_[0], hn::MulAdd(y, direction_[1], hn::Mul(z, direction_[2])));
+    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+    off = hn::Max(hn::Zero(D()), hn::NegMulAdd(place, place, squared));
+  }
+
+private:
+  V from_[3], direction_[3];
+};
+
 void
-densities(const EdgeShape& edge,
-          const EdgePoints& points,
-          double* density,
-          double* place,
-          double* off)
+densities(const EdgeShape& edge, const EdgePoints& points, double* density)
 {
   const D d;
-  const V dx = constant(edge.direction[0]), dy = constant(edge.direction[1]),
-          dz = constant(edge.direction[2]);
-  const V fx = constant(edge.from[0]), fy = constant(edge.from[1]),
-          fz = constant(edge.from[2]);
+  const Seen seen(edge);
   const V factor = constant(edge.factor), least = constant(-700);
   const V half_variance = constant(-0.5 / edge.variance);
   const V half_along =
@@ -56,30 +77,28 @@ densities(const EdgeShape& edge,
   const V length = constant(edge.length), middle = constant(0.5 * edge.length);
   const V inverse_noise = hn::Div(constant(1), hn::Sqrt(constant(edge.variance)));
   for (std::size_t k = 0; k < points.count; k += hn::Lanes(d)) {
-    const V x = hn::Sub(hn::LoadU(d, points.x + k), fx);
-    const V y = hn::Sub(hn::LoadU(d, points.y + k), fy);
-    const V z = hn::Sub(hn::LoadU(d, points.z + k), fz);
-    const V at = hn::MulAdd(x, dx, hn::MulAdd(y, dy, hn::Mul(z, dz)));
-    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-    const V away = hn::Max(hn::Zero(d), hn::NegMulAdd(at, at, squared));
-    V exponent = hn::Mul(away, half_variance);
-    V value;
+    V place, off;
+    seen.at(hn::LoadU(d, points.x + k),
+            hn::LoadU(d, points.y + k),
+            hn::LoadU(d, points.z + k),
+            place,
+            off);
+    V exponent = hn::Mul(off, half_variance);
+    V value = factor;
     if (edge.is_short) {
-      const V t = hn::Sub(at, middle);
+      const V t = hn::Sub(place, middle);
       exponent = hn::MulAdd(hn::Mul(t, t), half_along, exponent);
-      value = hn::Mul(factor, hn::Exp(d, hn::Max(exponent, least)));
     }
     else {
-      const V before = normalOdds(hn::Mul(hn::Sub(length, at), inverse_noise));
-      const V after = normalOdds(hn::Neg(hn::Mul(at, inverse_noise)));
+      const V before = normalOdds(hn::Mul(hn::Sub(length, place), inverse_noise));
+      const V after = normalOdds(hn::Neg(hn::Mul(place, inverse_noise)));
       const V one = constant(1);
       const V within = hn::Div(hn::Sub(after, before),
                                hn::Mul(hn::Add(one, before), hn::Add(one, after)));
-      value = hn::Mul(hn::Mul(factor, within), hn::Exp(d, hn::Max(exponent, least)));
+      value = hn::Mul(factor, within);
     }
+    value = hn::Mul(value, hn::Exp(d, hn::Max(exponent, least)));
     hn::StoreU(value, d, density + k);
-    hn::StoreU(at, d, place + k);
-    hn::StoreU(away, d, off + k);
   }
 }
 
@@ -87,57 +106,64 @@ EdgeSums
 sums(const EdgeShape& edge,
      const EdgePoints& points,
      const double* share,
-     const double* place,
      bool front,
      bool back)
 {
   const D d;
-  const V zero = hn::Zero(d);
-  // Where on the edge the point came from: uniform on the edge, normal around z.
+  const Seen seen(edge);
+  const V zero = hn::Zero(d), lanes = hn::Iota(d, 0);
+  // Where on the edge the point came from: uniform on the edge, normal around its
+  // place.
   const double middle_weight = 12 / (edge.length * edge.length);
   const double spread = 1 / (1 / edge.variance + middle_weight);
   const V slope = constant(spread / edge.variance);
   const V offset = constant(0.5 * spread * edge.length * middle_weight);
   const V length = constant(edge.length), inverse_length = constant(1 / edge.length);
-  V aa = zero, ab = zero, bb = zero, shift_a = zero, shift_b = zero;
+  V all = zero, square = zero, aa = zero, ab = zero, bb = zero;
+  V moved_a = zero, moved_b = zero;
   V a[3] = {zero, zero, zero}, b[3] = {zero, zero, zero};
-  const V lanes = hn::Iota(d, 0);
   for (std::size_t k = 0; k < points.count; k += hn::Lanes(d)) {
-    V r = hn::LoadU(d, share + k);
     const V rest = constant(static_cast<double>(points.count - k));
+    V r = hn::LoadU(d, share + k);
     r = hn::IfThenElseZero(
         hn::And(hn::Ge(r, constant(least_share)), hn::Lt(lanes, rest)), r);
-    const V z = hn::LoadU(d, place + k);
-    const V on = hn::Min(hn::Max(hn::MulAdd(slope, z, offset), zero), length);
+    const V at[3] = {hn::LoadU(d, points.x + k),
+                     hn::LoadU(d, points.y + k),
+                     hn::LoadU(d, points.z + k)};
+    V place, off;
+    seen.at(at[0], at[1], at[2], place, off);
+    const V on = hn::Min(hn::Max(hn::MulAdd(slope, place, offset), zero), length);
     // Along the curve only its ends are drawn by the points.
-    V shift = hn::Sub(z, on);
+    V move = hn::Sub(place, on);
     if (front)
-      shift = hn::IfThenElse(hn::Lt(z, zero), zero, shift);
+      move = hn::IfThenElse(hn::Lt(place, zero), zero, move);
     if (back)
-      shift = hn::IfThenElse(hn::Gt(z, length), zero, shift);
+      move = hn::IfThenElse(hn::Gt(place, length), zero, move);
     const V t = hn::Mul(on, inverse_length);
     const V to_b = hn::Mul(r, t), to_a = hn::Sub(r, to_b);
+    all = hn::Add(all, r);
+    square = hn::MulAdd(r, off, square);
     bb = hn::MulAdd(to_b, t, bb);
     ab = hn::MulAdd(to_a, t, ab);
     aa = hn::Add(aa, hn::NegMulAdd(to_a, t, to_a));
-    shift_a = hn::MulAdd(to_a, shift, shift_a);
-    shift_b = hn::MulAdd(to_b, shift, shift_b);
-    const double* coordinates[3] = {points.x, points.y, points.z};
+    moved_a = hn::MulAdd(to_a, move, moved_a);
+    moved_b = hn::MulAdd(to_b, move, moved_b);
     for (int axis = 0; axis < 3; ++axis) {
-      const V x = hn::LoadU(d, coordinates[axis] + k);
-      a[axis] = hn::MulAdd(to_a, x, a[axis]);
-      b[axis] = hn::MulAdd(to_b, x, b[axis]);
+      a[axis] = hn::MulAdd(to_a, at[axis], a[axis]);
+      b[axis] = hn::MulAdd(to_b, at[axis], b[axis]);
     }
   }
   const auto total = [&](V v) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(d, v)); };
   EdgeSums result;
+  result.share = total(all);
+  result.square = total(square);
   result.aa = total(aa);
   result.ab = total(ab);
   result.bb = total(bb);
-  const double moved_a = total(shift_a), moved_b = total(shift_b);
+  const double back_a = total(moved_a), back_b = total(moved_b);
   for (int axis = 0; axis < 3; ++axis) {
-    result.at_a[axis] = total(a[axis]) - moved_a * edge.direction[axis];
-    result.at_b[axis] = total(b[axis]) - moved_b * edge.direction[axis];
+    result.at_a[axis] = total(a[axis]) - back_a * edge.direction[axis];
+    result.at_b[axis] = total(b[axis]) - back_b * edge.direction[axis];
   }
   return result;
 }

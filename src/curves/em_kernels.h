@@ -30,8 +30,10 @@ struct EdgeShape {
 };
 
 /** \brief What an edge says of its two vertices a and b: sums of the squares of its
- * points' shares, and of the places that draw them. */
+ * points' shares, and of the places that draw them. And what it says of the noise. */
 struct EdgeSums {
+  double share = 0;  ///< of the points
+  double square = 0; ///< of their distances from the edge's line, by shares
   double aa = 0, ab = 0, bb = 0;
   double at_a[3] = {0, 0, 0}, at_b[3] = {0, 0, 0};
 };
@@ -39,20 +41,14 @@ struct EdgeSums {
 /** \brief The inner loops of the fit over pairs of an edge and a point, for the
  * instruction set of the machine that runs them. */
 struct EmKernels {
-  /** \brief The density of \a edge at the points, their places along it and squared
-   * distances from its line; the padding is overwritten too. */
-  void (*densities)(const EdgeShape& edge,
-                    const EdgePoints& points,
-                    double* density,
-                    double* place,
-                    double* off);
+  /** \brief The density of \a edge at the points; the padding is overwritten too. */
+  void (*densities)(const EdgeShape& edge, const EdgePoints& points, double* density);
 
   /** \brief Sums over the points, whose \a share lies with the edge. At a free \a front
    * or \a back, points beyond the edge draw its vertex along the curve as well. */
   EdgeSums (*sums)(const EdgeShape& edge,
                    const EdgePoints& points,
                    const double* share,
-                   const double* place,
                    bool front,
                    bool back);
 

@@ -24,19 +24,13 @@ constexpr double bending_prior = 3;
 void
 EmFitter::maximise(const EmSettings& settings)
 {
-  freedom_ = 0;
+  freedom_ = square_ = share_ = 0;
   for (CurveState& state : states_)
     maximiseCurve(state, settings);
 
-  double square = 0, count = 0;
-  for (const Edge& edge : edges_)
-    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
-      square += pair_density_[k] * pair_off_[k];
-      count += pair_density_[k];
-    }
-  if (count > 0) {
-    const double spare = std::max(0.3 * count, count - freedom_);
-    noise_ = std::max(std::sqrt(square / (spare * (frame_.dimensions - 1))),
+  if (share_ > 0) {
+    const double spare = std::max(0.3 * share_, share_ - freedom_);
+    noise_ = std::max(std::sqrt(square_ / (spare * (frame_.dimensions - 1))),
                       settings.least_noise);
   }
   freedom_ *= frame_.dimensions - 1;
@@ -61,9 +55,10 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
     const EdgeSums sums = kernels.sums(shapeOf(edge),
                                        pointsOf(edge),
                                        pair_density_.data() + edge.pairs_begin,
-                                       pair_place_.data() + edge.pairs_begin,
                                        !curve.closed && e == 0,
                                        !curve.closed && e + 1 == curve.edges());
+    share_ += sums.share;
+    square_ += sums.square;
     data_diagonal_[a] += sums.aa;
     data_diagonal_[b] += sums.bb;
     data_next_[e] += sums.ab;

@@ -16,6 +16,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<double, SlotArrays::padding>;
 using U = hn::RebindToUnsigned<D>;
+using H = hn::Rebind<Index, D>;
 using I = hn::RebindToSigned<D>;
 using V = hn::Vec<D>;
 
@@ -71,7 +72,7 @@ std::size_t
 nearEdge(const SlotArrays& points,
          const std::vector<SlotRun>& runs,
          const NearEdge& edge,
-         std::uint64_t* slots,
+         Index* slots,
          const std::array<double*, 3>& at)
 {
   const D d;
@@ -100,14 +101,14 @@ nearEdge(const SlotArrays& points,
       hn::StoreMaskBits(d, near, bits);
       const unsigned mask = bits[0] | unsigned(bits[1]) << 8;
       for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-        slots[count] = k + lane;
+        slots[count] = static_cast<Index>(k + lane);
         count += mask >> lane & 1u;
       }
     }
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
     for (std::size_t lane = count; lane < k + hn::Lanes(d); ++lane)
       slots[lane] = 0;
-    const auto slot = hn::BitCast(I(), hn::LoadU(U(), slots + k));
+    const auto slot = hn::BitCast(I(), hn::PromoteTo(U(), hn::LoadU(H(), slots + k)));
     for (std::size_t axis = 0; axis < 3; ++axis)
       hn::StoreU(hn::GatherIndex(d, points.axis[axis].data(), slot), d, at[axis] + k);
   }

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <linelet/search/uniform_grid.h>
@@ -66,7 +65,7 @@ struct SlotKernels {
   std::size_t (*nearEdge)(const SlotArrays& points,
                           const std::vector<SlotRun>& runs,
                           const NearEdge& edge,
-                          std::uint64_t* slots,
+                          Index* slots,
                           const std::array<double*, 3>& at);
 };
 

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -126,16 +125,15 @@ private:
   std::vector<Edge> edges_;
   // Pairs of an edge and a point near it, those of an edge together. The arrays end
   // with padding for vectors.
-  std::vector<std::uint64_t> pair_slot_;       // of the point, in the grid
+  Indices pair_slot_;                          // of the point, in the grid
   std::array<std::vector<double>, 3> pair_at_; // coordinates of the point
   std::vector<double> pair_density_;           // then responsibility
-  std::vector<double> pair_place_;             // z, along the edge
-  std::vector<double> pair_off_;               // squared distance from the edge's line
   std::vector<double> removed_; // per point, the share that a cut takes away
   std::vector<double> density_; // per slot; after expect() its inverse
   std::vector<double> edge_count_;
   double noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
-  double reach_ = 0; // of the pairs collected
+  double square_ = 0, share_ = 0; // of the distances from the curves, by shares
+  double reach_ = 0;              // of the pairs collected
   BandedSystem system_;
   Points solution_;
   std::vector<double> inverse_after_next_, bend_weight_;
