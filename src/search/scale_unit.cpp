@@ -4,6 +4,7 @@
 #include <linelet/search/scale_unit.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -11,7 +12,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include <linelet/search/kd_tree.h>
+#include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
 
 namespace linelet {
@@ -29,6 +30,25 @@ chooseRandomly(Indices& indices, std::size_t count, unsigned seed)
   }
 }
 
+/** \brief About three times the distance of neighbours on a surface that fills the two
+ * longer sides of the box of some points, or on a line along the longest: what a row of
+ * a grid is to be wide for few nearest points. */
+double
+rowSize(const Points& points, const Indices& finite)
+{
+  Point low = points[finite.front()], high = low;
+  for (const Index i : finite) {
+    low = low.cwiseMin(points[i]);
+    high = high.cwiseMax(points[i]);
+  }
+  Point extent = high - low;
+  std::sort(extent.data(), extent.data() + 3);
+  const double count = static_cast<double>(finite.size());
+  const double size =
+      3 * std::max(std::sqrt(extent[1] * extent[2] / count), extent[2] / count);
+  return size > 0 && std::isfinite(size) ? size : 1;
+}
+
 } // namespace
 
 double
@@ -41,22 +61,23 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
       chosen.push_back(static_cast<Index>(i));
   if (chosen.size() < 2)
     return std::numeric_limits<double>::quiet_NaN();
+  const UniformGrid grid(points, rowSize(points, chosen));
   if (sample != 0 && sample < chosen.size()) {
     chooseRandomly(chosen, sample, seed);
     chosen.resize(sample);
   }
 
-  const KdTree tree(points);
   std::vector<double> distances(chosen.size());
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(chosen.size());
 #pragma omp parallel num_threads(threadCount(threads))
   {
-    Indices found;
 #pragma omp for schedule(dynamic, 64)
     for (std::ptrdiff_t i = 0; i < count; ++i) {
       // The point itself, or one in its place, is the nearest of all.
       const std::size_t at = static_cast<std::size_t>(i);
-      distances[at] = tree.nearest(points[chosen[at]], neighbours + 1, found);
+      const Point& point = points[chosen[at]];
+      distances[at] =
+          (points[grid.nearestK(point, neighbours + 1).back()] - point).norm();
     }
   }
   const auto middle = distances.begin() + (count - 1) / 2;
