@@ -4,8 +4,7 @@
 #include <linelet/search/kd_tree.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -57,57 +56,70 @@ finitePoints(const Points& points)
   return set;
 }
 
-/** \brief Collects what may be near: the tree sums squares in another order than the
- * neighbour rule does, so the last digit decides there. */
-struct Candidates {
-  using DistanceType = double;
+using Distance = nanoflann::L2_Simple_Adaptor<double, PointSet>;
+using Sorted = nanoflann::KDTreeSingleIndexAdaptor<Distance, PointSet, 3, std::size_t>;
+using Node = Sorted::Node;
 
-  double reach, beyond;
-  std::vector<std::size_t>& slots;
+// More points a leaf than nanoflann's 10: testing one costs less than a node does.
+constexpr std::size_t leaf_size = 16;
 
-  Candidates(double squared_radius, std::vector<std::size_t>& collected)
-      : reach(squared_radius * (1 + 1e-12)),
-        beyond(std::nextafter(reach, std::numeric_limits<double>::infinity())),
-        slots(collected)
+/** \brief Walks the tree for the leaves that one ball may reach. */
+template <class Take>
+class BallWalk {
+public:
+  /** \param[in] take called with the first slot of a leaf and the one after its last */
+  BallWalk(const Sorted& tree, const Point& centre, double squared_radius, Take take)
+      : centre_(centre),
+        // Squares of boxes are summed in another order than those of points.
+        reach_(squared_radius * (1 + 1e-12)),
+        take_(std::move(take))
   {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low_[axis] = tree.root_bbox[axis].low;
+      high_[axis] = tree.root_bbox[axis].high;
+    }
+    visit(*tree.root_node);
   }
 
-  std::size_t
-  size() const
+private:
+  void
+  visit(const Node& node)
   {
-    return slots.size();
+    double squared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = centre_[static_cast<Eigen::Index>(axis)];
+      const double outside = std::max({low_[axis] - at, at - high_[axis], 0.0});
+      squared += outside * outside;
+    }
+    if (squared > reach_)
+      return;
+    if (node.child1 == nullptr) {
+      take_(node.node_type.lr.left, node.node_type.lr.right);
+      return;
+    }
+    const auto& split = node.node_type.sub;
+    const auto axis = static_cast<std::size_t>(split.divfeat);
+    const double low = low_[axis], high = high_[axis];
+    high_[axis] = split.divlow;
+    visit(*node.child1);
+    high_[axis] = high;
+    low_[axis] = split.divhigh;
+    visit(*node.child2);
+    low_[axis] = low;
   }
 
-  bool
-  full() const
-  {
-    return true;
-  }
-
-  bool
-  addPoint(double squared, std::size_t slot)
-  {
-    if (squared <= reach)
-      slots.push_back(slot);
-    return true;
-  }
-
-  // The tree visits a box only if it is nearer than this, a point likewise.
-  double
-  worstDist() const
-  {
-    return beyond;
-  }
+  const Point centre_;
+  double reach_;
+  Take take_;
+  std::array<double, 3> low_{}, high_{};
 };
 
 } // namespace
 
 struct KdTree::Tree {
-  using Distance = nanoflann::L2_Simple_Adaptor<double, PointSet>;
-  using Sorted =
-      nanoflann::KDTreeSingleIndexAdaptor<Distance, PointSet, 3, std::size_t>;
-
-  explicit Tree(const Points& points) : set(finitePoints(points)), sorted(3, set)
+  explicit Tree(const Points& points)
+      : set(finitePoints(points)),
+        sorted(3, set, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size))
   {
     // What lies in one leaf shall lie side by side in memory, too.
     PointSet by_leaf;
@@ -119,17 +131,6 @@ struct KdTree::Tree {
       slot = by_leaf.points.size() - 1;
     }
     set = std::move(by_leaf);
-  }
-
-  /** \brief Slots of the points that may lie within a radius, and a few beyond. */
-  const std::vector<std::size_t>&
-  candidates(const Point& query, double squared_radius) const
-  {
-    thread_local std::vector<std::size_t> slots;
-    slots.clear();
-    Candidates result(squared_radius, slots);
-    sorted.findNeighbors(result, query.data(), nanoflann::SearchParams());
-    return slots;
   }
 
   PointSet set;
@@ -155,9 +156,20 @@ KdTree::within(const Point& query, double radius, Indices& found) const
   if (size() == 0 || !(radius >= 0) || !query.allFinite())
     return;
   const double squared_radius = radius * radius;
-  for (const std::size_t slot : tree_->candidates(query, squared_radius))
-    if ((tree_->set.points[slot] - query).squaredNorm() <= squared_radius)
-      found.push_back(tree_->set.indices[slot]);
+  const PointSet& set = tree_->set;
+  std::size_t count = 0;
+  BallWalk(
+      tree_->sorted, query, squared_radius, [&](std::size_t begin, std::size_t end) {
+        // Every index is written, and stays where the point is a neighbour: a branch
+        // here would be guessed wrongly every other time.
+        if (found.size() < count + (end - begin))
+          found.resize(2 * (count + end - begin));
+        for (std::size_t slot = begin; slot < end; ++slot) {
+          found[count] = set.indices[slot];
+          count += (set.points[slot] - query).squaredNorm() <= squared_radius;
+        }
+      });
+  found.resize(count);
   std::sort(found.begin(), found.end());
 }
 
@@ -173,12 +185,19 @@ KdTree::nearest(const Point& query, std::size_t count, Indices& found) const
   slots.resize(count);
   squared.resize(count);
   tree_->sorted.knnSearch(query.data(), count, slots.data(), squared.data());
-  // Which of several equally distant points come last is for the index to decide.
+  // Which of several equally distant points come last is for the index to decide; and
+  // nanoflann's sums differ from ours in the last digit.
+  const double reach = squared.back() * (1 + 1e-12);
+  const PointSet& set = tree_->set;
   thread_local std::vector<std::pair<double, Index>> candidates;
   candidates.clear();
-  for (const std::size_t slot : tree_->candidates(query, squared[count - 1]))
-    candidates.emplace_back((tree_->set.points[slot] - query).squaredNorm(),
-                            tree_->set.indices[slot]);
+  BallWalk(tree_->sorted, query, reach, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const double distance = (set.points[slot] - query).squaredNorm();
+      if (distance <= reach)
+        candidates.emplace_back(distance, set.indices[slot]);
+    }
+  });
   return keepNearest(candidates, count, found);
 }
 
