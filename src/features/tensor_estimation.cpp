@@ -74,9 +74,9 @@ public:
     const double radius = find(query, i);
     if (found_.empty())
       return unknownTensor(0);
-    offsets_.clear();
-    for (const Index neighbour : found_)
-      offsets_.push_back(surface_[neighbour] - query);
+    offsets_.resize(found_.size());
+    for (std::size_t n = 0; n < found_.size(); ++n)
+      offsets_[n] = surface_[found_[n]] - query;
     return tensorOf(offsets_, radius, settings_);
   }
 

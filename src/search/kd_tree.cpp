@@ -61,7 +61,7 @@ using Sorted = nanoflann::KDTreeSingleIndexAdaptor<Distance, PointSet, 3, std::s
 using Node = Sorted::Node;
 
 // More points a leaf than nanoflann's 10: testing one costs less than a node does.
-constexpr std::size_t leaf_size = 16;
+constexpr std::size_t leaf_size = 24;
 
 /** \brief Walks the tree for the leaves that one ball may reach. */
 template <class Take>
@@ -74,38 +74,50 @@ public:
         reach_(squared_radius * (1 + 1e-12)),
         take_(std::move(take))
   {
+    double squared = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low_[axis] = tree.root_bbox[axis].low;
       high_[axis] = tree.root_bbox[axis].high;
+      squared += squaredGap(axis);
     }
-    visit(*tree.root_node);
+    visit(*tree.root_node, squared);
   }
 
 private:
-  void
-  visit(const Node& node)
+  /** \brief What an axis adds to the squared distance of the present box. */
+  double
+  squaredGap(std::size_t axis) const
   {
-    double squared = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = centre_[static_cast<Eigen::Index>(axis)];
-      const double outside = std::max({low_[axis] - at, at - high_[axis], 0.0});
-      squared += outside * outside;
-    }
-    if (squared > reach_)
-      return;
+    const double at = centre_[static_cast<Eigen::Index>(axis)];
+    const double gap = std::max(std::max(low_[axis] - at, at - high_[axis]), 0.0);
+    return gap * gap;
+  }
+
+  /** \param[in] squared distance of the node's box */
+  void
+  visit(const Node& node, double squared)
+  {
     if (node.child1 == nullptr) {
       take_(node.node_type.lr.left, node.node_type.lr.right);
       return;
     }
     const auto& split = node.node_type.sub;
     const auto axis = static_cast<std::size_t>(split.divfeat);
+    const double others = squared - squaredGap(axis);
     const double low = low_[axis], high = high_[axis];
     high_[axis] = split.divlow;
-    visit(*node.child1);
+    visitIfNear(*node.child1, others + squaredGap(axis));
     high_[axis] = high;
     low_[axis] = split.divhigh;
-    visit(*node.child2);
+    visitIfNear(*node.child2, others + squaredGap(axis));
     low_[axis] = low;
+  }
+
+  void
+  visitIfNear(const Node& node, double squared)
+  {
+    if (squared <= reach_)
+      visit(node, squared);
   }
 
   const Point centre_;
