@@ -42,22 +42,28 @@ peak(const Weighting& weighting)
   list.reserve(entries);
   list.size = entries;
   for (std::size_t i = 0; i < entries; ++i) {
-    list.x[i] = static_cast<float>(i % 10) / 20;
-    list.y[i] = static_cast<float>(i % 11) / 20;
-    list.z[i] = static_cast<float>(i % 12) / 20;
+    list.x[i] = 0.3F + static_cast<float>(i % 10) / 50; // all neighbours, none near
+    list.y[i] = 0.3F + static_cast<float>(i % 11) / 50;
+    list.z[i] = 0.3F + static_cast<float>(i % 12) / 50;
     list.h[i] = list.x[i] * list.x[i] + list.y[i] * list.y[i] + list.z[i] * list.z[i];
   }
   list.pad();
   const grid::SweepKernels kernels = grid::sweepKernels();
+  const grid::SweepWeight weight(weighting);
+  grid::PointList none;
+  none.reserve(0);
+  none.pad();
+  const grid::Float3 query = {0.1F, 0.1F, 0.1F};
+  const grid::WeightedLists lists = {none, query, list, query};
   double best = 1e9;
   for (int turn = 0; turn < 5; ++turn) {
     const double start = cpuSeconds();
     grid::Moments sums;
     for (std::size_t i = 0; i < repeats; ++i)
       if (weighting.kernel() == Kernel::Const)
-        kernels.constSums(list, {0.1F, 0.1F, 0.1F}, {1, 1}, sums);
+        kernels.constSums(list, query, {1, 1}, sums);
       else
-        kernels.weightedSums(list, {0.1F, 0.1F, 0.1F}, {1, 1}, weighting, 1, sums);
+        kernels.weightedSums(lists, {1, 1}, weight, 1, sums);
     benchmark::DoNotOptimize(sums);
     best = std::min(best, cpuSeconds() - start);
   }

@@ -52,47 +52,68 @@ TEST(GridKernels, RunOnMoreThanOneInstructionSet)
   EXPECT_GE(hwy::SupportedAndGeneratedTargets().size(), 1u);
 }
 
-// Would a vector weight be off by more than its stated bound, shape factors would be.
+// Would a vector weight be off by more than its stated bound, shape factors would be:
+// by the functions themselves, and by tables where they are used.
 TEST(GridKernels, WeightsAreWithinTheirBounds)
 {
-  constexpr std::size_t count = 4096;
+  constexpr std::size_t count = 16384;
   std::vector<float> squared(count), weight(count);
   onEveryInstructionSet([&] {
-    for (const Weighting& w : allWeightings()) {
-      const grid::WeightError bound = grid::weightError(w);
-      for (std::size_t i = 0; i < count; ++i) {
-        const double x = 1.25 * static_cast<double>(i) / count;
-        squared[i] = static_cast<float>(x * x);
+    for (const Weighting& w : allWeightings())
+      for (const bool table : {false, true}) {
+        const grid::WeightError bound = grid::weightError(w);
+        for (std::size_t i = 0; i < count; ++i) {
+          // Tables end where neighbours do.
+          const double x = (table ? 0.9999 : 1.25) * static_cast<double>(i) / count;
+          squared[i] = static_cast<float>(x * x);
+        }
+        grid::sweepKernels().weights(
+            grid::SweepWeight(w), table, squared.data(), weight.data(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+          const double u = squared[i];
+          if (std::abs(u - 1) < 1e-6)
+            continue; // a step of ease-exponential
+          const double expected = w(std::sqrt(u));
+          EXPECT_NEAR(
+              weight[i], expected, bound.absolute + bound.relative * expected + 1e-37)
+              << w.name() << " at " << std::sqrt(u) << (table ? " by table" : "");
+        }
       }
-      grid::sweepKernels().weights(w, squared.data(), weight.data(), count);
-      for (std::size_t i = 0; i < count; ++i) {
-        const double u = squared[i];
-        if (std::abs(u - 1) < 1e-6)
-          continue; // a step of ease-exponential
-        const double expected = w(std::sqrt(u));
-        EXPECT_NEAR(
-            weight[i], expected, bound.absolute + bound.relative * expected + 1e-37)
-            << w.name() << " at " << std::sqrt(u);
-      }
-    }
   });
 }
 
-// The same bound, told by the closed form of Fermi-Dirac: 1e-6 relative.
-TEST(GridKernels, DefaultWeightIsWithinAMillionth)
+// The bound of every Fermi-Dirac weight of the specification, told by its closed form:
+// 1e-6 relative.
+TEST(GridKernels, FermiDiracIsWithinAMillionth)
 {
-  std::vector<float> squared(1024), weight(1024);
-  for (std::size_t i = 0; i < squared.size(); ++i)
-    squared[i] = static_cast<float>(i) / 1024;
-  onEveryInstructionSet([&] {
-    grid::sweepKernels().weights(
-        Kernel::FermiDirac1, squared.data(), weight.data(), weight.size());
-    for (std::size_t i = 0; i < squared.size(); ++i) {
-      const double exact =
-          1 / (std::exp((std::sqrt(static_cast<double>(squared[i])) - 0.6) / 0.1) + 1);
-      EXPECT_NEAR(weight[i], exact, 1e-6 * exact) << squared[i];
-    }
-  });
+  constexpr std::size_t count = 16384;
+  std::vector<float> squared(count), weight(count);
+  for (std::size_t i = 0; i < count; ++i)
+    squared[i] = static_cast<float>(i) / count;
+  const std::vector<std::pair<Kernel, std::pair<double, double>>> kernels = {
+      {Kernel::FermiDirac1, {0.6, 0.1}},
+      {Kernel::FermiDirac2, {0.35, 0.05}},
+      {Kernel::FermiDirac3, {0.3, 0.1}}};
+  for (const auto& [kernel, parameters] : kernels) {
+    const auto [m, t] = parameters;
+    EXPECT_GE(grid::SweepWeight(kernel).table.degree, 3) << nameOf(kernel);
+    onEveryInstructionSet([&, kernel = kernel, m = m, t = t] {
+      for (const bool table : {false, true}) {
+        grid::sweepKernels().weights(
+            grid::SweepWeight(kernel), table, squared.data(), weight.data(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+          const double x = std::sqrt(static_cast<double>(squared[i]));
+          const double exact = 1 / (std::exp((x - m) / t) + 1);
+          // Rounding of x counts in units of the temperature.
+          const double argument = 0x1p-24 * x / t;
+          const bool looked_up = table && grid::sweepKernels().lanes == 16;
+          EXPECT_NEAR(
+              weight[i], exact, (looked_up ? 1e-6 : 1e-6 + 2 * argument) * exact)
+              << nameOf(kernel) << " at " << x << (table ? " by table" : "");
+        }
+      }
+    });
+  }
 }
 
 TEST(GridKernels, EveryInstructionSetAgrees)

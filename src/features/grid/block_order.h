@@ -79,12 +79,13 @@ public:
   /** \brief Most points of a part that is not cut any more. */
   static constexpr std::size_t leaf = 8;
 
-  /** \brief How many of \a count points, more than \ref leaf, come before the cut. */
+  /** \brief How many of \a count points, more than \ref leaf, come before the cut: an
+   * even number of leaves, so that they can be taken in pairs. */
   static std::size_t
   half(std::size_t count)
   {
     const std::size_t leaves = (count + leaf - 1) / leaf;
-    return count * ((leaves + 1) / 2) / leaves;
+    return count * (leaves == 2 ? 1 : (leaves + 2) / 4 * 2) / leaves;
   }
 
   /** \brief Entries behind the last point that may be read. */

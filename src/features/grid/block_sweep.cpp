@@ -145,6 +145,8 @@ BlockSweep::gather(const BlockFrame::Cell& cell)
                       static_cast<float>(longest * longest),
                       region_);
   region_.pad();
+  certain_.reserve(region_.size);
+  certain_.size = 0;
 }
 
 void
@@ -154,24 +156,31 @@ BlockSweep::refine(const Part& queries,
                    std::size_t depth)
 {
   const double near = queries.shortest - queries.size - margin;
+  const double tabled = std::sqrt(double{job_.weight.table.from}) * queries.longest +
+                        queries.size + margin;
   const double far = queries.longest + queries.size + margin;
   const Ball ball{toFloat(queries.center),
                   static_cast<float>(near > 0 ? near * near : -1.0),
-                  static_cast<float>(far * far)};
+                  static_cast<float>(far * far),
+                  static_cast<float>(tabled * tabled)};
   const bool last = queries.end - queries.begin <= BlockOrder::leaf;
   if (!last && levels_.size() <= depth)
     levels_.emplace_back();
   PointList& kept = last ? last_ : levels_[depth];
   kept.reserve(list.size);
+  const std::size_t known = certain_.size;
   Moments here;
-  kernels_.classify(list, ball, last, kept, sums_ ? &here : nullptr);
+  if (method_ == Method::Weights)
+    kernels_.split(list, ball, last, kept, certain_);
+  else
+    kernels_.classify(list, ball, last, kept, sums_ ? &here : nullptr);
   Moments all = here.relativeTo(-queries.center);
   all += inside;
-  if (last) {
+  if (last)
     solve(queries, all);
-    return;
-  }
-  refineParts(queries.begin, queries.end, cuts, kept, all, depth + 1);
+  else
+    refineParts(queries.begin, queries.end, cuts, kept, all, depth + 1);
+  certain_.size = known;
 }
 
 void
@@ -218,8 +227,8 @@ BlockSweep::solveOne(const Part& queries, std::size_t query, const Moments& insi
   }
   known_[query] = good;
   if (!good) {
-    job_.records[job_.queries.index(first_ + query)] =
-        inDouble(query, sums_ ? region_ : last_);
+    job_.records[job_.queries.index(first_ + query)] = inDouble(
+        query, method_ == Method::Sums || method_ == Method::Weights ? region_ : last_);
     return;
   }
   const double scale = 1 / t.count;
@@ -257,8 +266,9 @@ BlockSweep::weightedTensor(const Part& queries, std::size_t query, Moments& t)
   const Float3 at = local(query, queries.center);
   const Band limits = band(queries, query);
   const double inverse = 1 / (radii_[query] * radii_[query]);
+  const auto scale = static_cast<float>(inverse);
   const Found found = kernels_.weightedSums(
-      last_, at, limits, job_.settings.weighting, static_cast<float>(inverse), t);
+      {last_, at, certain_, toFloat(queries_[query])}, limits, job_.weight, scale, t);
   std::size_t neighbours = found.certain;
   if (found.doubtful)
     for (const Index place : decide(query, at, limits)) {

@@ -22,6 +22,7 @@ struct SweepJob {
   const BlockOrder& surface;
   const BlockOrder& queries; ///< may be the same
   const TensorSettings& settings;
+  const SweepWeight& weight;
   double radius;                    ///< of all queries, or the largest of
   const std::vector<double>* radii; ///< one a query of the input, or null
   PointDistributionTensor* records; ///< one a query of the input
@@ -148,6 +149,7 @@ private:
   std::array<std::size_t, 9> cursors_{}; // where the last block's runs began
   PointList region_;                     // what any query of the block can reach
   std::deque<PointList> levels_;         // one a depth of refinement
+  PointList certain_; // neighbours of all queries of a part, for Method::Weights
   PointList last_, dense_;
   Indices doubtful_;
   std::vector<std::pair<Index, std::uint32_t>> exact_;

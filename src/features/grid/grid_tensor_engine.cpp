@@ -69,6 +69,7 @@ public:
       : surface_(surface),
         queries_(queries),
         settings_(settings),
+        weight_(settings.weighting),
         sizes_(sizes),
         monitor_(monitor),
         records_(records),
@@ -114,6 +115,7 @@ private:
                        surface,
                        queries,
                        settings_,
+                       weight_,
                        radius,
                        sizes_.radii.empty() ? nullptr : &sizes_.radii,
                        records_.data()};
@@ -164,6 +166,7 @@ private:
   const Points& surface_;
   const Points& queries_;
   const TensorSettings& settings_;
+  SweepWeight weight_;
   const NeighbourhoodSizes& sizes_;
   Monitor* monitor_;
   std::vector<PointDistributionTensor>& records_;

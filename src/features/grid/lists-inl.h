@@ -130,6 +130,56 @@ classify(const PointList& in,
     classifyAs<false, false>(in, ball, out, inside);
 }
 
+template <bool recentre>
+HWY_INLINE void
+splitAs(const PointList& in, const Ball& ball, PointList& out, PointList& certain)
+{
+  const F f;
+  const hn::RebindToUnsigned<F> u;
+  const V cx = constant(ball.center[0]), cy = constant(ball.center[1]),
+          cz = constant(ball.center[2]);
+  const V near = constant(ball.near), inside = constant(ball.inside),
+          most = constant(ball.outside);
+  std::size_t size = 0, certain_size = certain.size;
+  for (std::size_t i = 0; i < in.size; i += hn::Lanes(f)) {
+    const V x = hn::Load(f, in.x + i), y = hn::Load(f, in.y + i),
+            z = hn::Load(f, in.z + i);
+    const V dx = hn::Sub(x, cx), dy = hn::Sub(y, cy), dz = hn::Sub(z, cz);
+    const V h = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+    const auto within = hn::And(hn::Lt(h, inside), hn::Ge(h, near));
+    const auto keep = hn::AndNot(within, hn::Le(h, most));
+    if (!hn::AllFalse(f, within)) {
+      append(f, x, within, certain.x + certain_size);
+      append(f, y, within, certain.y + certain_size);
+      append(f, z, within, certain.z + certain_size);
+      certain_size += hn::CountTrue(f, within);
+    }
+    if (!hn::AllFalse(f, keep)) {
+      append(f, recentre ? dx : x, keep, out.x + size);
+      append(f, recentre ? dy : y, keep, out.y + size);
+      append(f, recentre ? dz : z, keep, out.z + size);
+      append(u, hn::Load(u, in.id + i), hn::RebindMask(u, keep), out.id + size);
+      size += hn::CountTrue(f, keep);
+    }
+  }
+  out.size = size;
+  out.pad();
+  certain.size = certain_size;
+}
+
+void
+split(const PointList& in,
+      const Ball& ball,
+      bool recentre,
+      PointList& out,
+      PointList& certain)
+{
+  if (recentre)
+    splitAs<true>(in, ball, out, certain);
+  else
+    splitAs<false>(in, ball, out, certain);
+}
+
 /** \brief Points relative to a query, and what a band says of them. */
 struct Seen {
   V dx, dy, dz, squared;

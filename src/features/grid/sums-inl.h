@@ -14,6 +14,7 @@
 #include <hwy/highway.h>
 
 #include "sweep_kernels.h"
+#include "table-inl.h"
 #include "weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -135,56 +136,113 @@ constSums(const PointList& list, const Float3& query, Band band, Moments& sums)
   return {static_cast<std::size_t>(total.total.count), !hn::AllFalse(f, doubtful)};
 }
 
+/** \brief A vector of points relative to a query, and their weights. */
+struct Weighed {
+  V w, x, y, z;
+};
+
+/** \brief Sums over vectors at(0), at(lanes), ... below \a end. A weight is a long
+ * chain of operations: it is computed one vector ahead of the sums. \param part sums
+ * that go on in float until they are as many as may */
+template <class At>
+HWY_INLINE void
+sumAhead(std::size_t end, const At& at, ChunkSums<false>& part, Sums<false>& total)
+{
+  const std::size_t lanes = hn::Lanes(F());
+  for (std::size_t chunk = 0; chunk < end; chunk += chunk_vectors * lanes) {
+    if (chunk > 0) {
+      total.add(part);
+      part = ChunkSums<false>();
+    }
+    const std::size_t stop = HWY_MIN(chunk + chunk_vectors * lanes, end);
+    Weighed v = at(chunk);
+    for (std::size_t i = chunk + lanes; i < stop; i += lanes) {
+      const Weighed next = at(i);
+      part.addWeighted(v.w, v.x, v.y, v.z);
+      v = next;
+    }
+    part.addWeighted(v.w, v.x, v.y, v.z);
+  }
+}
+
 template <class W>
 HWY_INLINE Found
-weightedSumsOf(const W& weight,
-               const PointList& list,
-               const Float3& query,
-               Band band,
-               float scale,
-               Moments& sums)
+weightedSumsOf(const W& weight, const WeightedLists& lists, Band band, Moments& sums)
 {
   const F f;
   const std::size_t lanes = hn::Lanes(f);
-  const V qx = constant(query[0]), qy = constant(query[1]), qz = constant(query[2]);
-  const V low = constant(band.low), high = constant(band.high);
-  const V factor = constant(scale);
+  const auto squareOf = [](V x, V y, V z) HWY_ATTR {
+    return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+  };
   Sums<false> total;
-  std::size_t found = 0;
-  auto doubtful = hn::FirstN(f, 0);
-  for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
-    const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
-    ChunkSums<false> part;
-    for (std::size_t i = chunk; i < end; i += lanes) {
-      const V dx = hn::Sub(hn::Load(f, list.x + i), qx);
-      const V dy = hn::Sub(hn::Load(f, list.y + i), qy);
-      const V dz = hn::Sub(hn::Load(f, list.z + i), qz);
-      const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-      const auto within = hn::Le(squared, low);
-      doubtful = hn::Or(doubtful, hn::AndNot(within, hn::Le(squared, high)));
-      if (hn::AllFalse(f, within))
-        continue;
-      const V w = hn::IfThenElseZero(within, weight(hn::Mul(squared, factor)));
-      part.addWeighted(w, dx, dy, dz);
-      found += hn::CountTrue(f, within);
-    }
-    total.add(part);
+  ChunkSums<false> part;
+
+  const PointList& certain = lists.certain;
+  const V px = constant(lists.certain_query[0]), py = constant(lists.certain_query[1]),
+          pz = constant(lists.certain_query[2]);
+  const auto ofCertain = [&](V x, V y, V z) HWY_ATTR {
+    Weighed v;
+    v.x = hn::Sub(x, px);
+    v.y = hn::Sub(y, py);
+    v.z = hn::Sub(z, pz);
+    v.w = weight.far(squareOf(v.x, v.y, v.z));
+    return v;
+  };
+  const std::size_t rest = certain.size % lanes, whole = certain.size - rest;
+  sumAhead(
+      whole,
+      [&](std::size_t i) HWY_ATTR {
+        return ofCertain(hn::Load(f, certain.x + i),
+                         hn::Load(f, certain.y + i),
+                         hn::Load(f, certain.z + i));
+      },
+      part,
+      total);
+  if (rest > 0) {
+    const auto real = hn::FirstN(f, rest);
+    const Weighed v = ofCertain(hn::MaskedLoad(real, f, certain.x + whole),
+                                hn::MaskedLoad(real, f, certain.y + whole),
+                                hn::MaskedLoad(real, f, certain.z + whole));
+    part.addWeighted(hn::IfThenElseZero(real, v.w), v.x, v.y, v.z);
   }
+
+  const PointList& list = lists.doubtful;
+  const V qx = constant(lists.query[0]), qy = constant(lists.query[1]),
+          qz = constant(lists.query[2]);
+  const V low = constant(band.low), high = constant(band.high);
+  std::size_t found = certain.size;
+  auto doubtful = hn::FirstN(f, 0);
+  sumAhead(
+      list.size,
+      [&](std::size_t i) HWY_ATTR {
+        Weighed v;
+        v.x = hn::Sub(hn::Load(f, list.x + i), qx);
+        v.y = hn::Sub(hn::Load(f, list.y + i), qy);
+        v.z = hn::Sub(hn::Load(f, list.z + i), qz);
+        const V squared = squareOf(v.x, v.y, v.z);
+        const auto within = hn::Le(squared, low);
+        doubtful = hn::Or(doubtful, hn::AndNot(within, hn::Le(squared, high)));
+        v.w = hn::IfThenElseZero(within, weight(squared));
+        found += hn::CountTrue(f, within);
+        return v;
+      },
+      part,
+      total);
+  total.add(part);
   total.addTo(sums);
   return {found, !hn::AllFalse(f, doubtful)};
 }
 
 Found
-weightedSums(const PointList& list,
-             const Float3& query,
+weightedSums(const WeightedLists& lists,
              Band band,
-             const Weighting& weighting,
+             const SweepWeight& weight,
              float scale,
              Moments& sums)
 {
   Found found{};
-  withWeight(weighting, [&](const auto& weight) HWY_ATTR {
-    found = weightedSumsOf(weight, list, query, band, scale, sums);
+  withTable(weight, scale, [&](const auto& w) HWY_ATTR {
+    found = weightedSumsOf(w, lists, band, sums);
   });
   return found;
 }

@@ -12,6 +12,7 @@
 #include "eigen-inl.h"
 #include "lists-inl.h"
 #include "sums-inl.h"
+#include "table-inl.h"
 #include "weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,16 +20,21 @@ namespace linelet::grid {
 namespace HWY_NAMESPACE {
 
 void
-weights(const Weighting& weighting,
+weights(const SweepWeight& weight,
+        bool table,
         const float* squared,
-        float* weight,
+        float* values,
         std::size_t count)
 {
   const F f;
-  withWeight(weighting, [&](const auto& w) HWY_ATTR {
+  const auto evaluate = [&](const auto& w) HWY_ATTR {
     for (std::size_t i = 0; i < count; i += hn::Lanes(f))
-      hn::StoreU(w(hn::LoadU(f, squared + i)), f, weight + i);
-  });
+      hn::StoreU(w(hn::LoadU(f, squared + i)), f, values + i);
+  };
+  if (table)
+    withTable(weight, 1, evaluate);
+  else
+    withWeight(weight.weighting, evaluate);
 }
 
 SweepKernels
@@ -38,6 +44,7 @@ kernels()
           hn::Lanes(F()),
           gather,
           classify,
+          split,
           constSums,
           weightedSums,
           momentsAround,

@@ -10,6 +10,7 @@
 #include <linelet/tensor/weighting.h>
 
 #include "point_list.h"
+#include "weight_table.h"
 
 namespace linelet::grid {
 
@@ -42,6 +43,17 @@ struct Ball {
   float inside;  ///< squared distance from the center up to which a point is certainly
                  ///< a neighbour of all of them; negative: none is
   float outside; ///< and beyond which it is of none
+  float near =
+      0; ///< up to which its weight is not that of \ref WeightTable for certain
+};
+
+/** \brief Candidates for the neighbours of a query, with the query in the coordinates
+ * of each list. */
+struct WeightedLists {
+  const PointList& doubtful;
+  Float3 query;
+  const PointList& certain; ///< neighbours, and none of them near; may lack padding
+  Float3 certain_query;
 };
 
 /** \brief How many points lie in a ball for certain, and whether any do in its band. */
@@ -79,6 +91,15 @@ struct SweepKernels {
                    PointList& out,
                    Moments* inside);
 
+  /** \brief As \ref classify, but the points certainly inside and not near are appended
+   * to \a certain, as they are in \a in, without h and id and without padding. Nor does
+   * \a out get an h. */
+  void (*split)(const PointList& in,
+                const Ball& ball,
+                bool recentre,
+                PointList& out,
+                PointList& certain);
+
   /** \brief Moments of the points of a recentred list within the ball around \a query;
    * points of the band are left out. */
   Found (*constSums)(const PointList& list,
@@ -86,13 +107,12 @@ struct SweepKernels {
                      Band band,
                      Moments& sums);
 
-  /** \brief Weighted moments relative to \a query of the points within the ball around
-   * it, by a kernel; the weight's argument is squared distance times \a scale. Points
-   * of the band are left out. The first moments are not summed. */
-  Found (*weightedSums)(const PointList& list,
-                        const Float3& query,
+  /** \brief Weighted moments relative to a query of its neighbours, by a kernel; the
+   * weight's argument is squared distance times \a scale. Points of the band are left
+   * out. The first moments are not summed. */
+  Found (*weightedSums)(const WeightedLists& lists,
                         Band band,
-                        const Weighting& weighting,
+                        const SweepWeight& weight,
                         float scale,
                         Moments& sums);
 
@@ -116,10 +136,12 @@ struct SweepKernels {
                  Band band,
                  Indices& places);
 
-  /** \brief w(sqrt(u)) for \a count values of u, a multiple of \ref lanes. */
-  void (*weights)(const Weighting& weighting,
+  /** \brief w(sqrt(u)) for \a count values of u, a multiple of \ref lanes. With \a
+   * table: as \ref weightedSums has them, for u below 1. */
+  void (*weights)(const SweepWeight& weight,
+                  bool table,
                   const float* squared,
-                  float* weight,
+                  float* values,
                   std::size_t count);
 
   /** \brief Eigenvalues and the outer eigenvectors. */

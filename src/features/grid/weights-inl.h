@@ -11,6 +11,8 @@
 #define LINELET_GRID_WEIGHTS_INL
 #endif
 
+#include <type_traits>
+
 #include <hwy/highway.h>
 
 #include <linelet/tensor/weighting.h>
@@ -155,6 +157,8 @@ struct Weight {
       return hn::NegMulAdd(constant(0.75F), u, constant(0.75F));
     else if constexpr (kernel == Kernel::QuadraticInverse)
       return hn::Min(one, hn::Div(constant(0.01F), u));
+    else if constexpr (kernel == Kernel::EaseCircular)
+      return circular(u, hn::Sqrt(u));
     else
       return ofRoot(hn::Sqrt(u));
   }
@@ -195,7 +199,9 @@ struct Weight {
     else if constexpr (kernel == Kernel::Sph5) {
       const V c = hn::Mul(constant(3), x);
       const V s = hn::NegMulAdd(constant(6), truncated<5>(2, c), truncated<5>(3, c));
-      return hn::MulAdd(constant(15), truncated<5>(1, c), s);
+      // The sum of all three for c < 1, without its cancellation.
+      const V inner = polynomial(c, 66.0F, 0.0F, -60.0F, 0.0F, 30.0F, -10.0F);
+      return hn::IfThenElse(hn::Lt(c, one), inner, s);
     }
     else if constexpr (kernel == Kernel::CsRbf2)
       return hn::Mul(power<3>(y), polynomial(x, 1.0F, 3.0F));
@@ -228,13 +234,7 @@ struct Weight {
         return hn::Mul(half, hn::Sub(one, bounce(hn::NegMulAdd(constant(2), s, one))));
       });
     else if constexpr (kernel == Kernel::EaseCircular)
-      // (1 - sqrt(1 - 4 s^2)) / 2 without the cancellation.
-      return eased(x, [&](V s) HWY_ATTR {
-        const V square = hn::Mul(s, s);
-        const V root =
-            hn::Sqrt(hn::Max(hn::Zero(F()), hn::NegMulAdd(constant(4), square, one)));
-        return hn::Div(hn::Add(square, square), hn::Add(one, root));
-      });
+      return circular(hn::Mul(x, x), x);
     else if constexpr (kernel == Kernel::EaseElastic)
       return eased(x, [&](V s) HWY_ATTR {
         const V amplitude = exp2Of(polynomial(s, -11.0F, 20.0F));
@@ -254,6 +254,25 @@ struct Weight {
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(2), power<2>(s)); });
     else // EaseQuintic
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(16), power<5>(s)); });
+  }
+
+  /** \brief (1 - sqrt(1 - 4 s^2)) / 2 of the halves, without the cancellation. At s =
+   * 1/2 it is steep: 1 - 4 s^2 is had from u, not from its rounded root. */
+  static HWY_INLINE V
+  circular(V u, V x)
+  {
+    const V one = constant(1);
+    const V rest = hn::NegMulAdd(constant(4), u, one);
+    const V twice = hn::Add(x, x);
+    // Of s = 1 - x: (2x - 1) (3 - 2x).
+    const V mirrored =
+        hn::Div(hn::Mul(rest, hn::Sub(twice, constant(3))), hn::Add(twice, one));
+    return eased(x, [&](V s) HWY_ATTR {
+      const V inner = hn::IfThenElse(hn::Lt(x, constant(0.5F)), rest, mirrored);
+      const V root = hn::Sqrt(hn::Max(hn::Zero(F()), inner));
+      const V square = hn::Mul(s, s);
+      return hn::Div(hn::Add(square, square), hn::Add(one, root));
+    });
   }
 
   float slope = 0, offset = 0; // of the Fermi-Dirac exponent, to base 2
@@ -303,15 +322,16 @@ struct ClampedWeight : Weight<kernel> {
   }
 };
 
-/** \brief Calls act(functor) with the functor of \a weighting. */
+/** \brief Calls act(kernel) with the kernel of \a weighting as an integral constant;
+ * all of Fermi-Dirac are one. */
 template <class Act>
 HWY_INLINE void
-withWeight(const Weighting& weighting, const Act& act)
+withKernel(const Weighting& weighting, const Act& act)
 {
   switch (weighting.kernel()) {
 #define LINELET_KERNEL(name)                                                           \
   case Kernel::name:                                                                   \
-    return act(ClampedWeight<Kernel::name>(weighting));
+    return act(std::integral_constant<Kernel, Kernel::name>());
     LINELET_KERNEL(Const)
     LINELET_KERNEL(Linear)
     LINELET_KERNEL(LinearInverse)
@@ -347,8 +367,18 @@ withWeight(const Weighting& weighting, const Act& act)
   case Kernel::FermiDirac2:
   case Kernel::FermiDirac3:
   case Kernel::FermiDirac:
-    return act(ClampedWeight<Kernel::FermiDirac>(weighting));
+    return act(std::integral_constant<Kernel, Kernel::FermiDirac>());
   }
+}
+
+/** \brief Calls act(functor) with the functor of \a weighting. */
+template <class Act>
+HWY_INLINE void
+withWeight(const Weighting& weighting, const Act& act)
+{
+  withKernel(weighting, [&](auto kernel) HWY_ATTR {
+    act(ClampedWeight<decltype(kernel)::value>(weighting));
+  });
 }
 
 } // namespace HWY_NAMESPACE
