@@ -4,6 +4,9 @@
 #include <linelet/curves/em_fit.h>
 
 #include <algorithm>
+#include <utility>
+
+#include <linelet/support/monitor.h>
 
 #include "slot_kernels.h"
 
@@ -18,11 +21,13 @@ constexpr double least_points = 2;
 
 EmFitter::EmFitter(const Points& points,
                    const UniformGrid& grid,
-                   const CloudFrame& frame)
+                   const CloudFrame& frame,
+                   std::function<bool()> stop)
     : points_(points),
       grid_(grid),
       slots_(std::make_shared<SlotArrays>(grid)),
-      frame_(frame)
+      frame_(frame),
+      stop_(std::move(stop))
 {
 }
 
@@ -40,13 +45,19 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
   outlier_share_ = first_outlier_share;
   freedom_ = 0;
   edge_count_.clear();
-  resampleCurves(settings.spacing);
+  // Nodes much closer than the noise say nothing.
+  const auto spacing = [&] {
+    return std::max(settings.spacing, settings.least_spacing * noise_);
+  };
+  resampleCurves(spacing());
   for (int i = 0; i < settings.iterations; ++i) {
+    if (stop_ && stop_())
+      throw Cancelled();
     if (i > 0 && i % settings.resample_every == 0) {
       expect();
       prune();
-      extendEnds(settings.spacing);
-      resampleCurves(settings.spacing);
+      extendEnds(spacing());
+      resampleCurves(spacing());
     }
     else if (pairsAreStale())
       collectPairs();
@@ -55,7 +66,7 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
   }
   expect();
   if (prune()) {
-    resampleCurves(settings.spacing);
+    resampleCurves(spacing());
     for (int i = 0; i < 2; ++i) {
       expect();
       maximise(settings);

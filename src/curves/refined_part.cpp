@@ -25,6 +25,10 @@ constexpr std::array<double, 6> bandwidths = {1, 0.7, 0.5, 1.4, 2, 2.8};
 constexpr std::size_t first_upwards = 3;
 constexpr double hopeless_score = 60;
 constexpr std::size_t least_part = 5;
+// The bandwidth of a part this large is chosen by a few samples of neighbouring points.
+constexpr std::size_t sampled_part = 60000;
+constexpr std::size_t sample_size = 8000;
+constexpr std::size_t samples = 3;
 // A curve is doubled where the variances of its points' offsets differ this much.
 constexpr double doubled_spread = 2;
 constexpr double least_doubled = 12;
@@ -136,77 +140,171 @@ doubled(const EmFit& fit, const Points& points, const UniformGrid& grid, double 
   return any ? result : ModelCurves();
 }
 
-} // namespace
+/** \brief A fit and what it was made with. */
+struct Fitted {
+  EmFit fit;
+  EmSettings settings;
+  double score = 0;
+};
 
-EmFit
-refinePart(const Points& points,
-           const RefinedSettings& user,
-           const std::function<bool()>& stop)
-{
-  EmFit best;
-  const double scale_unit =
-      points.size() < least_part ? 0 : scaleUnit(points, 1024, 1, 1);
-  if (!(scale_unit > 0))
-    return best;
-  const CloudFrame frame = frameOf(points, scale_unit);
-  const UniformGrid grid(points, 2 * scale_unit);
-  if (points.size() > large_part && !looksLinear(points, grid, scale_unit))
-    return best;
+/** \brief A part while it is worked on. */
+class Part {
+public:
+  Part(const Points& points,
+       double scale_unit,
+       const RefinedSettings& user,
+       const std::function<bool()>& stop)
+      : points_(points),
+        scale_unit_(scale_unit),
+        frame_(frameOf(points, scale_unit)),
+        grid_(points, 2 * scale_unit),
+        fitter_(points, grid_, frame_, stop),
+        user_(user)
+  {
+    best_.score = scoreOfNothing(frame_, points.size());
+  }
 
-  EmFitter fitter(points, grid, frame);
-  EmSettings best_settings;
-  double best_score = scoreOfNothing(frame, points.size());
-  bool hopeless = false;
-  for (std::size_t k = 0; k < bandwidths.size(); ++k) {
-    if (stop())
-      return {};
-    if (k == first_upwards)
-      hopeless = false;
-    if (hopeless)
-      continue;
-    const double b = bandwidths[k] * scale_unit;
-    const RidgeField field(points, b);
-    const Traces traces = traceRidges(field, {user.start_points, user.max_iterations});
+  bool
+  looksLikeCurves() const
+  {
+    return points_.size() <= large_part || looksLinear(points_, grid_, scale_unit_);
+  }
+
+  Fitted&
+  best()
+  {
+    return best_;
+  }
+  const UniformGrid&
+  grid() const
+  {
+    return grid_;
+  }
+
+  /** \brief Keeps \a fit if it is better. \return whether it was */
+  bool
+  take(EmFit fit, const EmSettings& settings)
+  {
+    const double score = scoreOf(fit, points_.size());
+    if (fit.curves.empty() || !(score < best_.score))
+      return false;
+    best_ = {std::move(fit), settings, score};
+    return true;
+  }
+
+  EmFit
+  fit(const ModelCurves& start, const EmSettings& settings)
+  {
+    return fitter_.fit(start, settings);
+  }
+
+  /** \brief Traces and fits with bandwidth number \a k.
+   * \return the score; where nothing new was to be fitted, that of the best */
+  double
+  tryBandwidth(std::size_t k)
+  {
+    const double b = bandwidths[k] * scale_unit_;
+    const RidgeField field(points_, b);
+    const Traces traces =
+        traceRidges(field, {user_.start_points, user_.max_iterations});
     PairingSettings pairing;
     pairing.cluster = 2.5 * b;
     pairing.cut = 1.25 * b;
     pairing.reach = 3 * b;
     ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
-    if (start.empty())
-      continue;
-    if (!best.curves.empty() && leadsTo(best, start, b))
-      continue;
+    if (start.empty() || (!best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
+      return best_.score;
     for (ModelCurve& curve : start)
       curve.scale = b;
     EmSettings settings;
-    settings.spacing = std::max(0.4 * scale_unit, 0.24 * b);
+    settings.spacing = std::max(0.4 * scale_unit_, 0.24 * b);
     settings.noise = 0.5 * b;
-    settings.least_noise = 0.1 * scale_unit;
-    settings.bending = 1 / frame.diagonal;
-    EmFit fit = fitter.fit(start, settings);
-    const double score = scoreOf(fit, points.size());
-    hopeless = score > best_score + hopeless_score;
-    if (!fit.curves.empty() && score < best_score) {
-      best_score = score;
-      best = std::move(fit);
-      best_settings = settings;
+    settings.least_noise = 0.1 * scale_unit_;
+    settings.bending = 1 / frame_.diagonal;
+    EmFit fit = fitter_.fit(start, settings);
+    const double score = scoreOf(fit, points_.size());
+    take(std::move(fit), settings);
+    return score;
+  }
+
+private:
+  const Points& points_;
+  double scale_unit_;
+  CloudFrame frame_;
+  UniformGrid grid_;
+  EmFitter fitter_;
+  const RefinedSettings& user_;
+  Fitted best_;
+};
+
+/** \brief The bandwidth (its number) that fits best around a few points. */
+std::size_t
+bandwidthOfSamples(const Points& points,
+                   const UniformGrid& grid,
+                   const RefinedSettings& user,
+                   const std::function<bool()>& stop)
+{
+  std::array<double, bandwidths.size()> scores{};
+  for (std::size_t s = 0; s < samples; ++s) {
+    const Point& middle = points[(2 * s + 1) * points.size() / (2 * samples)];
+    Points sample;
+    for (const Index i : grid.nearestK(middle, sample_size))
+      sample.push_back(points[i]);
+    const double unit = scaleUnit(sample, 1024, 1, 1);
+    for (std::size_t k = 0; unit > 0 && k < bandwidths.size(); ++k) {
+      // Each by itself, so that all have a score of their own.
+      Part part(sample, unit, user, stop);
+      part.tryBandwidth(k);
+      scores[k] += part.best().score;
+    }
+  }
+  return static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) -
+                                  scores.begin());
+}
+
+} // namespace
+
+EmFit
+refinePart(const Points& points,
+           const RefinedSettings& user,
+           const std::function<bool()>& stop,
+           const std::function<void(double)>& progress)
+{
+  const double scale_unit =
+      points.size() < least_part ? 0 : scaleUnit(points, 1024, 1, 1);
+  if (!(scale_unit > 0))
+    return {};
+  Part part(points, scale_unit, user, stop);
+  if (!part.looksLikeCurves())
+    return {};
+  if (points.size() > sampled_part) {
+    const std::size_t chosen = bandwidthOfSamples(points, part.grid(), user, stop);
+    progress(0.4);
+    part.tryBandwidth(chosen);
+  }
+  else {
+    bool hopeless = false;
+    for (std::size_t k = 0; k < bandwidths.size(); ++k) {
+      if (k == first_upwards)
+        hopeless = false;
+      if (!hopeless) {
+        const double score = part.tryBandwidth(k);
+        hopeless = score > part.best().score + hopeless_score;
+      }
+      progress(static_cast<double>(k + 1) / (2.0 + bandwidths.size()));
     }
   }
   // Close parallel curves are traced as one.
-  const ModelCurves pairs = doubled(best, points, grid, 4 * best.noise);
-  if (!pairs.empty() && !stop()) {
-    EmSettings settings = best_settings;
+  EmFit& best = part.best().fit;
+  const ModelCurves pairs = doubled(best, points, part.grid(), 4 * best.noise);
+  if (!pairs.empty()) {
+    EmSettings settings = part.best().settings;
     settings.noise = 0.6 * best.noise;
-    EmFit fit = fitter.fit(pairs, settings);
-    const double score = scoreOf(fit, points.size());
-    if (score < best_score) {
-      best_score = score;
-      best = std::move(fit);
-    }
+    part.take(part.fit(pairs, settings), part.best().settings);
   }
 
   // What the fit leaves unexplained may be a sparser part of a curve.
-  for (int round = 0; round < most_rounds && !best.curves.empty() && !stop(); ++round) {
+  for (int round = 0; round < most_rounds && !best.curves.empty(); ++round) {
     Points rest;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (best.outlier[i] > 0.5)
@@ -223,16 +321,12 @@ refinePart(const Points& points,
       curve.scale = unit;
     ModelCurves start = best.curves;
     start.insert(start.end(), traces.curves.begin(), traces.curves.end());
-    EmSettings settings = best_settings;
+    EmSettings settings = part.best().settings;
     settings.noise = std::max(best.noise, 0.25 * unit);
-    EmFit fit = fitter.fit(start, settings);
-    const double score = scoreOf(fit, points.size());
-    if (!(score < best_score))
+    if (!part.take(part.fit(start, settings), part.best().settings))
       break;
-    best_score = score;
-    best = std::move(fit);
   }
-  return best;
+  return std::move(best);
 }
 
 std::vector<Indices>

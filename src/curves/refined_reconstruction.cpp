@@ -4,10 +4,13 @@
 #include <linelet/curves/refined_reconstruction.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include <linelet/curves/junction_bridging.h>
 #include <linelet/curves/junction_network.h>
@@ -30,6 +33,7 @@ constexpr double attach_distance = 0.8;
 constexpr double loop_length = 5;
 
 constexpr std::size_t least_part = 5;
+constexpr std::size_t most_in_cell = 100; // of side D
 // Vertices of the result per node of the fit: an edge across a junction is told by its
 // vertices to belong to neither curve, so it had better be short.
 constexpr std::size_t finer = 3;
@@ -83,23 +87,82 @@ networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& cou
   return network;
 }
 
+/** \brief The scale unit of \a points; that of the different ones where most lie on
+ * others; not positive where there are too few. */
+double
+unitOf(const Points& points, unsigned threads)
+{
+  const auto finite = std::find_if(
+      points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });
+  if (std::none_of(finite, points.end(), [&](const Point& p) {
+        return p.allFinite() && p != *finite;
+      }))
+    return 0;
+  const double unit = scaleUnit(points, 1024, 1, threads);
+  if (unit != 0)
+    return unit;
+  Points different;
+  std::copy_if(finite, points.end(), std::back_inserter(different), [](const Point& p) {
+    return p.allFinite();
+  });
+  std::sort(different.begin(), different.end(), [](const Point& a, const Point& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  return scaleUnit(different, 1024, 1, threads);
+}
+
+/** \brief At most \ref most_in_cell points of every cell of side \a size; their
+ * indices, ascending. Points crowded far beyond the spacing of the others would
+ * otherwise each look at all of the crowd. */
+Indices
+thinned(const Points& points, double size)
+{
+  Indices kept;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      kept.push_back(static_cast<Index>(i));
+  const auto cell = [&](Index i) {
+    const Point c = (points[i] / size).array().floor();
+    return std::array<double, 3>{c.x(), c.y(), c.z()};
+  };
+  std::vector<std::pair<std::array<double, 3>, Index>> order;
+  order.reserve(kept.size());
+  for (const Index i : kept)
+    order.emplace_back(cell(i), i);
+  std::sort(order.begin(), order.end());
+  kept.clear();
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    while (end < order.size() && order[end].first == order[begin].first)
+      ++end;
+    // Spread evenly over the order of the input.
+    const std::size_t count = end - begin, most = std::min(count, most_in_cell);
+    for (std::size_t k = 0; k < most; ++k)
+      kept.push_back(order[begin + k * count / most].second);
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
 } // namespace
 
 CurveNetwork
-reconstructRefined(const Points& points,
-                   const RefinedSettings& settings,
-                   Monitor* monitor)
+reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* monitor)
 {
   if (!(settings.distance_cutoff >= 0))
     throw std::invalid_argument(
         "distance cutoff " + std::to_string(settings.distance_cutoff) +
         " is negative or not a number; 0 lets the method choose");
   CurveNetwork network;
-  const double scale_unit = scaleUnit(points, 1024, 1, settings.threads);
+  const double scale_unit = unitOf(all, settings.threads);
   if (!(scale_unit > 0) || !std::isfinite(scale_unit))
     return network;
   const double link = settings.distance_cutoff > 0 ? settings.distance_cutoff
                                                    : link_distance * scale_unit;
+  Points thin;
+  for (const Index i : thinned(all, scale_unit))
+    thin.push_back(all[i]);
+  const Points& points = thin.size() < all.size() ? thin : all;
   const std::vector<Indices> parts = connectedParts(points, link, least_part);
   std::vector<EmFit> fits(parts.size());
   if (monitor)
@@ -115,13 +178,21 @@ reconstructRefined(const Points& points,
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (stop())
       continue;
+    std::size_t told = 0; // to the monitor, of this part
     try {
       Points part;
       part.reserve(parts[p].size());
       const Point origin = points[parts[p].front()];
       for (const Index i : parts[p])
         part.push_back(points[i] - origin);
-      fits[p] = refinePart(part, settings, stop);
+      fits[p] = refinePart(part, settings, stop, [&](double share) {
+        const auto now = static_cast<std::size_t>(std::min(1.0, share) *
+                                                  static_cast<double>(parts[p].size()));
+        if (monitor && now > told) {
+          monitor->advance(now - told);
+          told = now;
+        }
+      });
       for (ModelCurve& curve : fits[p].curves)
         for (Point& node : curve.nodes)
           node += origin;
@@ -132,7 +203,7 @@ reconstructRefined(const Points& points,
       stopped = true;
     }
     if (monitor)
-      monitor->advance(parts[p].size());
+      monitor->advance(parts[p].size() - told);
   }
   if (failure)
     std::rethrow_exception(failure);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -29,10 +30,11 @@ frameOf(const Points& points, double scale_unit);
 
 /** \brief How a fit is run. */
 struct EmSettings {
-  double spacing = 0;     ///< of the nodes
-  double noise = 0;       ///< standard deviation to begin with
-  double least_noise = 0; ///< the standard deviation never falls below this
-  double bending = 1;     ///< q: variance of the direction per length, 1 / length
+  double spacing = 0;         ///< of the nodes
+  double noise = 0;           ///< standard deviation to begin with
+  double least_noise = 0;     ///< the standard deviation never falls below this
+  double bending = 1;         ///< q: variance of the direction per length, 1 / length
+  double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
   int iterations = 15;
   int resample_every = 5;
 };
@@ -65,8 +67,12 @@ struct EdgeShape;
 class EmFitter {
 public:
   /** \param[in] points finite points; must outlive the fitter, as must \a grid
-   * \param[in] grid the same points */
-  EmFitter(const Points& points, const UniformGrid& grid, const CloudFrame& frame);
+   * \param[in] grid the same points
+   * \param[in] stop asked in every iteration; true: \ref fit throws Cancelled */
+  EmFitter(const Points& points,
+           const UniformGrid& grid,
+           const CloudFrame& frame,
+           std::function<bool()> stop = {});
 
   /** \brief Fits \a curves, which give the topology and the start. */
   EmFit
@@ -120,6 +126,7 @@ private:
   const UniformGrid& grid_;
   std::shared_ptr<const SlotArrays> slots_; // of the grid
   CloudFrame frame_;
+  std::function<bool()> stop_;
 
   std::vector<CurveState> states_;
   std::vector<Edge> edges_;

@@ -12,13 +12,17 @@ namespace linelet {
 
 /** \brief Fits one connected part of a cloud: ridges at six bandwidths, each refitted,
  * the lowest score wins.
+ *
+ * For a large part a few samples of it choose the bandwidth.
  * \param[in] points finite points
- * \param[in] stop asked between stages; true: give up, the result is then empty
+ * \param[in] stop asked in every iteration of a fit; true: Cancelled is thrown
+ * \param[in] progress told the share of the work that is done
  * \return no curve where none explains the points better than uniform scatter does */
 EmFit
 refinePart(const Points& points,
            const RefinedSettings& settings,
-           const std::function<bool()>& stop);
+           const std::function<bool()>& stop,
+           const std::function<void(double)>& progress);
 
 /** \brief The points of each connected part (linked over \a distance), largest index
  * sets of at least \a least points, in the order of their first points. */
