@@ -49,7 +49,8 @@ typedef struct {
 typedef struct {
   Floats weight, x, y, z;
   Floats xx, xy, xz, yy, yz, zz;
-  Ints count, perhaps;
+  Ints count;  // neighbours
+  Ints border; // pairs not decided yet
 } LaneSums;
 
 #define SWEEP_MOMENTS 0  // weighted tensor about the centre
@@ -96,8 +97,9 @@ decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
 #endif
 }
 
-// Adds the neighbours among WIDTH sorted points, of which the first `left` count; o is
-// the query as the run's coordinates see it, c the centre relative to the query.
+// Adds the neighbours among WIDTH sorted points, of which only the first `left` count if
+// this is the tail of a run; o is the query as the run's coordinates see it, c the centre
+// relative to the query.
 INLINE void
 addPoints(const Walk* walk,
           uint first,
@@ -108,6 +110,7 @@ addPoints(const Walk* walk,
           float cx,
           float cy,
           float cz,
+          const bool tail,
           const int sweep,
           const bool exact,
           LaneSums* sums)
@@ -116,14 +119,19 @@ addPoints(const Walk* walk,
   const Floats dx = LOAD(walk->x + first) - ox, dy = LOAD(walk->y + first) - oy,
                dz = LOAD(walk->z + first) - oz;
   const Floats squared = dx * dx + dy * dy + dz * dz;
-  const Ints valid = MASK_IF(LANES < left);
-  Ints inside = MASK_IF(squared <= walk->surely_inside) & valid;
-  const Ints perhaps = MASK_IF(squared <= walk->perhaps_inside) & valid;
+  Ints inside = MASK_IF(squared <= walk->surely_inside);
+  Ints border = MASK_IF(squared <= walk->perhaps_inside);
   if (exact)
-    inside = decideBorder(walk, first, squared, inside) & valid;
-  sums->count -= inside;
+    inside = decideBorder(walk, first, squared, inside);
+  if (tail) {
+    const Ints valid = MASK_IF(LANES < left);
+    inside &= valid;
+    border &= valid;
+  }
+  // Written as choices, which are masked additions where the device has them.
+  sums->count = inside ? sums->count + 1 : sums->count;
   if (!exact)
-    sums->perhaps -= perhaps;
+    sums->border = border ? sums->border + 1 : sums->border;
   const Floats vx = dx - cx, vy = dy - cy, vz = dz - cz;
   const float scale = walk->inverse_radius;
   if (sweep == SWEEP_CENTROID) {
@@ -151,7 +159,12 @@ addPoints(const Walk* walk,
   }
   else {
 #if TENSOR_WEIGHT == 0 // const: the weight of all is their number
-    const Floats wx = inside ? vx : zero, wy = inside ? vy : zero, wz = inside ? vz : zero;
+    sums->xx = inside ? sums->xx + vx * vx : sums->xx;
+    sums->xy = inside ? sums->xy + vx * vy : sums->xy;
+    sums->xz = inside ? sums->xz + vx * vz : sums->xz;
+    sums->yy = inside ? sums->yy + vy * vy : sums->yy;
+    sums->yz = inside ? sums->yz + vy * vz : sums->yz;
+    sums->zz = inside ? sums->zz + vz * vz : sums->zz;
 #else
     const Floats wanted = weightOf(TENSOR_WEIGHT,
                                    W_FIRST,
@@ -160,13 +173,13 @@ addPoints(const Walk* walk,
     const Floats w = inside ? wanted : zero;
     const Floats wx = w * vx, wy = w * vy, wz = w * vz;
     sums->weight += w;
-#endif
     sums->xx += wx * vx;
     sums->xy += wx * vy;
     sums->xz += wx * vz;
     sums->yy += wy * vy;
     sums->yz += wy * vz;
     sums->zz += wz * vz;
+#endif
   }
 }
 
@@ -185,8 +198,11 @@ walkRun(const Walk* walk,
         const bool exact,
         LaneSums* sums)
 {
-  for (uint i = begin; i < end; i += WIDTH)
-    addPoints(walk, i, (int)(end - i), ox, oy, oz, cx, cy, cz, sweep, exact, sums);
+  uint i = begin;
+  for (; i + WIDTH <= end; i += WIDTH)
+    addPoints(walk, i, WIDTH, ox, oy, oz, cx, cy, cz, false, sweep, exact, sums);
+  if (i < end)
+    addPoints(walk, i, (int)(end - i), ox, oy, oz, cx, cy, cz, true, sweep, exact, sums);
 }
 
 // Distance between a place and the interval [0, width].
@@ -246,7 +262,7 @@ walkNeighbours(
   sums.yz = sumFloats(lanes.yz);
   sums.zz = sumFloats(lanes.zz);
   sums.count = sumInts(lanes.count);
-  sums.border = exact ? 0 : sumInts(lanes.perhaps) - sums.count;
+  sums.border = exact ? 0 : sumInts(lanes.border) - sums.count;
   return sums;
 }
 

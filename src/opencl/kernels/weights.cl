@@ -66,7 +66,7 @@ weightOf(const int kernel_number, float first, float second, Floats x)
   case 30:
   case 31:
   case 32:
-    return 1 / (powerOfTwo((x - first) * (M_LOG2E_F / second)) + 1);
+    return 1 / (powerOfTwo(mad(x, M_LOG2E_F / second, -first * M_LOG2E_F / second)) + 1);
   case 33: // step
     return x <= first ? one : zero;
   case 1: // linear, cs-rbf-1
