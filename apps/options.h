@@ -43,7 +43,7 @@ public:
   {
     const std::string option = std::string("--") + name;
     if constexpr (std::is_same_v<T, bool>)
-      app_.add_flag(option + ",!--no-" + name, value, help);
+      app_.add_flag(value ? option + ",!--no-" + name : option, value, help);
     else if constexpr (std::is_enum_v<T>) {
       std::string choices = std::string(help) + ":";
       for (const auto& entry : Names<T>::table)

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include "run_tool.h"
+
+namespace linelet::test {
+namespace {
+
+using Rgb = std::array<int, 3>;
+
+class Picture {
+public:
+  explicit Picture(const std::string& path)
+  {
+    reader_->SetFileName(path.c_str());
+    reader_->Update();
+    reader_->GetOutput()->GetDimensions(size_.data());
+  }
+
+  int
+  width() const
+  {
+    return size_[0];
+  }
+  int
+  height() const
+  {
+    return size_[1];
+  }
+
+  /** \brief From the upper left corner. */
+  Rgb
+  at(int x, int y) const
+  {
+    const auto* pixel = static_cast<const unsigned char*>(
+        reader_->GetOutput()->GetScalarPointer(x, size_[1] - 1 - y, 0));
+    return {pixel[0], pixel[1], pixel[2]};
+  }
+
+  /** \brief Pixels whose channels are all within \a tolerance of \a color. */
+  int
+  count(const Rgb& color, int tolerance) const
+  {
+    int found = 0;
+    for (int y = 0; y < height(); ++y)
+      for (int x = 0; x < width(); ++x) {
+        const Rgb pixel = at(x, y);
+        bool same = true;
+        for (std::size_t i = 0; i < 3; ++i)
+          same = same && std::abs(pixel[i] - color[i]) <= tolerance;
+        found += same ? 1 : 0;
+      }
+    return found;
+  }
+
+private:
+  vtkNew<vtkPNGReader> reader_;
+  std::array<int, 3> size_{};
+};
+
+// The pure colours of the shapes, as the documentation has them.
+constexpr Rgb grey = {214, 214, 214}, blue = {33, 84, 217}, green = {26, 158, 51};
+
+class ImageCommand : public ToolTest {
+protected:
+  /** \brief Points that fill 10 x 10 x 10, flattened to lower dimensions. */
+  std::string
+  cloud(int dimensions) const
+  {
+    boost::random::mt19937 random(5);
+    boost::random::uniform_01<double> unit;
+    std::string text;
+    const int points = dimensions == 3 ? 30000 : 4000; // small balls are no balls
+    for (int i = 0; i < points; ++i) {
+      std::string line;
+      for (int axis = 0; axis < 3; ++axis)
+        line += std::to_string(axis < dimensions ? 10 * unit(random) : 5.0) +
+                (axis < 2 ? " " : "\n");
+      text += line;
+    }
+    return write("cloud.xyz", text);
+  }
+
+  /** \brief A profile through the middle, far from the border for its radii. */
+  Picture
+  profile(const std::string& options = "") const
+  {
+    runWell("image " + path("cloud.xyz") + " " + path("profile.png") +
+            " --probe 4,5,5,6,5,5 --radii 1,1.5,2 --centroid pdt --width 600 "
+            "--height 400 " +
+            options);
+    return Picture(path("profile.png"));
+  }
+};
+
+// If one of these failed, a reader would take one shape for another.
+TEST_F(ImageCommand, AProfileThroughALineIsGrey)
+{
+  cloud(1);
+  const Picture picture = profile();
+  EXPECT_EQ(picture.width(), 600);
+  EXPECT_EQ(picture.height(), 400);
+  EXPECT_GT(picture.count(grey, 3), 600 * 400 / 3);
+  EXPECT_LT(picture.count(blue, 40) + picture.count(green, 40), 600 * 400 / 50);
+}
+
+TEST_F(ImageCommand, AProfileThroughAPlaneIsBlue)
+{
+  cloud(2);
+  const Picture picture = profile();
+  EXPECT_GT(picture.count(blue, 40), 600 * 400 / 3);
+  EXPECT_LT(picture.count(green, 40), 600 * 400 / 50);
+}
+
+TEST_F(ImageCommand, AProfileThroughAVolumeIsGreen)
+{
+  cloud(3);
+  const Picture picture = profile();
+  EXPECT_GT(picture.count(green, 60), 600 * 400 / 3);
+  EXPECT_LT(picture.count(blue, 40), 600 * 400 / 50);
+}
+
+TEST_F(ImageCommand, OtherColorsAreOther)
+{
+  cloud(2);
+  const Picture picture = profile("--colors safe");
+  EXPECT_GT(picture.count({41, 120, 214}, 40), 600 * 400 / 3);
+}
+
+TEST_F(ImageCommand, TheGraphsMarkTheChosenRadius)
+{
+  cloud(1);
+  runWell("image " + path("cloud.xyz") + " " + path("graphs.png") +
+          " --point 5,5,5 --centroid pdt --width 600 --height 400");
+  const Picture picture(path("graphs.png"));
+  constexpr Rgb mark = {204, 38, 26};
+  EXPECT_GT(picture.count(mark, 12), 200); // a line down the plot, discs and words
+}
+
+TEST_F(ImageCommand, ACloudShowsTheColourOfAnAttribute)
+{
+  std::string text = "x,y,z,warmth\n";
+  for (int x = 0; x < 60; ++x)
+    for (int y = 0; y < 60; ++y)
+      text += std::to_string(x) + "," + std::to_string(y) + ",0," +
+              std::to_string(x < 30 ? 0 : 1) + "\n";
+  const std::string input = write("cloud.csv", text);
+  runWell("image " + input + " " + path("cloud.png") +
+          " --color warmth --elevation 90 --azimuth 180 --point-size 9 --width 500 "
+          "--height 500");
+  const Picture picture(path("cloud.png"));
+  constexpr Rgb low = {69, 0, 84}, high = {252, 232, 36};
+  EXPECT_GT(picture.count(low, 12), 500 * 500 / 20);
+  EXPECT_GT(picture.count(high, 12), 500 * 500 / 20);
+}
+
+} // namespace
+} // namespace linelet::test
