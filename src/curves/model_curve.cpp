@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <linelet/curves/scale_field.h>
+
 namespace linelet {
 
 double
@@ -55,6 +57,41 @@ resampled(const ModelCurve& curve, double spacing)
   }
   while (result.nodes.size() < count) // rounding
     result.nodes.push_back(curve.closed ? curve.nodes.front() : curve.nodes.back());
+  if (!curve.closed)
+    result.nodes.push_back(curve.nodes.back());
+  return result;
+}
+
+ModelCurve
+resampled(const ModelCurve& curve,
+          double spacing,
+          const ScaleField& scales,
+          double least_edges)
+{
+  // A fine polyline first, whose edges are measured by the scale of their places.
+  const double fine_spacing = std::max(0.1 * spacing, length(curve) / 1e6);
+  const ModelCurve fine =
+      resampled(curve, std::min(fine_spacing, length(curve) / (4 * least_edges)));
+  std::vector<double> walked{0};
+  for (std::size_t e = 0; e < fine.edges(); ++e)
+    walked.push_back(walked.back() + (fine.to(e) - fine.from(e)).norm() /
+                                         scales.at(0.5 * (fine.from(e) + fine.to(e))));
+  const double total = walked.back();
+  if (!(total > 0))
+    return curve;
+  const auto count =
+      static_cast<std::size_t>(std::max(least_edges, std::round(total / spacing)));
+  ModelCurve result = curve;
+  result.nodes.clear();
+  std::size_t e = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double want = total * static_cast<double>(k) / static_cast<double>(count);
+    while (e + 1 < fine.edges() && walked[e + 1] < want)
+      ++e;
+    const double width = walked[e + 1] - walked[e];
+    const double t = width > 0 ? std::clamp((want - walked[e]) / width, 0.0, 1.0) : 0;
+    result.nodes.emplace_back(fine.from(e) + t * (fine.to(e) - fine.from(e)));
+  }
   if (!curve.closed)
     result.nodes.push_back(curve.nodes.back());
   return result;

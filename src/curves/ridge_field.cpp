@@ -22,8 +22,8 @@ constexpr double least_support = 1.5;
 
 } // namespace
 
-RidgeField::RidgeField(const Points& points, double bandwidth)
-    : bandwidth_(bandwidth), grid_(points, 3 * bandwidth)
+RidgeField::RidgeField(const Points& points, double bandwidth, const ScaleField* scales)
+    : bandwidth_(bandwidth), scales_(scales), grid_(points, 3 * bandwidth)
 {
   supports_.assign(points.size(), 0);
   if (grid_.size() == 0)
@@ -76,7 +76,7 @@ RidgeField::sample(const Point& x) const
 {
   static thread_local std::vector<SlotRun> runs;
   runs.clear();
-  const double radius = 3 * bandwidth_;
+  const double radius = 3 * bandwidthAt(x);
   grid_.forEachRun(x, radius, [&](std::size_t begin, std::size_t end) {
     runs.push_back({begin, end});
   });

@@ -42,7 +42,7 @@ public:
   struct Node {
     Point at;
     std::size_t trace; // which attempt set it
-    double arc;        // along that trace, 0 at its seed
+    double arc;        // along that trace in bandwidths, 0 at its seed
     std::size_t next;
   };
 
@@ -54,18 +54,19 @@ public:
     heads_[bucket] = nodes_.size() - 1;
   }
 
-  /** \brief The nearest node within one cell size that \a accept takes, or null. */
+  /** \brief The nearest node within \a distance that \a accept takes, or null. */
   template <class Accept>
   const Node*
-  nearest(const Point& x, Accept&& accept) const
+  nearest(const Point& x, double distance, Accept&& accept) const
   {
     const Eigen::Matrix<std::int64_t, 3, 1> middle = cellOf(x);
+    const auto reach = static_cast<std::int64_t>(std::ceil(distance / cell_));
     const Node* best = nullptr;
-    double best_squared = cell_ * cell_;
+    double best_squared = distance * distance;
     Eigen::Matrix<std::int64_t, 3, 1> c;
-    for (c.x() = middle.x() - 1; c.x() <= middle.x() + 1; ++c.x())
-      for (c.y() = middle.y() - 1; c.y() <= middle.y() + 1; ++c.y())
-        for (c.z() = middle.z() - 1; c.z() <= middle.z() + 1; ++c.z())
+    for (c.x() = middle.x() - reach; c.x() <= middle.x() + reach; ++c.x())
+      for (c.y() = middle.y() - reach; c.y() <= middle.y() + reach; ++c.y())
+        for (c.z() = middle.z() - reach; c.z() <= middle.z() + reach; ++c.z())
           for (std::size_t k = heads_[bucketOf(c)]; k != none; k = nodes_[k].next) {
             const double squared = (nodes_[k].at - x).squaredNorm();
             if (squared <= best_squared && accept(nodes_[k])) {
@@ -98,12 +99,18 @@ private:
   std::vector<Node> nodes_;
 };
 
+/** \brief The bandwidth at some point. */
+double
+middleBandwidth(const RidgeField& field)
+{
+  return field.bandwidthAt(field.kept()[field.kept().size() / 2]);
+}
+
 class Tracer {
 public:
   Tracer(const RidgeField& field, const TraceLimits& limits)
       : field_(field),
-        b_(field.bandwidth()),
-        map_(attach_distance * b_, field.kept().size()),
+        map_(attach_distance * middleBandwidth(field), field.kept().size()),
         explained_(field.kept().size(), 0)
   {
     // A trace has nothing to gain from more steps than its points can feed.
@@ -144,8 +151,10 @@ private:
       d = majorDirection(here.covariance, d);
     }
     const std::size_t attempt = discarded_.size();
-    if (map_.nearest(
-            x, [&](const NodeMap::Node& node) { return !discarded_[node.trace]; }))
+    const double b = field_.bandwidthAt(x);
+    if (map_.nearest(x, attach_distance * b, [&](const NodeMap::Node& node) {
+          return !discarded_[node.trace];
+        }))
       return;
 
     discarded_.push_back(0);
@@ -160,7 +169,7 @@ private:
       trace.closed = true;
     }
     else {
-      const double far_end = step_length * b_ * static_cast<double>(forward.size() - 1);
+      const double far_end = step_length * static_cast<double>(forward.size() - 1);
       stops[0] = walk(backward, -d, -1, far_end, attempt, met[0]);
       trace.nodes.assign(backward.rbegin(), backward.rend());
       trace.nodes.insert(trace.nodes.end(), forward.begin() + 1, forward.end());
@@ -169,7 +178,7 @@ private:
     const std::size_t gained = explain(trace);
     const bool bridge = stops[0] == Stop::Meeting && stops[1] == Stop::Meeting;
     if (trace.nodes.size() < 2 || gained < least_new_points ||
-        (length(trace) < least_length * b_ && !bridge && !trace.closed)) {
+        (length(trace) < least_length * b && !bridge && !trace.closed)) {
       discarded_[attempt] = 1;
       return;
     }
@@ -190,13 +199,13 @@ private:
        std::size_t attempt,
        Point& met)
   {
-    const double h = step_length * b_;
     RidgeField::Sample here = field_.sample(path.back());
     double running = std::min(here.support, 1.5 * field_.medianSupport());
     Points tentative; // past the last well supported node
     Points directions;
     for (std::size_t steps = 0; steps < most_steps_; ++steps) {
       const Point last = tentative.empty() ? path.back() : tentative.back();
+      const double b = field_.bandwidthAt(last), h = step_length * b;
       const double v = std::clamp((linearityOf(here.covariance) - 0.1) / 0.3, 0.0, 1.0);
       const Point blended = v * majorDirection(here.covariance, d) + (1 - v) * d;
       const double norm = blended.norm();
@@ -225,15 +234,15 @@ private:
           least_relative_support * std::min(running, 1.5 * field_.medianSupport());
       tentative.push_back(x);
       const double arc =
-          sign * h * static_cast<double>(path.size() + tentative.size() - 1);
-      if (const NodeMap::Node* node = map_.nearest(x, [&](const NodeMap::Node& other) {
-            return !discarded_[other.trace] &&
-                   (other.trace != attempt ||
-                    std::abs(arc - other.arc) > loop_length * b_);
-          })) {
+          sign * step_length * static_cast<double>(path.size() + tentative.size() - 1);
+      if (const NodeMap::Node* node =
+              map_.nearest(x, attach_distance * b, [&](const NodeMap::Node& other) {
+                return !discarded_[other.trace] &&
+                       (other.trace != attempt ||
+                        std::abs(arc - other.arc) > loop_length);
+              })) {
         append(path, tentative, sign, attempt);
-        if (node->trace == attempt &&
-            std::abs(node->arc - far_end) <= attach_distance * b_)
+        if (node->trace == attempt && std::abs(node->arc - far_end) <= attach_distance)
           return Stop::Loop;
         met = node->at;
         path.push_back(met);
@@ -243,7 +252,7 @@ private:
         append(path, tentative, sign, attempt);
         running = support_memory * running + (1 - support_memory) * here.support;
       }
-      else if (static_cast<double>(tentative.size()) * h > look_ahead * b_)
+      else if (static_cast<double>(tentative.size()) * step_length > look_ahead)
         return Stop::Support;
     }
     return Stop::Steps;
@@ -253,7 +262,7 @@ private:
   append(Points& path, Points& tentative, double sign, std::size_t attempt)
   {
     for (const Point& x : tentative) {
-      map_.add(x, attempt, sign * step_length * b_ * static_cast<double>(path.size()));
+      map_.add(x, attempt, sign * step_length * static_cast<double>(path.size()));
       path.push_back(x);
     }
     tentative.clear();
@@ -265,16 +274,17 @@ private:
   {
     std::size_t gained = 0;
     for (std::size_t k = 0; k < trace.nodes.size(); k += 2)
-      field_.grid().forEachWithin(
-          trace.nodes[k], explained_distance * b_, [&](Index i, double) {
-            gained += explained_[i] ? 0 : 1;
-            explained_[i] = 1;
-          });
+      field_.grid().forEachWithin(trace.nodes[k],
+                                  explained_distance *
+                                      field_.bandwidthAt(trace.nodes[k]),
+                                  [&](Index i, double) {
+                                    gained += explained_[i] ? 0 : 1;
+                                    explained_[i] = 1;
+                                  });
     return gained;
   }
 
   const RidgeField& field_;
-  double b_;
   NodeMap map_;
   std::vector<char> explained_;
   std::vector<char> discarded_; // by attempt

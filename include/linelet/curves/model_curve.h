@@ -54,6 +54,16 @@ length(const ModelCurves& curves);
 ModelCurve
 resampled(const ModelCurve& curve, double spacing);
 
+class ScaleField;
+
+/** \brief \a curve with nodes about \a spacing times the place's scale apart, on at
+ * least \a least_edges edges. */
+ModelCurve
+resampled(const ModelCurve& curve,
+          double spacing,
+          const ScaleField& scales,
+          double least_edges);
+
 /** \brief Unit vector that leads out of \a curve at its front (end 0) or back (end 1),
  * taken over the last \a reach of its length. */
 Point

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include <linelet/curves/scale_field.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/points.h>
 
@@ -20,8 +21,12 @@ struct SlotArrays;
 class RidgeField {
 public:
   /** \param[in] points finite points
-   * \param[in] bandwidth b > 0 */
-  RidgeField(const Points& points, double bandwidth);
+   * \param[in] bandwidth b > 0
+   * \param[in] scales by which b grows from place to place; null: nowhere. It must
+   * outlive the field */
+  RidgeField(const Points& points,
+             double bandwidth,
+             const ScaleField* scales = nullptr);
 
   /** \brief The density around one place. */
   struct Sample {
@@ -53,9 +58,9 @@ public:
     return median_support_;
   }
   double
-  bandwidth() const
+  bandwidthAt(const Point& x) const
   {
-    return bandwidth_;
+    return scales_ ? bandwidth_ * scales_->at(x) : bandwidth_;
   }
   const UniformGrid&
   grid() const
@@ -77,6 +82,7 @@ public:
 
 private:
   double bandwidth_;
+  const ScaleField* scales_;
   std::vector<double> supports_;
   double median_support_ = 0;
   Points kept_;

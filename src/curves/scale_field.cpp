@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/scale_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <linelet/curves/ridge_field.h>
+#include <linelet/search/kd_tree.h>
+
+namespace linelet {
+
+namespace {
+
+constexpr std::size_t spacing_neighbours = 6;
+constexpr std::size_t smoothing_neighbours = 12;
+constexpr double widest = 8;
+// Points whose neighbourhood is this linear tell of the spacing along curves; so large
+// a share of all there must be.
+constexpr double least_linearity = 0.6;
+constexpr double least_linear = 0.3;
+
+} // namespace
+
+ScaleField::ScaleField(const Points& points, double scale_unit)
+    : grid_(points, 2 * scale_unit)
+{
+  const KdTree tree(points);
+  std::vector<double> logarithms(points.size());
+  std::vector<Indices> near(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    tree.nearest(points[i], smoothing_neighbours + 1, near[i]);
+    const Index sixth = near[i][std::min(spacing_neighbours, near[i].size() - 1)];
+    const double spacing = (points[sixth] - points[i]).norm() / scale_unit;
+    logarithms[i] = std::log(std::clamp(spacing, 1 / widest, widest));
+  }
+  std::vector<double> linear;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double sum = 0;
+    Point mean = Point::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (const Index j : near[i]) {
+      sum += logarithms[j];
+      const Point v = points[j] - points[i];
+      mean += v;
+      second += v * v.transpose();
+    }
+    const auto count = static_cast<double>(near[i].size());
+    scales_.push_back(std::exp(sum / count));
+    mean /= count;
+    if (linearityOf(second / count - mean * mean.transpose()) >= least_linearity)
+      linear.push_back(scales_.back());
+  }
+  if (static_cast<double>(linear.size()) <
+      least_linear * static_cast<double>(points.size()))
+    return;
+  std::sort(linear.begin(), linear.end());
+  spread_ = linear[linear.size() * 9 / 10] / linear[linear.size() / 10];
+}
+
+} // namespace linelet
