@@ -4,9 +4,7 @@
 #include <linelet/features/multi_scale.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,10 +12,10 @@
 #include <features/multi_scale_grid.h>
 #include <features/scale_sweep.h>
 #include <features/shape_summary.h>
+#include <features/stop_rule.h>
+#include <features/sweep_queries.h>
 #include <linelet/features/fourth_order.h>
 #include <linelet/search/scale_unit.h>
-#include <linelet/search/uniform_grid.h>
-#include <linelet/support/threads.h>
 
 namespace linelet {
 
@@ -25,16 +23,6 @@ namespace {
 
 /// Queries between two deliveries of graphs: enough to keep all threads busy.
 constexpr std::size_t block_size = 4096;
-
-/// Queries handed to a thread at once.
-constexpr std::size_t chunk_size = 16;
-
-/// Rows of a quarter of the radius fit a ball well and still hold long runs.
-UniformGrid
-gridFor(const Points& surface, double largest_radius)
-{
-  return UniformGrid(surface, largest_radius / 4);
-}
 
 /// The graphs of the point whose neighbourhood \a sweep has just measured.
 ShapeGraph
@@ -77,103 +65,6 @@ recordOf(const ShapeGraph& graph, const ScaleSweep& sweep, ShapeSummary& summary
     record.major_z = best.major_z;
   }
   return record;
-}
-
-/// Runs the sweep for all queries; every thread makes itself a visitor of (query,
-/// sweep).
-template <class Visit>
-void
-sweepQueries(const UniformGrid& grid,
-             const Points& queries,
-             std::size_t begin,
-             std::size_t end,
-             const std::vector<double>& radii,
-             const MultiScaleSettings& settings,
-             Monitor* monitor,
-             const Visit& make_visitor)
-{
-  std::atomic<bool> cancelled{false};
-  // No more threads than there are chunks: waking a thread costs more than a few
-  // queries.
-  const int threads = static_cast<int>(
-      std::min((end - begin + chunk_size - 1) / chunk_size,
-               static_cast<std::size_t>(threadCount(settings.threads))));
-#ifdef _OPENMP
-#pragma omp parallel num_threads(std::max(1, threads))
-#endif
-  {
-    ScaleSweep sweep(radii, settings);
-    auto visit = make_visitor();
-#ifdef _OPENMP
-#pragma omp for schedule(dynamic, chunk_size)
-#endif
-    for (std::ptrdiff_t place = static_cast<std::ptrdiff_t>(begin);
-         place < static_cast<std::ptrdiff_t>(end);
-         ++place) {
-      if (cancelled)
-        continue;
-      const auto query = static_cast<std::size_t>(place);
-      sweep.clear();
-      grid.forEachOffsetWithin(
-          queries[query], radii.back(), [&](const Point& offset, double squared) {
-            sweep.add(offset, squared);
-          });
-      sweep.run();
-      visit(query, sweep);
-      if (monitor != nullptr) {
-        monitor->advance(1);
-        if (monitor->cancelled())
-          cancelled = true;
-      }
-    }
-  }
-  if (cancelled)
-    throw Cancelled();
-}
-
-/// Largest change of a shape factor between two scales; 0 where one is not defined.
-double
-change(const ShapeFactors& a, const ShapeFactors& b)
-{
-  return std::fmax(0,
-                   std::fmax(std::abs(a.linearity - b.linearity),
-                             std::fmax(std::abs(a.planarity - b.planarity),
-                                       std::abs(a.sphericity - b.sphericity))));
-}
-
-/// Drops the radii behind the first at which the factors of all points have converged.
-void
-applyStopRule(const Points& surface,
-              const MultiScaleSettings& settings,
-              std::vector<double>& radii,
-              Monitor* monitor)
-{
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<ShapeFactors> last(surface.size(), {nan, nan, nan});
-  std::vector<double> changes(surface.size());
-  for (std::size_t k = 0; k < radii.size(); ++k) {
-    const std::vector<double> radius(1, radii[k]);
-    const UniformGrid grid = gridFor(surface, radii[k]);
-    if (monitor != nullptr)
-      monitor->begin("largest radius", surface.size());
-    bool any_defined = false;
-    sweepQueries(grid, surface, 0, surface.size(), radius, settings, monitor, [&] {
-      return [&](std::size_t query, const ScaleSweep& sweep) {
-        changes[query] = change(sweep.factors()[0], last[query]);
-        // A point that has just got a shape has changed.
-        if (std::isnan(last[query].linearity) && !std::isnan(sweep.linearity()[0]))
-          changes[query] = 1;
-        last[query] = sweep.factors()[0];
-      };
-    });
-    for (const ShapeFactors& factors : last)
-      any_defined = any_defined || !std::isnan(factors.linearity);
-    if (any_defined &&
-        *std::max_element(changes.begin(), changes.end()) < settings.stop_change) {
-      radii.resize(k + 1);
-      return;
-    }
-  }
 }
 
 } // namespace

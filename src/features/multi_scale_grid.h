@@ -3,9 +3,16 @@
 
 #pragma once
 
+#include <cstddef>
+
 #include <linelet/features/multi_scale.h>
 
 namespace linelet {
+
+/** \brief No more threads than have something to do: for few queries, waking a thread
+ * costs more than it does. */
+int
+usefulThreads(unsigned requested, std::size_t queries);
 
 /** \brief The shapes of all queries at the radii of \a result, by one sweep of the grid
  * engine over all scales.

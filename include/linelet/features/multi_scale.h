@@ -23,9 +23,9 @@ namespace linelet {
 
 /** \brief What measures the neighbourhoods. */
 enum class ScaleEngine {
-  Auto,  ///< Grid where a point has more than 300 neighbours, else Sweep
+  Auto,  ///< Sweep for small clouds and for few queries among many points, else Grid
   Sweep, ///< one search at the largest radius serves all scales, all in double
-  Grid   ///< a vectorised pass for every radius, shape factors to 1e-4
+  Grid   ///< one vectorised sweep over all scales, shape factors to 1e-4
 };
 
 template <>
@@ -76,7 +76,7 @@ describe(MultiScaleSettings& s, Visit&& visit)
   visit("scale-unit-seed", s.scale_unit_seed, "seed of that sample");
   visit("engine",
         s.engine,
-        "what measures the neighbourhoods; auto: grid where they are large");
+        "what measures the neighbourhoods; auto: sweep for small clouds, else grid");
   describe(s.graph, visit);
 }
 
@@ -101,8 +101,8 @@ multiScaleRadii(const Points& surface,
                 Monitor* monitor = nullptr);
 
 /** \brief The engine that \ref multiScaleShapes runs: what ScaleEngine::Auto stands
- * for, judged by the neighbours that a sample of the queries has within the largest
- * radius. */
+ * for, judged by the numbers of points and queries and the neighbours that a sample of
+ * the queries has within the largest radius. */
 ScaleEngine
 chosenScaleEngine(const Points& surface,
                   const Points& queries,
@@ -113,7 +113,7 @@ chosenScaleEngine(const Points& surface,
  * the neighbourhood of every query at a ladder of radii, and the scale that serves the
  * reconstruction of curves best.
  *
- * One search at the largest radius serves all scales (ScaleEngine::Sweep). The tensor
+ * One search at the largest radius serves all scales. The tensor
  * at radius r is that of the points with d <= r; scales with fewer than two neighbours
  * away from the query are not defined. Nothing is kept per scale: who wants the graphs
  * takes them from \a sink as they come. The same for every number of threads.

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <linelet/features/multi_scale.h>
+
+#include "multi_scale_clouds.h"
+
+namespace {
+
+using linelet::MultiScaleSettings;
+using linelet::Points;
+using linelet::ScaleEngine;
+using linelet::ShapeGraph;
+
+constexpr double megabyte = 1 << 20;
+
+/// Megabytes that this process has held at most, since forgetPeak; 0 where the system
+/// does not tell.
+double
+peak()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:") {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return kilobytes / 1024;
+    }
+  return 0;
+}
+
+bool
+forgetPeak()
+{
+  std::ofstream file("/proc/self/clear_refs");
+  file << "5" << std::flush;
+  return file.good();
+}
+
+/// Peaks above what was held before, in megabytes.
+struct Peaks {
+  double silent, streamed;
+};
+
+Peaks
+peaksOf(const Points& cloud, const MultiScaleSettings& settings)
+{
+  Peaks peaks{};
+  forgetPeak();
+  double before = peak();
+  multiScaleShapes(cloud, cloud, settings);
+  peaks.silent = peak() - before;
+
+  forgetPeak();
+  before = peak();
+  std::size_t seen = 0;
+  multiScaleShapes(cloud, cloud, settings, [&](std::size_t, const ShapeGraph& graph) {
+    seen += graph.size();
+  });
+  EXPECT_EQ(seen, cloud.size() * settings.radii.size());
+  peaks.streamed = peak() - before;
+  return peaks;
+}
+
+TEST(MultiScaleMemory, GraphsAreNotKept)
+{
+  if (peak() <= 0 || !forgetPeak())
+    GTEST_SKIP() << "this system does not tell a process its peak of memory";
+  const Points cloud = linelet_test::randomPoints(24000, 1, {80, 80, 1});
+  MultiScaleSettings settings;
+  settings.scale_unit = 1;
+  settings.threads = 2;
+  for (int k = 0; k < 150; ++k)
+    settings.radii.push_back(0.5 + 0.01 * k);
+  // All graphs would be 96 MB; some of them are held at a time.
+  settings.engine = ScaleEngine::Grid;
+  const Peaks grid = peaksOf(cloud, settings);
+  EXPECT_LT(grid.silent, 30); // records, sorted points, buffers
+  EXPECT_LT(grid.streamed, 85);
+
+  settings.engine = ScaleEngine::Sweep;
+  const Points some(cloud.begin(), cloud.begin() + 8000); // 32 MB
+  const Peaks sweep = peaksOf(some, settings);
+  EXPECT_LT(sweep.silent, 15);
+  EXPECT_LT(sweep.streamed, 26);
+}
+
+} // namespace
