@@ -11,6 +11,7 @@
 
 #include "powerline/describe.h"
 #include "powerline/find_ground.h"
+#include "powerline/lookalikes.h"
 
 namespace linelet::powerline {
 
@@ -121,11 +122,16 @@ extractPowerLines(const Points& points,
     stages.begin("supports");
     completeByCompany(hanging, growth, settings);
     splitAtPoles(hanging, growth);
+    dropLookalikes(hanging, growth, points, network.ground);
     matchEnds(hanging);
-    dropUnlikely(hanging, growth, points, network.ground, underside, settings);
+    dropUnlikely(hanging, growth, underside, settings);
     addStubs(hanging, growth, seeds, underside, settings);
     matchEnds(hanging);
     std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);
+    if (dropMisled(hanging, growth)) {
+      matchEnds(hanging);
+      towers = buildTowers(hanging, growth, network.ground, settings);
+    }
     stages.begin("catenaries");
     network.wires = describeWires(hanging, growth, settings);
     const std::vector<int> ids = numberWires(network, hanging, towers);

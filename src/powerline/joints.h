@@ -97,15 +97,19 @@ leavesData(const SpanModel& model, int side, const Underside& underside);
 
 /** \brief Drops what only looks like a wire. A wire ends at a support or at the border
  * of the data; short families of wires inside the data with neither, or without sag,
- * are chords of booms and crossarms, and straight steep loose pieces are ropes; and see
- * lookalikes.h. \a points is the whole cloud. Their points become free. Ends must have been matched. */
+ * are chords of booms and crossarms, and straight steep loose pieces are ropes. Their
+ * points become free. Ends must have been matched. */
 void
 dropUnlikely(std::vector<Hanging>& wires,
              Growth& growth,
-             const Points& points,
-             const Ground& ground,
              const Underside& underside,
              const PowerLineSettings& settings);
+
+/** \brief Drops wires whose attachment points do not fit their points: too close
+ * together, or off the wire. What was left of a span behind a pole is like that.
+ * \return whether there were any */
+bool
+dropMisled(std::vector<Hanging>& wires, Growth& growth);
 
 /** \brief Makes partners of ends that face each other across a support, best first. */
 void

@@ -15,10 +15,11 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double straight_length = 30; // metres, from which a sag can be told
-constexpr double flattest = 1e-4;      // z2 of a wire, 1/metres: a = 5 km
-constexpr double doubt = 2.5;          // standard deviations
 constexpr double robust_cut = 0.3;     // metres, Tukey's biweight
 constexpr double least_noise = 0.015;  // metres
+
+constexpr double part_of = 0.5;    // of the length beside something straight
+constexpr double part_reach = 2.5; // metres from it
 
 constexpr double highest_fence = 9;  // metres
 constexpr double fence_half = 0.35;  // metres beside its top rail
@@ -61,12 +62,10 @@ cellOf(double x, double y)
 
 } // namespace
 
-bool
-isStraight(const Piece& piece, const Points& points)
+Bend
+bendOf(const Piece& piece, const Points& points)
 {
   const SpanModel& m = piece.model;
-  if (m.length() < straight_length)
-    return false;
   const double middle = (m.begin + m.end) / 2, half = m.length() / 2;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -84,15 +83,21 @@ isStraight(const Piece& piece, const Points& points)
     squares += w * r[1] * r[1];
     count += w;
   }
+  Bend bend;
   if (count < 6)
-    return false;
+    return bend;
   const auto solver = normal.ldlt();
   const double noise = std::max(least_noise, std::sqrt(squares / (count - 3)));
-  const double rise = solver.solve(right)[2];
-  const double spread = noise * std::sqrt(solver.solve(Eigen::Vector3d::UnitZ())[2]);
-  return rise + doubt * spread < flattest * half * half;
+  bend.value = solver.solve(right)[2] / (half * half);
+  bend.spread =
+      noise * std::sqrt(solver.solve(Eigen::Vector3d::UnitZ())[2]) / (half * half);
+  return bend;
 }
 
+namespace {
+
+// Which wires are the top of a fence: below them, down to the ground, something stands
+// nearly everywhere, and not so beside.
 std::vector<char>
 findFences(const std::vector<Hanging>& wires,
            const Points& points,
@@ -152,6 +157,8 @@ findFences(const std::vector<Hanging>& wires,
   return fence;
 }
 
+// Whether a piece is the railing or edge of a roof: a plane begins beside it, at about
+// its height, all along.
 bool
 isLedge(const Growth& growth, const Piece& piece)
 {
@@ -207,6 +214,7 @@ isLedge(const Growth& growth, const Piece& piece)
   return false;
 }
 
+// Whether a wire is a crossarm: short, and longer wires end at it from the side.
 bool
 isCrossarm(const std::vector<Hanging>& wires, std::size_t candidate)
 {
@@ -232,6 +240,53 @@ isCrossarm(const std::vector<Hanging>& wires, std::size_t candidate)
   }
   // Where a line branches off, others end at one end of its wires.
   return held >= carried && high - low >= arm_part * m.length();
+}
+
+} // namespace
+
+void
+dropLookalikes(std::vector<Hanging>& wires,
+               Growth& growth,
+               const Points& points,
+               const Ground& ground)
+{
+  std::vector<char> wrong = findFences(wires, points, ground);
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    const Piece& piece = wires[w].strand.piece;
+    wrong[w] = wrong[w] != 0 || isLedge(growth, piece) || isCrossarm(wires, w) ||
+               (piece.model.length() >= straight_length &&
+                bendOf(piece, growth.candidates().points).rulesOut(flattest));
+  }
+  // What runs along with such a thing, and is not clearly bent, is part of it.
+  const std::vector<char> alone = wrong;
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    const SpanModel& m = wires[w].model();
+    for (std::size_t x = 0; x < wires.size() && wrong[w] == 0; ++x) {
+      if (alone[x] == 0)
+        continue;
+      const Parallel parallel = compare(m, wires[x].model());
+      wrong[w] =
+          parallel.overlap >= part_of * m.length() && parallel.distance <= part_reach &&
+          !bendOf(wires[w].strand.piece, growth.candidates().points).isAbove(flattest);
+    }
+  }
+  std::vector<Hanging> kept;
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    if (wrong[w] == 0) {
+      kept.push_back(std::move(wires[w]));
+      continue;
+    }
+    release(wires[w], growth);
+  }
+  wires = std::move(kept);
+}
+
+void
+release(const Hanging& wire, Growth& growth)
+{
+  growth.claim(wire.strand.piece, Growth::nobody);
+  for (const Piece& companion : wire.strand.companions)
+    growth.claim(companion, Growth::nobody);
 }
 
 } // namespace linelet::powerline

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-
 #pragma once
 
 #include <vector>
@@ -12,24 +11,41 @@
 
 namespace linelet::powerline {
 
-/** \brief Whether \a piece is too straight for a wire: its points rule out even the sag
- * of a taut one. Jibs, ridges, railings and pipes are. Short pieces tell nothing. */
-bool
-isStraight(const Piece& piece, const Points& points);
+constexpr double flattest = 1e-4; ///< z2 of a wire, 1/metres: a = 5 km
 
-/** \brief Which wires are the top of a fence: below them, down to the ground, something
- * stands nearly everywhere, and not so beside. One entry a wire. */
-std::vector<char>
-findFences(const std::vector<Hanging>& wires, const Points& points, const Ground& ground);
+/** \brief z2 of a wire as its points alone have it, without the prior of the fit. */
+struct Bend {
+  double value = 0;
+  double spread = 1; ///< standard deviation
 
-/** \brief Whether \a piece is the railing or edge of a roof: a plane begins beside it,
- * at about its height, all along. */
-bool
-isLedge(const Growth& growth, const Piece& piece);
+  /** \brief Whether the points rule out a bend of \a least. */
+  bool
+  rulesOut(double least) const
+  {
+    return value + 2.5 * spread < least;
+  }
 
-/** \brief Whether a wire is a crossarm: short, and longer wires end at it from the
- * side. */
-bool
-isCrossarm(const std::vector<Hanging>& wires, std::size_t candidate);
+  bool
+  isAbove(double least) const
+  {
+    return value - 2.5 * spread > least;
+  }
+};
+
+Bend
+bendOf(const Piece& piece, const Points& points);
+
+/** \brief Drops what is long and thin but no wire: what is too straight even for a taut
+ * one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms. Their
+ * points become free. \a points is the whole cloud. */
+void
+dropLookalikes(std::vector<Hanging>& wires,
+               Growth& growth,
+               const Points& points,
+               const Ground& ground);
+
+/** \brief Makes the points of \a wire free. */
+void
+release(const Hanging& wire, Growth& growth);
 
 } // namespace linelet::powerline

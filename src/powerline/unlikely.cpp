@@ -23,19 +23,27 @@ constexpr double short_line = 25;     // metres, the least inside the data
 constexpr std::size_t many = 4;       // wires of a family that prove each other
 constexpr double clean_part = 0.75;   // of the length of short wires at the border
 
-constexpr double lone_length = 18; // metres of a lone wire in the clear
-constexpr double lone_clean = 0.8; // of its bins
-constexpr double lone_open = 0.8;  // of its length, with nothing but deep below
-constexpr double deep = 1.5;       // metres below a wire
-constexpr double beside = 1.25;    // metres, looked at on both sides
+constexpr double lone_length = 18;    // metres of a lone wire in the clear
+constexpr double lone_clean = 0.8;    // of its bins
+constexpr double telling_length = 20; // metres of a wire whose sag says something
+constexpr double stray_length = 40;   // metres of a thinly covered wire that meets none
+constexpr double lone_cover = 0.5;    // of the bins of a line inside the data
+constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
+constexpr double deep = 1.5;          // metres below a wire
+constexpr double beside = 1.25;       // metres, looked at on both sides
+
+constexpr double least_hanging = 3;  // metres between attachment points
+constexpr double hanging_part = 0.5; // of the stretch with points, the same
+constexpr double farthest_off = 1.5; // metres of an attachment point from the wire
 
 struct Family {
   double longest = 0; ///< longest chain of joined wires, metres
   double single = 0;  ///< longest wire, metres
   double bend = 0, weight = 0;
-  double clean = 0, occupied = 0; ///< bins
-  bool border = false;            ///< a wire leaves the data
-  bool clear = false; ///< a wire hangs by itself with the view free to the ground
+  double bends = 0, precision = 0; ///< of the points alone, weighted by precision
+  double clean = 0, occupied = 0, bins = 0;
+  bool border = false; ///< a wire leaves the data
+  bool clear = false;  ///< a wire hangs by itself with the view free to the ground
   std::size_t wires = 0;
   bool joined = false; ///< some wires meet
 };
@@ -82,26 +90,54 @@ bool
 plausible(const Family& family)
 {
   const double bend = family.bend / family.weight;
+  if (family.precision > 0) {
+    const Bend joint = {family.bends / family.precision,
+                        1 / std::sqrt(family.precision)};
+    if (joint.rulesOut(flattest))
+      return false;
+  }
   if (family.longest >= long_line)
     return family.joined || family.border || bend >= least_bend;
   if (family.border)
     return (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= short_line);
-  return family.clear || (family.single >= short_line && bend >= clear_bend);
+  return family.clear || (family.single >= short_line && bend >= clear_bend &&
+                          family.occupied >= lone_cover * family.bins &&
+                          family.clean >= clean_part * family.occupied);
+}
+
+bool
+isMisled(const Hanging& wire)
+{
+  const SpanModel& m = wire.model();
+  const double from = m.along(wire.ends[0].place), to = m.along(wire.ends[1].place);
+  return to - from < std::max(least_hanging, hanging_part * m.length()) ||
+         std::max(m.distance(wire.ends[0].place), m.distance(wire.ends[1].place)) >
+             farthest_off;
 }
 
 } // namespace
 
+bool
+dropMisled(std::vector<Hanging>& wires, Growth& growth)
+{
+  const auto kept = std::stable_partition(
+      wires.begin(), wires.end(), [](const Hanging& w) { return !isMisled(w); });
+  const bool any = kept != wires.end();
+  for (auto wire = kept; wire != wires.end(); ++wire)
+    release(*wire, growth);
+  wires.erase(kept, wires.end());
+  return any;
+}
+
 void
 dropUnlikely(std::vector<Hanging>& wires,
              Growth& growth,
-             const Points& points,
-             const Ground& ground,
              const Underside& underside,
              const PowerLineSettings& settings)
 {
   const std::size_t n = wires.size();
-  const std::vector<char> fence = findFences(wires, points, ground);
+
   std::vector<std::size_t> parent(n), order(n);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -142,7 +178,7 @@ dropUnlikely(std::vector<Hanging>& wires,
   }
 
   std::vector<Family> families(n);
-  std::vector<char> rope(n, 0);
+  std::vector<char> alone(n, 0); // unlikely whatever its family says
   for (std::size_t w = 0; w < n; ++w) {
     const SpanModel& m = wires[w].model();
     Family& family = families[root(w)];
@@ -151,7 +187,13 @@ dropUnlikely(std::vector<Hanging>& wires,
     const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
     family.bend += weight * (m.z[2] - vague);
     family.weight += weight;
+    if (m.length() >= telling_length) {
+      const Bend own = bendOf(wires[w].strand.piece, growth.candidates().points);
+      family.bends += own.value / (own.spread * own.spread);
+      family.precision += 1 / (own.spread * own.spread);
+    }
     const double chain = chainLength(wires, w);
+    bool thin = false;
     family.longest = std::max(family.longest, chain);
     family.single = std::max(family.single, m.length());
     ++family.wires;
@@ -162,9 +204,13 @@ dropUnlikely(std::vector<Hanging>& wires,
       growth.claim(piece, 0);
       family.clean += evidence.clean;
       family.occupied += evidence.occupied;
+      family.bins += evidence.bins;
+      thin =
+          evidence.occupied < lone_cover * evidence.bins && m.length() < stray_length;
       family.clear =
           family.clear || (m.length() >= lone_length && evidence.slope <= steep &&
                            evidence.clean >= lone_clean * evidence.occupied &&
+                           evidence.occupied >= lone_cover * evidence.bins &&
                            openBelow(m, underside) >= lone_open);
     }
     bool loose = chain < long_line;
@@ -174,24 +220,23 @@ dropUnlikely(std::vector<Hanging>& wires,
       family.border = family.border || border;
       family.joined = family.joined || joined;
       loose = loose && !border;
+      thin = thin && !joined && !border;
     }
     const double rise = SpanModel::value(m.z, m.end) - SpanModel::value(m.z, m.begin);
-    rope[w] = loose && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
+    const bool rope =
+        loose && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
+    alone[w] = rope || thin;
   }
 
   std::vector<int> place(n, -1);
   std::vector<Hanging> kept;
   for (std::size_t w = 0; w < n; ++w) {
-    if (rope[w] == 0 && fence[w] == 0 && plausible(families[root(w)]) &&
-        !isStraight(wires[w].strand.piece, growth.candidates().points) &&
-        !isLedge(growth, wires[w].strand.piece) && !isCrossarm(wires, w)) {
+    if (alone[w] == 0 && plausible(families[root(w)])) {
       place[w] = static_cast<int>(kept.size());
       kept.push_back(wires[w]);
       continue;
     }
-    growth.claim(wires[w].strand.piece, Growth::nobody);
-    for (const Piece& companion : wires[w].strand.companions)
-      growth.claim(companion, Growth::nobody);
+    release(wires[w], growth);
   }
   for (Hanging& wire : kept)
     for (End& end : wire.ends)
