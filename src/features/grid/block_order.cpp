@@ -9,6 +9,7 @@
 
 #include <hwy/cache_control.h>
 
+#include "huge_pages.h"
 #include "key_sort.h"
 
 namespace linelet::grid {
@@ -71,8 +72,8 @@ BlockOrder::BlockOrder(const Points& points,
 {
   std::vector<std::uint64_t> keys;
   const std::size_t candidates = chosen != nullptr ? chosen->size() : points.size();
-  keys.reserve(candidates);
-  index_.reserve(candidates);
+  reserveHuge(keys, candidates);
+  reserveHuge(index_, candidates);
   BlockFrame::Cell cell;
   for (std::size_t i = 0; i < candidates; ++i) {
     const Index index = chosen != nullptr ? (*chosen)[i] : static_cast<Index>(i);
@@ -91,8 +92,10 @@ BlockOrder::BlockOrder(const Points& points,
   begin_.push_back(keys.size());
   std::vector<std::uint64_t>().swap(keys);
 
-  for (std::vector<double>& axis : coordinates_)
+  for (std::vector<double>& axis : coordinates_) {
+    reserveHuge(axis, index_.size() + padding);
     axis.resize(index_.size() + padding);
+  }
   const auto count = static_cast<std::ptrdiff_t>(blocks());
 #pragma omp parallel num_threads(threads)
   {
@@ -101,6 +104,39 @@ BlockOrder::BlockOrder(const Points& points,
     for (std::ptrdiff_t b = 0; b < count; ++b)
       sortBlock(static_cast<std::size_t>(b), points, frame, entries);
   }
+}
+
+void
+BlockOrder::select(
+    Entry* begin, Entry* middle, Entry* end, std::size_t axis, float low, float high)
+{
+  // Where points are spread about evenly, the border between the halves is soon found
+  // by interpolation, in passes that hold no branch to guess wrong.
+  constexpr int passes = 4;
+  for (int pass = 0; pass < passes && end - begin > 4; ++pass) {
+    const float border = low + (high - low) * static_cast<float>(middle - begin) /
+                                   static_cast<float>(end - begin);
+    Entry* next = begin;
+    for (Entry* entry = begin; entry != end; ++entry) {
+      const Entry taken = *entry;
+      *entry = *next;
+      *next = taken;
+      next += taken.place[axis] < border ? 1 : 0;
+    }
+    if (next == middle)
+      return;
+    if (next < middle) {
+      begin = next;
+      low = border;
+    }
+    else {
+      end = next;
+      high = border;
+    }
+  }
+  std::nth_element(begin, middle, end, [axis](const Entry& a, const Entry& b) {
+    return a.place[axis] < b.place[axis];
+  });
 }
 
 void
@@ -118,9 +154,7 @@ BlockOrder::cut(Entry* begin, Entry* end)
       if (high[axis] - low[axis] > high[longest] - low[longest])
         longest = axis;
     Entry* middle = begin + half(static_cast<std::size_t>(end - begin));
-    std::nth_element(begin, middle, end, [longest](const Entry& a, const Entry& b) {
-      return a.place[longest] < b.place[longest];
-    });
+    select(begin, middle, end, longest, low[longest], high[longest]);
     cut(begin, middle);
     begin = middle;
   }

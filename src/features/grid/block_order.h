@@ -151,6 +151,12 @@ private:
     Index index;
   };
 
+  /** \brief Puts the points with the least coordinates before \a middle.
+   * \param[in] low, high bounds of the coordinates */
+  static void
+  select(
+      Entry* begin, Entry* middle, Entry* end, std::size_t axis, float low, float high);
+
   /** \brief Cuts a run of points in two, and these again. */
   static void
   cut(Entry* begin, Entry* end);

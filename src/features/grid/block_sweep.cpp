@@ -66,7 +66,11 @@ BlockSweep::operator()(std::size_t block)
   queries_.resize(count);
   radii_.assign(count, 1.0);
   for (std::size_t i = 0; i < count; ++i) {
-    hwy::Prefetch(&job_.records[job_.queries.index(first_ + i)]);
+    // A record may lie in two cache lines.
+    const PointDistributionTensor& record =
+        job_.records[job_.queries.index(first_ + i)];
+    hwy::Prefetch(&record.xx);
+    hwy::Prefetch(&record.neighbors);
     queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radius);
     if (job_.radii != nullptr)
       radii_[i] = (*job_.radii)[job_.queries.index(first_ + i)] / job_.radius;

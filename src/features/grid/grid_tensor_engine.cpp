@@ -14,6 +14,7 @@
 #include <linelet/support/threads.h>
 
 #include "block_sweep.h"
+#include "huge_pages.h"
 
 namespace linelet {
 
@@ -186,7 +187,9 @@ estimateTensorsOnGrid(const Points& surface,
                       Monitor* monitor)
 {
   validate(settings, sizes, queries.size());
-  std::vector<PointDistributionTensor> records(queries.size(), unknownTensor(0));
+  std::vector<PointDistributionTensor> records;
+  grid::reserveHuge(records, queries.size());
+  records.resize(queries.size(), unknownTensor(0));
   if (monitor != nullptr)
     monitor->begin("tensor", queries.size());
   grid::Estimate estimate(surface, queries, settings, sizes, monitor, records);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "huge_pages.h"
+
 namespace linelet::grid {
 
 namespace {
@@ -26,8 +28,12 @@ void
 sortByKey(std::vector<std::uint64_t>& keys, Indices& values, int bits, int threads)
 {
   const std::size_t count = keys.size();
-  std::vector<std::uint64_t> other_keys(count);
-  Indices other_values(count);
+  std::vector<std::uint64_t> other_keys;
+  Indices other_values;
+  reserveHuge(other_keys, count);
+  reserveHuge(other_values, count);
+  other_keys.resize(count);
+  other_values.resize(count);
   // Every part is counted and moved by itself; parts follow each other within a digit.
   const auto parts = static_cast<std::size_t>(std::max(threads, 1));
   std::vector<Histogram> place(parts);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace linelet::grid {
+
+/** \brief Makes room for \a count elements in an empty vector, in huge pages where the
+ * system has them: large arrays that are read and written in no order spend much of
+ * their time looking up pages. */
+template <class T>
+void
+reserveHuge(std::vector<T>& elements, std::size_t count)
+{
+  elements.reserve(count);
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
+  const auto begin = reinterpret_cast<std::uintptr_t>(elements.data());
+  const std::uintptr_t first = (begin + page - 1) / page * page;
+  const std::uintptr_t last = (begin + count * sizeof(T)) / page * page;
+  // A hint: nothing depends on its being followed.
+  if (first < last)
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#endif
+}
+
+} // namespace linelet::grid
