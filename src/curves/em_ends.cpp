@@ -96,14 +96,15 @@ EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
 }
 
 void
-EmFitter::extendEnds(double spacing)
+EmFitter::extendEnds(double spacing, const ScaleField* scales)
 {
   for (CurveState& state : states_)
     for (int end = 0; end < 2 && !state.curve.closed; ++end) {
       if (state.curve.junction[static_cast<std::size_t>(end)] >= 0)
         continue;
       Point& tip = end == 0 ? state.curve.nodes.front() : state.curve.nodes.back();
-      tip += spacing * outwardDirection(state.curve, end, 3 * spacing);
+      const double step = spacing * (scales ? scales->at(tip) : 1);
+      tip += step * outwardDirection(state.curve, end, 3 * step);
     }
 }
 

@@ -25,10 +25,10 @@ EmFitter::collectPairs()
 {
   reach_ = pair_reach * noise_;
   const double margin = 0.3 * noise_;
-  const double reach = reach_ + margin;
   std::vector<SlotRun> runs;
   std::size_t count = 0;
   for (Edge& edge : edges_) {
+    const double reach = (shell_ + reach_ + margin) * edge.scale;
     const Point middle = edge.from + 0.5 * edge.length * edge.direction;
     std::size_t most = count + SlotArrays::padding;
     runs.clear();
@@ -57,8 +57,15 @@ EmFitter::collectPairs()
                                      pair_at_[1].data() + count,
                                      pair_at_[2].data() + count});
     edge.pairs_end = count;
+    if (shell_ > reach_ + margin) {
+      dropHollow(edge, shell_ - reach_ - margin);
+      count = edge.pairs_end;
+    }
   }
   pair_density_.resize(count + EdgePoints::padding);
+  if (shell_ > 0)
+    for (auto* values : {&pair_place_, &pair_residual_, &pair_spread_})
+      values->resize(count);
 }
 
 bool
@@ -68,30 +75,36 @@ EmFitter::pairsAreStale() const
 }
 
 void
+EmFitter::densitiesOf(const Edge& edge)
+{
+  const double across =
+      std::pow(2 * M_PI * noise_ * noise_, -0.5 * (frame_.dimensions - 1));
+  EdgeShape shape = shapeOf(edge);
+  shape.factor =
+      edge.weight * across *
+      (shape.is_short
+           ? 1 / std::sqrt(2 * M_PI * (shape.variance + edge.length * edge.length / 12))
+           : 1 / edge.length);
+  emKernels().densities(shape, pointsOf(edge), pair_density_.data() + edge.pairs_begin);
+}
+
+void
 EmFitter::expect()
 {
   const double background = outlier_share_ / frame_.volume;
   const std::size_t n = points_.size();
   density_.assign(n + EdgePoints::padding, background);
-  const double across =
-      std::pow(2 * M_PI * noise_ * noise_, -0.5 * (frame_.dimensions - 1));
-  const EmKernels& kernels = emKernels();
   // A kernel writes beyond its edge, where the next edge is yet to write.
   for (const Edge& edge : edges_) {
-    EdgeShape shape = shapeOf(edge);
-    shape.factor =
-        edge.weight * across *
-        (shape.is_short
-             ? 1 / std::sqrt(2 * M_PI *
-                             (shape.variance + edge.length * edge.length / 12))
-             : 1 / edge.length);
-    const std::size_t begin = edge.pairs_begin;
-    kernels.densities(shape, pointsOf(edge), pair_density_.data() + begin);
-    for (std::size_t k = begin; k < edge.pairs_end; ++k)
+    if (shell_ > 0)
+      shellDensitiesOf(edge);
+    else
+      densitiesOf(edge);
+    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k)
       density_[pair_slot_[k]] += pair_density_[k];
   }
 
-  log_likelihood_ = kernels.invert(density_.data(), n);
+  log_likelihood_ = emKernels().invert(density_.data(), n);
   double outliers = 0;
   for (std::size_t i = 0; i < n; ++i)
     outliers += background * density_[i];
@@ -104,6 +117,8 @@ EmFitter::expect()
     }
     edge_count_[e] = count;
   }
+  if (shell_ > 0)
+    measureInformation();
   outlier_share_ = std::clamp(outliers / static_cast<double>(n), 1e-3, 1 - 1e-3);
 }
 
@@ -116,11 +131,11 @@ EmFitter::shapeOf(const Edge& edge) const
     shape.direction[axis] = edge.direction[axis];
   }
   shape.length = edge.length;
-  shape.variance = noise_ * noise_;
+  shape.variance = noise_ * noise_ * edge.scale * edge.scale;
   shape.factor = 0;
   // Where the edge is short beside the noise, the integral of the normal density along
   // it is a normal density of its own.
-  shape.is_short = edge.length < 1.2 * noise_;
+  shape.is_short = edge.length < 1.2 * noise_ * edge.scale;
   return shape;
 }
 

@@ -42,6 +42,7 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
       states_.back().bending = states_.back().first_bending = settings.bending;
     }
   noise_ = std::max(settings.noise, settings.least_noise);
+  shell_ = settings.shell;
   outlier_share_ = first_outlier_share;
   freedom_ = 0;
   edge_count_.clear();
@@ -49,15 +50,15 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
   const auto spacing = [&] {
     return std::max(settings.spacing, settings.least_spacing * noise_);
   };
-  resampleCurves(spacing());
+  resampleCurves(spacing(), settings.scales);
   for (int i = 0; i < settings.iterations; ++i) {
     if (stop_ && stop_())
       throw Cancelled();
     if (i > 0 && i % settings.resample_every == 0) {
       expect();
       prune();
-      extendEnds(spacing());
-      resampleCurves(spacing());
+      extendEnds(spacing(), settings.scales);
+      resampleCurves(spacing(), settings.scales);
     }
     else if (pairsAreStale())
       collectPairs();
@@ -66,7 +67,7 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
   }
   expect();
   if (prune()) {
-    resampleCurves(spacing());
+    resampleCurves(spacing(), settings.scales);
     for (int i = 0; i < 2; ++i) {
       expect();
       maximise(settings);
@@ -76,6 +77,8 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
 
   EmFit result;
   result.noise = noise_;
+  result.shell = shell_;
+  result.peakedness = peakedness();
   result.outlier_share = outlier_share_;
   result.log_likelihood = log_likelihood_;
   result.freedom = freedom_;
@@ -94,7 +97,7 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
 }
 
 void
-EmFitter::resampleCurves(double spacing)
+EmFitter::resampleCurves(double spacing, const ScaleField* scales)
 {
   // Each curve keeps its share of the mixture, spread evenly over its new edges.
   std::vector<double> share(states_.size());
@@ -108,7 +111,8 @@ EmFitter::resampleCurves(double spacing)
         share[c] += edge_count_[states_[c].first_edge + e];
     // What has lost its points or its length is no curve any more.
     const bool lost = !edge_count_.empty() && share[c] < least_points;
-    if (lost || length(states_[c].curve) < spacing)
+    const double narrow = scales ? scales->at(states_[c].curve.nodes.front()) : 1;
+    if (lost || length(states_[c].curve) < spacing * std::min(1.0, narrow))
       continue;
     total += share[c];
     if (kept != c) {
@@ -122,17 +126,34 @@ EmFitter::resampleCurves(double spacing)
   for (std::size_t c = 0; c < states_.size(); ++c) {
     CurveState& state = states_[c];
     const double least_edges = state.curve.closed ? 8 : 2;
-    state.curve =
-        resampled(state.curve, std::min(spacing, length(state.curve) / least_edges));
+    if (scales)
+      state.curve = resampled(state.curve, spacing, *scales, least_edges);
+    else
+      state.curve =
+          resampled(state.curve, std::min(spacing, length(state.curve) / least_edges));
     state.first_edge = edges_.size();
     state.bend_variance.clear();
     Edge edge;
     edge.weight = (1 - outlier_share_) * share[c] /
                   (std::max(total, 1e-300) * static_cast<double>(state.curve.edges()));
     edges_.insert(edges_.end(), state.curve.edges(), edge);
+    if (scales)
+      for (std::size_t e = 0; e < state.curve.edges(); ++e)
+        edges_[state.first_edge + e].scale =
+            scales->at(0.5 * (state.curve.from(e) + state.curve.to(e)));
   }
   updateEdges();
   collectPairs();
+}
+
+double
+EmFitter::scaledLength(const CurveState& state) const
+{
+  double sum = 0;
+  for (std::size_t e = 0; e < state.curve.edges(); ++e)
+    sum += (state.curve.to(e) - state.curve.from(e)).norm() /
+           edges_[state.first_edge + e].scale;
+  return sum;
 }
 
 void

@@ -28,14 +28,23 @@ EmFitter::maximise(const EmSettings& settings)
   for (CurveState& state : states_)
     maximiseCurve(state, settings);
 
-  if (share_ > 0) {
-    const double spare = std::max(0.3 * share_, share_ - freedom_);
-    noise_ = std::max(std::sqrt(square_ / (spare * (frame_.dimensions - 1))),
-                      settings.least_noise);
-  }
+  if (shell_ > 0)
+    measureShell(settings);
+  else
+    measureNoise(settings);
   freedom_ *= frame_.dimensions - 1;
   updateWeights();
   updateEdges();
+}
+
+void
+EmFitter::measureNoise(const EmSettings& settings)
+{
+  if (!(share_ > 0))
+    return;
+  const double spare = std::max(0.3 * share_, share_ - freedom_);
+  noise_ = std::max(std::sqrt(square_ / (spare * (frame_.dimensions - 1))),
+                    settings.least_noise);
 }
 
 void
@@ -52,18 +61,24 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   for (std::size_t e = 0; e < curve.edges(); ++e) {
     const Edge& edge = edges_[state.first_edge + e];
     const std::size_t a = e, b = e + 1 == n ? 0 : e + 1;
-    const EdgeSums sums = kernels.sums(shapeOf(edge),
-                                       pointsOf(edge),
-                                       pair_density_.data() + edge.pairs_begin,
-                                       !curve.closed && e == 0,
-                                       !curve.closed && e + 1 == curve.edges());
+    const bool front = !curve.closed && e == 0;
+    const bool back = !curve.closed && e + 1 == curve.edges();
+    const EdgeSums sums = shell_ > 0
+                              ? shellSumsOf(edge, front, back)
+                              : kernels.sums(shapeOf(edge),
+                                             pointsOf(edge),
+                                             pair_density_.data() + edge.pairs_begin,
+                                             front,
+                                             back);
+    // Everything in units of the place's scale.
+    const double unit = 1 / (edge.scale * edge.scale);
     share_ += sums.share;
-    square_ += sums.square;
-    data_diagonal_[a] += sums.aa;
-    data_diagonal_[b] += sums.bb;
-    data_next_[e] += sums.ab;
-    solution_[a] += Point(sums.at_a);
-    solution_[b] += Point(sums.at_b);
+    square_ += unit * sums.square;
+    data_diagonal_[a] += unit * sums.aa;
+    data_diagonal_[b] += unit * sums.bb;
+    data_next_[e] += unit * sums.ab;
+    solution_[a] += unit * Point(sums.at_a);
+    solution_[b] += unit * Point(sums.at_b);
   }
   const double anchor = 1e-4;
   for (std::size_t i = 0; i < n; ++i) {
@@ -72,8 +87,13 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
     solution_[i] += anchor * curve.nodes[i];
   }
 
-  const double spacing = std::max(0.1 * settings.spacing,
-                                  length(curve) / static_cast<double>(curve.edges()));
+  const double spacing = std::max(
+      0.1 * settings.spacing, scaledLength(state) / static_cast<double>(curve.edges()));
+  // Of the bend at the end of edge e, squared and inverse.
+  const auto unit = [&](std::size_t e) {
+    const double scale = edges_[state.first_edge + e].scale;
+    return 1 / (scale * scale);
+  };
   const double rigidity = 1 / (state.bending * spacing * spacing * spacing);
   const auto ring = [n](std::size_t i) { return i < n ? i : i - n; };
   const std::size_t bends = curve.closed ? n : n < 3 ? 0 : n - 2;
@@ -85,8 +105,8 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
     double bend = (curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k]).squaredNorm();
     if (known)
       bend += across * state.bend_variance[i];
-    bend_weight_[i] = (tail + across) / (tail + rigidity * bend);
-    const double w = variance * rigidity * bend_weight_[i];
+    bend_weight_[i] = (tail + across) / (tail + rigidity * bend * unit(i));
+    const double w = variance * rigidity * bend_weight_[i] * unit(i);
     system_.addDiagonal(i, w);
     system_.addDiagonal(j, 4 * w);
     system_.addDiagonal(k, w);
@@ -119,7 +139,7 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
                             inverse_diagonal_[i] + 4 * inverse_diagonal_[j] +
                                 inverse_diagonal_[k] - 4 * inverse_next_[i] -
                                 4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
-    sum += bend_weight_[i] * (bend + across * state.bend_variance[i]);
+    sum += bend_weight_[i] * (bend + across * state.bend_variance[i]) * unit(i);
   }
   state.bending = sum / ((bending_prior + static_cast<double>(bends)) * across *
                          spacing * spacing * spacing);
@@ -135,7 +155,7 @@ EmFitter::updateWeights()
     for (std::size_t e = 0; e < edges; ++e)
       total += edge_count_[state.first_edge + e];
     const double mean = total / static_cast<double>(edges);
-    const double spacing = length(state.curve) / static_cast<double>(edges);
+    const double spacing = scaledLength(state) / static_cast<double>(edges);
     const auto half = static_cast<std::size_t>(
         std::clamp(1.5 * frame_.scale_unit / std::max(spacing, 1e-300), 1.0, 50.0));
     double all = 0;

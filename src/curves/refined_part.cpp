@@ -11,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <linelet/curves/junction_pairing.h>
+#include <linelet/curves/junction_revision.h>
 #include <linelet/curves/model_score.h>
 #include <linelet/curves/ridge_trace.h>
 #include <linelet/search/scale_unit.h>
@@ -33,6 +34,16 @@ constexpr std::size_t samples = 3;
 constexpr double doubled_spread = 2;
 constexpr double least_doubled = 12;
 constexpr int most_rounds = 3;
+// Curves may be joined wrongly where they pass within so many standard deviations, or
+// D.
+constexpr double doubt_noise = 2;
+constexpr double doubt_unit = 0.6;
+constexpr double least_gain = 1; // of the score, by which another topology is better
+// Noise of one length is tried where the noise is that much wider than the least, with
+// a width of this share of its length. The peakedness is 2 for normal noise.
+constexpr double least_shell = 1.2;
+constexpr double shell_width = 0.2;
+constexpr double most_peakedness = 2.2;
 constexpr std::size_t least_rest = 8;
 
 // A part this large is looked at before it is worked on: where hardly any neighbourhood
@@ -181,12 +192,23 @@ public:
     return grid_;
   }
 
-  /** \brief Keeps \a fit if it is better. \return whether it was */
+  double
+  scaleUnit() const
+  {
+    return scale_unit_;
+  }
+  int
+  dimensions() const
+  {
+    return frame_.dimensions;
+  }
+
+  /** \brief Keeps \a fit if it is better by \a gain. \return whether it was */
   bool
-  take(EmFit fit, const EmSettings& settings)
+  take(EmFit fit, const EmSettings& settings, double gain = 0)
   {
     const double score = scoreOf(fit, points_.size());
-    if (fit.curves.empty() || !(score < best_.score))
+    if (fit.curves.empty() || !(score < best_.score - gain))
       return false;
     best_ = {std::move(fit), settings, score};
     return true;
@@ -262,6 +284,43 @@ bandwidthOfSamples(const Points& points,
                                   scores.begin());
 }
 
+/** \brief Tries other ways to join the curves of the best fit, on two scales.
+ * \return whether one of them is better */
+bool
+rejoin(Part& part)
+{
+  bool better = false;
+  const EmFit& best = part.best().fit;
+  for (const double factor : {1.0, 2.0})
+    for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
+      const double size =
+          factor * std::max(doubt_noise * best.noise, doubt_unit * part.scaleUnit());
+      const ModelCurves start = rejoined(best.curves, size, rejoining);
+      if (start.empty())
+        continue;
+      EmSettings settings = part.best().settings;
+      settings.noise = best.noise;
+      if (part.take(part.fit(start, settings), part.best().settings, least_gain))
+        better = true;
+    }
+  return better;
+}
+
+/** \brief Fits noise of one length where the distances of the points may be such. */
+void
+fitShell(Part& part)
+{
+  const EmFit& best = part.best().fit;
+  EmSettings settings = part.best().settings;
+  if (best.curves.empty() || settings.scales || part.dimensions() < 3 ||
+      best.noise < least_shell * settings.least_noise ||
+      best.peakedness > most_peakedness)
+    return;
+  settings.shell = std::sqrt(3.0) * best.noise;
+  settings.noise = shell_width * settings.shell;
+  part.take(part.fit(best.curves, settings), settings);
+}
+
 } // namespace
 
 EmFit
@@ -303,6 +362,10 @@ refinePart(const Points& points,
     part.take(part.fit(pairs, settings), part.best().settings);
   }
 
+  for (int round = 0; round < most_rounds && points.size() <= sampled_part; ++round)
+    if (!rejoin(part))
+      break;
+
   // What the fit leaves unexplained may be a sparser part of a curve.
   for (int round = 0; round < most_rounds && !best.curves.empty(); ++round) {
     Points rest;
@@ -326,6 +389,7 @@ refinePart(const Points& points,
     if (!part.take(part.fit(start, settings), part.best().settings))
       break;
   }
+  fitShell(part);
   return std::move(best);
 }
 

@@ -11,6 +11,7 @@
 
 #include <linelet/curves/em_banded.h>
 #include <linelet/curves/model_curve.h>
+#include <linelet/curves/scale_field.h>
 #include <linelet/search/uniform_grid.h>
 
 namespace linelet {
@@ -35,6 +36,9 @@ struct EmSettings {
   double least_noise = 0;     ///< the standard deviation never falls below this
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
+  double shell = 0; ///< radius of noise of one length to begin with; 0: normal noise
+  const ScaleField* scales = nullptr; ///< by which spacing and noise grow from place to
+                                      ///< place; null: nowhere
   int iterations = 15;
   int resample_every = 5;
 };
@@ -42,7 +46,11 @@ struct EmSettings {
 /** \brief A fitted model of a cloud. */
 struct EmFit {
   ModelCurves curves;
-  double noise = 0;            ///< standard deviation per coordinate
+  double noise = 0; ///< standard deviation per coordinate
+  double shell = 0; ///< radius of the noise; 0: normal noise
+  /// Fourth moment of the distances of the points from the curves over the square of
+  /// the second: 2 for normal noise, 1.2 for noise of one length.
+  double peakedness = 0;
   double outlier_share = 0;    ///< of the points
   double log_likelihood = 0;   ///< of the points under the mixture
   double freedom = 0;          ///< effective parameters of the curves' geometry
@@ -51,6 +59,7 @@ struct EmFit {
 };
 
 struct EdgePoints;
+struct EdgeSums;
 struct SlotArrays;
 struct EdgeShape;
 
@@ -82,6 +91,7 @@ private:
   struct Edge {
     Point from, direction;
     double length = 0;
+    double scale = 1;  // by which the noise is greater here
     double weight = 0; // probability of this edge in the mixture
     std::size_t pairs_begin = 0, pairs_end = 0;
   };
@@ -94,7 +104,10 @@ private:
   };
 
   void
-  resampleCurves(double spacing);
+  resampleCurves(double spacing, const ScaleField* scales);
+  /** \brief The length of a curve, each edge beside its scale. */
+  double
+  scaledLength(const CurveState& state) const;
   void
   collectPairs();
   bool
@@ -106,17 +119,33 @@ private:
   std::size_t
   cheapestCut(const CurveState& state, int end, double penalty);
   void
-  extendEnds(double spacing);
+  extendEnds(double spacing, const ScaleField* scales);
   void
   updateEdges();
   void
   expect();
+  void
+  densitiesOf(const Edge& edge);
+  void
+  shellDensitiesOf(const Edge& edge);
+  void
+  measureInformation();
+  EdgeSums
+  shellSumsOf(const Edge& edge, bool front, bool back) const;
+  void
+  dropHollow(Edge& edge, double hollow);
   EdgeShape
   shapeOf(const Edge& edge) const;
   EdgePoints
   pointsOf(const Edge& edge) const;
+  double
+  peakedness() const;
   void
   maximise(const EmSettings& settings);
+  void
+  measureNoise(const EmSettings& settings);
+  void
+  measureShell(const EmSettings& settings);
   void
   maximiseCurve(CurveState& state, const EmSettings& settings);
   void
@@ -135,12 +164,16 @@ private:
   Indices pair_slot_;                          // of the point, in the grid
   std::array<std::vector<double>, 3> pair_at_; // coordinates of the point
   std::vector<double> pair_density_;           // then responsibility
+  // With noise of one length: the place of the source on the edge, mean and mean square
+  // of what its distance from the point differs from that length.
+  std::vector<double> pair_place_, pair_residual_, pair_spread_;
+  std::vector<double> inlier_, residual_, information_; // per slot
   std::vector<double> removed_; // per point, the share that a cut takes away
   std::vector<double> density_; // per slot; after expect() its inverse
   std::vector<double> edge_count_;
-  double noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
+  double shell_ = 0, noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
   double square_ = 0, share_ = 0; // of the distances from the curves, by shares
-  double reach_ = 0;              // of the pairs collected
+  double reach_ = 0;              // of the pairs collected, beside the shell
   BandedSystem system_;
   Points solution_;
   std::vector<double> inverse_after_next_, bend_weight_;
