@@ -114,30 +114,77 @@ UniformGrid::countWithin(const Point& query, double radius) const
   return count;
 }
 
+void
+UniformGrid::nearestInRow(std::size_t row, const Point& query, Nearest& best) const
+{
+  const std::size_t begin = row_begin_[row], end = row_begin_[row + 1];
+  // The first slot that is not left of the query, in steps without branches to guess.
+  std::size_t first = begin;
+  for (std::size_t count = end - begin; count > 0;) {
+    const std::size_t half = (count + 1) / 2;
+    first += points_[first + half - 1].x() < query.x() ? half : 0;
+    count -= half;
+  }
+  const auto look = [&](std::size_t slot) {
+    const Point offset = points_[slot] - query;
+    if (offset.x() * offset.x() > best.squared)
+      return false;
+    const double squared = offset.squaredNorm();
+    if (squared < best.squared ||
+        (squared == best.squared && indices_[slot] < best.index))
+      best = {squared, indices_[slot]};
+    return true;
+  };
+  for (std::size_t slot = first; slot < end && look(slot);)
+    ++slot;
+  for (std::size_t slot = first; slot > begin && look(slot - 1);)
+    --slot;
+}
+
 Index
 UniformGrid::nearest(const Point& query, double max_distance) const
 {
-  if (points_.empty() || !query.allFinite())
+  if (points_.empty() || !query.allFinite() || !(max_distance >= 0))
     return none;
-  // Radii double until something is found or the whole set was within reach.
-  const double reach = std::min(max_distance,
-                                std::max((query - min_).cwiseAbs().maxCoeff(),
-                                         (query - max_).cwiseAbs().maxCoeff()) *
-                                        2 +
-                                    row_size_);
-  for (double radius = std::min(row_size_, reach);;
-       radius = std::min(2 * radius, reach)) {
-    Index best = none;
-    double best_squared = std::numeric_limits<double>::infinity();
-    forEachWithin(query, radius, [&](Index i, double squared) {
-      if (squared < best_squared || (squared == best_squared && i < best)) {
-        best = i;
-        best_squared = squared;
+  // Rows around that of the query, ring by ring, but not those that begin farther away
+  // than what was found: all but rounding of their borders.
+  const double slack =
+      1e-6 * row_size_ +
+      1e-15 * (query.cwiseAbs() + min_.cwiseAbs() + max_.cwiseAbs()).maxCoeff();
+  const auto distance = [&](std::size_t place, int axis) {
+    const double low = row_low_[axis] + static_cast<double>(place) * row_size_;
+    const double below = place > 0 ? low - query[axis] : 0;
+    const double above =
+        place + 1 < rows_[axis - 1] ? query[axis] - (low + row_size_) : 0;
+    return std::max(std::max(below, above) - slack, 0.0);
+  };
+  Nearest best{max_distance * max_distance, none};
+  const std::size_t y = row(query.y(), 1), z = row(query.z(), 2);
+  const std::size_t rings = std::max(rows_[0], rows_[1]);
+  for (std::size_t ring = 0; ring < rings; ++ring) {
+    const double gap = static_cast<double>(ring) * row_size_ - row_size_ - slack;
+    if (gap > 0 && gap * gap > best.squared)
+      break;
+    const std::size_t z_end = std::min(z + ring, rows_[1] - 1);
+    const std::size_t y_end = std::min(y + ring, rows_[0] - 1);
+    for (std::size_t at_z = z - std::min(z, ring); at_z <= z_end; ++at_z) {
+      const double z_gap = distance(at_z, 2);
+      if (z_gap * z_gap > best.squared)
+        continue;
+      // Inside the ring only its first and its last row of this z.
+      const bool whole = at_z + ring == z || at_z == z + ring;
+      for (std::size_t at_y = y - std::min(y, ring); at_y <= y_end; ++at_y) {
+        if (!whole && at_y + ring != y && at_y != y + ring) {
+          at_y = y + ring - 1; // the last row is next
+          continue;
+        }
+        const double y_gap = distance(at_y, 1);
+        if (y_gap * y_gap + z_gap * z_gap <= best.squared)
+          nearestInRow(at_z * rows_[0] + at_y, query, best);
       }
-    });
-    if (best != none || radius >= reach)
-      return best;
+    }
   }
+  return best.index;
 }
 
 Indices
@@ -146,6 +193,8 @@ UniformGrid::nearestK(const Point& query, std::size_t count) const
   Indices result;
   if (points_.empty() || count == 0 || !query.allFinite())
     return result;
+  if (count == 1)
+    return {nearest(query)};
   count = std::min(count, points_.size());
   const double reach = std::max((query - min_).cwiseAbs().maxCoeff(),
                                 (query - max_).cwiseAbs().maxCoeff()) *

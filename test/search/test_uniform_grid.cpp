@@ -96,3 +96,42 @@ TEST(UniformGrid, FindsWhatBruteForceFindsBesideFarPoints)
     }
   EXPECT_EQ(grid.nearest(Point(9e6, -9e6, 9e6)), 3000u);
 }
+
+// Rows are left out by their distance: none may be that holds the nearest point, nor
+// one as near with a lower index.
+TEST(UniformGrid, FindsTheNearestPoint)
+{
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Points points = randomPoints(seed % 3 == 0 ? 40 : 400,
+                                 seed % 2 ? Point(10, 10, 10) : Point(100, 0.1, 3),
+                                 seed);
+    if (seed % 4 == 0) // a lattice: borders of rows, equal distances, duplicates
+      for (Point& p : points)
+        p = p.array().round();
+    if (seed % 5 == 0)
+      points.emplace_back(1e5, -1e5, 1e5);
+    const Point offset = seed % 7 == 0 ? Point(5e5, 5.5e6, 300) : Point(0, 0, 0);
+    for (Point& p : points)
+      p += offset;
+    const UniformGrid grid(points, seed % 4 == 0 ? 1 : 0.05 * seed);
+    Points queries = randomPoints(40, Point(14, 14, 14), seed + 1000);
+    for (Point& q : queries)
+      q = (seed % 4 == 0 ? Point((2 * q).array().round() / 2) : q) + offset -
+          Point(2, 2, 2);
+    queries.push_back(offset + Point(300, -200, 100));
+    queries.push_back(points[7]);
+    for (const Point& query : queries) {
+      Index expected = 0;
+      const auto squared = [&](Index i) { return (points[i] - query).squaredNorm(); };
+      for (std::size_t i = 1; i < points.size(); ++i)
+        if (squared(static_cast<Index>(i)) < squared(expected))
+          expected = static_cast<Index>(i);
+      EXPECT_EQ(grid.nearest(query), expected);
+      EXPECT_EQ(grid.nearestK(query, 1), Indices{expected});
+      const double distance = std::sqrt(squared(expected));
+      EXPECT_EQ(grid.nearest(query, distance * (1 + 1e-9) + 1e-12), expected);
+      EXPECT_EQ(grid.nearest(query, distance * (1 - 1e-9) - 1e-12), UniformGrid::none);
+    }
+  }
+}

@@ -109,6 +109,17 @@ private:
   void
   forEachSlot(const Point& query, double radius, Visit&& visit) const;
 
+  /** \brief The nearest point seen so far. */
+  struct Nearest {
+    double squared;
+    Index index;
+  };
+
+  /** \brief Looks for nearer points in a row, from the query's place in it to both
+   * sides. */
+  void
+  nearestInRow(std::size_t row, const Point& query, Nearest& best) const;
+
   /** \brief Chooses place, width and number of the rows. */
   void
   layRows(const Points& points);
