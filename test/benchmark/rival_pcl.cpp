@@ -36,9 +36,9 @@ pclNormals(const Points& points, double radius, unsigned threads, std::size_t sa
   const auto cloud = cloudOf(points);
   auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false);
   RivalTime time{};
-  double start = cpuSeconds();
+  double start = seconds(threads);
   tree->setInputCloud(cloud);
-  time.build = cpuSeconds() - start;
+  time.build = seconds(threads) - start;
   pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> normals(threads);
   normals.setInputCloud(cloud);
   normals.setSearchMethod(tree);
@@ -51,9 +51,9 @@ pclNormals(const Points& points, double radius, unsigned threads, std::size_t sa
         static_cast<int>((i / run) * run * (points.size() / sample) + i % run));
   normals.setIndices(indices);
   pcl::PointCloud<pcl::Normal> out;
-  start = cpuSeconds();
+  start = seconds(threads);
   normals.compute(out);
-  time.query = (cpuSeconds() - start) / static_cast<double>(sample);
+  time.query = (seconds(threads) - start) / static_cast<double>(sample);
   return time;
 }
 

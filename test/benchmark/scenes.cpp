@@ -4,6 +4,7 @@
 #include "scenes.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <map>
@@ -68,6 +69,15 @@ double
 cpuSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double
+seconds(unsigned threads)
+{
+  if (threads == 1)
+    return cpuSeconds();
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
 }
 
 } // namespace linelet::benchmarking

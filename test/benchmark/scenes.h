@@ -34,4 +34,9 @@ radiusFor(Scene scene, double neighbours);
 double
 cpuSeconds();
 
+/** \brief A clock for work of so many threads: \ref cpuSeconds for one, the wall clock
+ * for more, whose wait for each other is no work. */
+double
+seconds(unsigned threads);
+
 } // namespace linelet::benchmarking
