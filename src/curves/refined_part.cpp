@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
 #include <Eigen/Eigenvalues>
 
 #include <linelet/curves/junction_pairing.h>
@@ -50,16 +52,18 @@ constexpr std::size_t least_rest = 8;
 // of sampled points is linear, it is a surface or a volume.
 constexpr std::size_t large_part = 5000;
 constexpr std::size_t looked_at = 200;
+constexpr std::size_t least_thinned = 1000;
 constexpr double least_linearity = 0.3;
 
+/** \brief Whether most of some neighbourhoods of 2 or 4 times \a size are linear. */
 bool
-looksLinear(const Points& points, const UniformGrid& grid, double scale_unit)
+looksLinear(const Points& points, const UniformGrid& grid, double size)
 {
   std::vector<double> best;
   const std::size_t stride = points.size() / looked_at;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     double linearity = 0;
-    for (const double radius : {2 * scale_unit, 4 * scale_unit}) {
+    for (const double radius : {2 * size, 4 * size}) {
       Point first = Point::Zero();
       Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
       double count = 0;
@@ -175,10 +179,17 @@ public:
     best_.score = scoreOfNothing(frame_, points.size());
   }
 
-  bool
-  looksLikeCurves() const
+  /** \brief The size in D on which the part looks like curves: more than 1 where they
+   * are thick beside the spacing of the points; 0: on none. */
+  double
+  curveSize() const
   {
-    return points_.size() <= large_part || looksLinear(points_, grid_, scale_unit_);
+    if (points_.size() <= large_part)
+      return 1;
+    for (const double size : {1.0, 2.5, 6.0, 15.0})
+      if (looksLinear(points_, grid_, size * scale_unit_))
+        return size;
+    return 0;
   }
 
   Fitted&
@@ -321,6 +332,31 @@ fitShell(Part& part)
   part.take(part.fit(best.curves, settings), settings);
 }
 
+/** \brief Fits a share of the points, so few that their spacing is about \a size times
+ * as wide. */
+EmFit
+refineThinned(const Points& points,
+              double size,
+              const RefinedSettings& user,
+              const std::function<bool()>& stop,
+              const std::function<void(double)>& progress)
+{
+  const double share =
+      std::max(1 / (size * size * size),
+               static_cast<double>(least_thinned) / static_cast<double>(points.size()));
+  boost::random::mt19937 random(1);
+  boost::random::uniform_01<double> uniform;
+  Points some;
+  for (const Point& p : points)
+    if (uniform(random) < share)
+      some.push_back(p);
+  EmFit fit = refinePart(some, user, stop, progress);
+  for (auto& counts : fit.counts)
+    for (double& count : counts)
+      count /= share;
+  return fit;
+}
+
 } // namespace
 
 EmFit
@@ -334,7 +370,10 @@ refinePart(const Points& points,
   if (!(scale_unit > 0))
     return {};
   Part part(points, scale_unit, user, stop);
-  if (!part.looksLikeCurves())
+  const double size = part.curveSize();
+  if (size > 1)
+    return refineThinned(points, size, user, stop, progress);
+  if (size == 0)
     return {};
   if (points.size() > sampled_part) {
     const std::size_t chosen = bandwidthOfSamples(points, part.grid(), user, stop);

@@ -87,29 +87,31 @@ networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& cou
   return network;
 }
 
-/** \brief The scale unit of \a points; that of the different ones where most lie on
- * others; not positive where there are too few. */
-double
-unitOf(const Points& points, unsigned threads)
+/** \brief The finite points without those that lie on others. */
+Points
+distinct(const Points& points)
 {
-  const auto finite = std::find_if(
-      points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });
-  if (std::none_of(finite, points.end(), [&](const Point& p) {
-        return p.allFinite() && p != *finite;
-      }))
-    return 0;
-  const double unit = scaleUnit(points, 1024, 1, threads);
-  if (unit != 0)
-    return unit;
-  Points different;
-  std::copy_if(finite, points.end(), std::back_inserter(different), [](const Point& p) {
-    return p.allFinite();
-  });
-  std::sort(different.begin(), different.end(), [](const Point& a, const Point& b) {
+  Points result;
+  std::copy_if(points.begin(),
+               points.end(),
+               std::back_inserter(result),
+               [](const Point& p) { return p.allFinite(); });
+  std::sort(result.begin(), result.end(), [](const Point& a, const Point& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   });
-  different.erase(std::unique(different.begin(), different.end()), different.end());
-  return scaleUnit(different, 1024, 1, threads);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/** \brief Whether all finite points coincide. */
+bool
+coincide(const Points& points)
+{
+  const auto first = std::find_if(
+      points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });
+  return std::none_of(first, points.end(), [&](const Point& p) {
+    return p.allFinite() && p != *first;
+  });
 }
 
 /** \brief At most \ref most_in_cell points of every cell of side \a size; their
@@ -154,7 +156,14 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
         "distance cutoff " + std::to_string(settings.distance_cutoff) +
         " is negative or not a number; 0 lets the method choose");
   CurveNetwork network;
-  const double scale_unit = unitOf(all, settings.threads);
+  if (coincide(all))
+    return network;
+  const double scale_unit = scaleUnit(all, 1024, 1, settings.threads);
+  if (scale_unit == 0) { // most points lie on others
+    const Points different = distinct(all);
+    if (different.size() < all.size())
+      return reconstructRefined(different, settings, monitor);
+  }
   if (!(scale_unit > 0) || !std::isfinite(scale_unit))
     return network;
   const double link = settings.distance_cutoff > 0 ? settings.distance_cutoff
@@ -186,6 +195,8 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
       for (const Index i : parts[p])
         part.push_back(points[i] - origin);
       fits[p] = refinePart(part, settings, stop, [&](double share) {
+        if (stop())
+          throw Cancelled();
         const auto now = static_cast<std::size_t>(std::min(1.0, share) *
                                                   static_cast<double>(parts[p].size()));
         if (monitor && now > told) {
