@@ -134,11 +134,16 @@ void
 ScaleSweep::weightedTensors()
 {
   // From large to small: a smaller neighbourhood is what is left of the larger one.
+  Point centre = Point::Zero();
   for (std::size_t k = radii_.size(); k-- > 0;) {
     sorted_.resize(neighbors_[k]);
     if (centroid_ != Centroid::QueryPoint) {
-      const Point centre =
-          centroid(centroid_, sorted_, Point::Zero(), radii_[k], centroid_weighting_);
+      // The median of the larger neighbourhood is near that of the smaller one.
+      const bool near = centroid_ == Centroid::Median && k + 1 < radii_.size();
+      centre =
+          near ? medianFrom(sorted_, centre)
+               : centroid(
+                     centroid_, sorted_, Point::Zero(), radii_[k], centroid_weighting_);
       tensors_[k] = neighbourhoodTensor(sorted_, centre, radii_[k], weighting_);
       continue;
     }

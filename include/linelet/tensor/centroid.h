@@ -60,4 +60,11 @@ centroid(Centroid type,
          double radius,
          const Weighting& weighting = Kernel::QuadraticInverse);
 
+/** \brief The geometric median, Centroid::Median, sought from \a start on: the same
+ * place, sooner found where it is guessed well. (Where all neighbours lie on one line
+ * and are even in number, any place between the middle two is a median.)
+ * \return NaN if there are no neighbours */
+Point
+medianFrom(const Points& neighbours, const Point& start);
+
 } // namespace linelet
