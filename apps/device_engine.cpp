@@ -3,6 +3,7 @@
 
 #include "device_engine.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #ifdef LINELET_HAS_OPENCL
@@ -27,14 +28,38 @@ estimateOnDevice([[maybe_unused]] const std::string& device,
   frame.summary["device_seconds"] = {{"upload", times.upload},
                                      {"grid", times.grid},
                                      {"tensor", times.tensor},
-                                     {"download", times.download},
-                                     {"analysis", times.analysis}};
+                                     {"analysis", times.analysis},
+                                     {"download", times.download}};
   return records;
 #else
   throw std::runtime_error("this linelet was built without OpenCL; build it where "
                            "OpenCL's headers and loader are installed, or use --engine "
                            "grid");
 #endif
+}
+
+std::optional<DeviceCost>
+gpuCost([[maybe_unused]] const std::string& device,
+        [[maybe_unused]] const EngineWork& work)
+{
+#ifdef LINELET_HAS_OPENCL
+  DeviceCost cost;
+  cost.start = 0.5;
+  cost.point = 1e-7;
+  // Asking for devices wakes all drivers: not for what is done before one is open.
+  if (cheapestEngine(work, &cost) != Engine::OpenCL)
+    return {};
+  const std::vector<opencl::Device> all = opencl::devices();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool wished = device.empty() || device == std::to_string(i) ||
+                        all[i].name.find(device) != std::string::npos;
+    if (!wished || all[i].type != "gpu")
+      continue;
+    cost.pair = 1e-9 / std::max(1u, all[i].compute_units);
+    return cost;
+  }
+#endif
+  return {};
 }
 
 } // namespace linelet::apps

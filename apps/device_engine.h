@@ -3,10 +3,11 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <linelet/features/tensor_estimation.h>
+#include <linelet/features/engine_choice.h>
 
 #include "frame.h"
 
@@ -23,5 +24,11 @@ estimateOnDevice(const std::string& device,
                  const TensorSettings& settings,
                  const NeighbourhoodSizes& sizes,
                  Frame& frame);
+
+/** \brief What `--engine auto` takes the costs of a GPU to be; nothing where there is
+ * none, or \a work is too little for any. No GPU was at hand to measure these costs:
+ * they are set high rather than low. */
+std::optional<DeviceCost>
+gpuCost(const std::string& device, const EngineWork& work);
 
 } // namespace linelet::apps

@@ -138,6 +138,40 @@ chooseRadius(double scale_unit, const std::string& file)
   return radiusFor(scale_unit);
 }
 
+/** \brief Runs the engine asked for. Engine::Auto becomes the one that ran; a device
+ * that it chose and that fails is no reason to give up. */
+Records
+estimate(const Points& points,
+         TensorSettings& settings,
+         const NeighbourhoodSizes& sizes,
+         const std::string& device,
+         Frame& frame)
+{
+  // Sizes that make no sense are refused before anything is made of them.
+  validate(settings, sizes, points.size());
+  const bool automatic = settings.engine == Engine::Auto;
+  if (automatic) {
+    const auto gpu = gpuCost(device, engineWork(points, points, settings, sizes));
+    settings.engine =
+        chosenEngine(points, points, settings, sizes, gpu ? &*gpu : nullptr);
+  }
+  if (settings.engine == Engine::OpenCL) {
+    try {
+      return estimateOnDevice(device, points, settings, sizes, frame);
+    }
+    catch (const Cancelled&) {
+      throw;
+    }
+    catch (const std::runtime_error& error) {
+      if (!automatic)
+        throw;
+      frame.warn(std::string(error.what()) + "; the engine grid runs instead");
+      settings.engine = Engine::Grid;
+    }
+  }
+  return estimateTensors(points, points, settings, sizes, &frame.monitor);
+}
+
 std::string
 describeSize(const TensorSettings& settings,
              const std::string& radius_field,
@@ -201,11 +235,7 @@ runTensor(const std::vector<std::string>& arguments)
     scale_unit = scaleUnit(cloud.points, 1024, 1, frame.threads);
     settings.radius = chooseRadius(scale_unit, input);
   }
-  const Records records =
-      settings.engine == Engine::OpenCL
-          ? estimateOnDevice(device, cloud.points, settings, sizes, frame)
-          : estimateTensors(
-                cloud.points, cloud.points, settings, sizes, &frame.monitor);
+  const Records records = estimate(cloud.points, settings, sizes, device, frame);
   const double tensor_seconds = watch.lap();
 
   std::size_t unknown = 0;
@@ -227,7 +257,7 @@ runTensor(const std::vector<std::string>& arguments)
   const double write_seconds = watch.lap();
 
   const std::string size = describeSize(settings, radius_field, knn_field);
-  const std::string engine(nameOf(chosenEngine(settings, sizes)));
+  const std::string engine(nameOf(settings.engine));
   std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
               output.c_str(),
               records.size(),

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <linelet/features/engine_choice.h>
 #include <linelet/features/grid_tensor_engine.h>
 #include <linelet/search/grid_search.h>
 #include <linelet/search/kd_tree.h>
@@ -127,14 +128,6 @@ validate(const TensorSettings& settings,
     throw std::invalid_argument(std::to_string(given) +
                                 " sizes of neighbourhoods are given for " +
                                 std::to_string(queries) + " points");
-}
-
-Engine
-chosenEngine(const TensorSettings& settings, const NeighbourhoodSizes& sizes)
-{
-  if (settings.engine != Engine::Auto)
-    return settings.engine;
-  return settings.k > 0 || !sizes.counts.empty() ? Engine::Tree : Engine::Grid;
 }
 
 PointDistributionTensor
@@ -257,7 +250,7 @@ estimateTensors(const Points& surface,
     throw std::invalid_argument(
         "the engine opencl runs through opencl::TensorEngine or "
         "PointDistributionTensorEstimationOCL");
-  if (chosenEngine(settings, sizes) == Engine::Grid) {
+  if (chosenEngine(surface, queries, settings, sizes) == Engine::Grid) {
     if (settings.radius > 0 || !sizes.radii.empty())
       return estimateTensorsOnGrid(surface, queries, settings, sizes, monitor);
     const GridSearch search(surface, usualRadius(settings, sizes));

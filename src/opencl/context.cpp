@@ -4,9 +4,7 @@
 #include "context.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <utility>
 
 #include "kernel_sources.h"
 
@@ -108,29 +106,6 @@ devices()
   for (const cl::Device& device : allDevices())
     result.push_back(describe(device));
   return result;
-}
-
-const char*
-errorName(cl_int code)
-{
-  static constexpr std::array<std::pair<cl_int, const char*>, 12> names = {{
-      {CL_DEVICE_NOT_FOUND, "CL_DEVICE_NOT_FOUND"},
-      {CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
-      {CL_COMPILER_NOT_AVAILABLE, "CL_COMPILER_NOT_AVAILABLE"},
-      {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
-      {CL_OUT_OF_RESOURCES, "CL_OUT_OF_RESOURCES"},
-      {CL_OUT_OF_HOST_MEMORY, "CL_OUT_OF_HOST_MEMORY"},
-      {CL_BUILD_PROGRAM_FAILURE, "CL_BUILD_PROGRAM_FAILURE"},
-      {CL_INVALID_VALUE, "CL_INVALID_VALUE"},
-      {CL_INVALID_BUFFER_SIZE, "CL_INVALID_BUFFER_SIZE"},
-      {CL_INVALID_WORK_GROUP_SIZE, "CL_INVALID_WORK_GROUP_SIZE"},
-      {CL_INVALID_KERNEL_ARGS, "CL_INVALID_KERNEL_ARGS"},
-      {CL_INVALID_KERNEL_NAME, "CL_INVALID_KERNEL_NAME"},
-  }};
-  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) {
-    return entry.first == code;
-  });
-  return found == names.end() ? "OpenCL error" : found->second;
 }
 
 Error

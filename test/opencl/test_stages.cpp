@@ -319,3 +319,20 @@ TEST_F(Stages, WeightsAreThoseOfWeighting)
     EXPECT_LT(worst, entry.first == Kernel::Sph5 ? 2e-4 : 5e-6);
   }
 }
+
+TEST(Errors, HaveTheirOpenClNameAndCode)
+{
+  EXPECT_STREQ(errorName(CL_OUT_OF_RESOURCES), "CL_OUT_OF_RESOURCES");
+  EXPECT_STREQ(errorName(CL_INVALID_WORK_ITEM_SIZE), "CL_INVALID_WORK_ITEM_SIZE");
+  // All codes of OpenCL 1.2 but the unused -20 to -29.
+  for (cl_int code = -68; code < 0; ++code)
+    if (code < -29 || code > -20) {
+      EXPECT_EQ(std::string(errorName(code)).substr(0, 3), "CL_") << code;
+    }
+  const Error error =
+      explained(cl::Error(CL_INVALID_KERNEL_ARGS, "the call"), "a device");
+  EXPECT_EQ(error.code(), CL_INVALID_KERNEL_ARGS);
+  EXPECT_STREQ(error.what(),
+               "OpenCL: the call failed on device 'a device' with "
+               "CL_INVALID_KERNEL_ARGS (-52)");
+}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -198,6 +199,54 @@ TEST_F(OpenCL, LittleMemoryOnlyMeansMoreSlabs)
   expectEqual(whole, pieces, 1e-5);
 }
 
+TEST_F(OpenCL, PointsAtOnePlaceHaveNoShapeInAnyCell)
+{
+  Points points = box(2000, Point(4000, 40, 40), 16);
+  const Points once = points;
+  points.insert(points.end(), once.begin(), once.end());
+  check(points, points, withRadius(0.7));
+}
+
+TEST_F(OpenCL, CellsTooManyForAKeyOnlyMeanMoreSlabs)
+{
+  // 2^40 cells along every axis.
+  Points points = box(600, Point(3, 3, 3), 12);
+  for (std::size_t i = 0; i < points.size(); i += 3)
+    points[i] += Point(1e12, -1e12, 1e12);
+  check(points, points, withRadius(0.8));
+  EXPECT_GT(engine->slabs(), 1u);
+}
+
+TEST_F(OpenCL, TheTableOfCellsCountsAsMemory)
+{
+  // One point a cell: 117 places in the table for every point, many times the rest.
+  const Points points = box(3000, Point(900, 900, 900), 13);
+  const TensorSettings settings = withRadius(10);
+  engine->setMemoryLimit(1000000);
+  check(points, points, settings);
+  EXPECT_GT(engine->slabs(), 1u);
+}
+
+TEST_F(OpenCL, RunningTwiceGivesTheSameBits)
+{
+  const Points points = box(3000, Point(8, 6, 2), 14);
+  const TensorSettings settings = withRadius(0.9, "fermi-dirac-1");
+  const auto once = engine->estimate(points, points, settings);
+  const auto again = engine->estimate(points, points, settings);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_EQ(std::memcmp(&once[i], &again[i], sizeof once[i]), 0) << "point " << i;
+}
+
+TEST_F(OpenCL, EveryStageIsTimed)
+{
+  const Points points = box(3000, Point(8, 6, 2), 15);
+  engine->estimate(points, points, withRadius(0.9));
+  const opencl::StageTimes& times = engine->stageTimes();
+  for (const double seconds :
+       {times.upload, times.grid, times.tensor, times.analysis, times.download})
+    EXPECT_GT(seconds, 0);
+}
+
 TEST_F(OpenCL, SaysWhatItCannotDo)
 {
   TensorSettings settings;
@@ -205,6 +254,8 @@ TEST_F(OpenCL, SaysWhatItCannotDo)
   EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
                std::invalid_argument);
   settings = withRadius(1);
+  EXPECT_THROW(engine->estimate({}, {Point::Zero()}, settings, {{}, {5}}),
+               std::invalid_argument);
   settings.centroid = Centroid::WeightedMedian;
   EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
                std::invalid_argument);

@@ -21,7 +21,7 @@ namespace linelet {
 
 /** \brief What finds the neighbours. All engines give the same neighbours. */
 enum class Engine {
-  Auto,  ///< Grid for radii, Tree for the k nearest
+  Auto,  ///< the cheapest one, see engine_choice.h
   Tree,  ///< a kd-tree
   Grid,  ///< a uniform grid
   OpenCL ///< an OpenCL device; runs through opencl::TensorEngine alone
@@ -84,10 +84,6 @@ void
 validate(const TensorSettings& settings,
          const NeighbourhoodSizes& sizes,
          std::size_t queries);
-
-/** \brief The engine that \ref estimateTensors runs: what Engine::Auto stands for. */
-Engine
-chosenEngine(const TensorSettings& settings, const NeighbourhoodSizes& sizes = {});
 
 /** \brief The record of one neighbourhood: centroid, tensor, eigen-analysis and shape
  * factors, all in double. Every engine is this, or is tested against it.

@@ -16,20 +16,21 @@ namespace linelet::opencl {
 /** \brief What a part of the work took, in seconds of wall time. */
 struct StageTimes {
   double upload = 0;   ///< cells and places on the host, and their way to the device
-  double grid = 0;     ///< sorting and the table of runs
+  double grid = 0;     ///< keys of cells, sorting and the table of cells
   double tensor = 0;   ///< the tensor kernel
+  double analysis = 0; ///< eigen-analysis and records, on the device
   double download = 0; ///< the way back
-  double analysis = 0; ///< eigen-analysis, on the host in double
 };
 
 /** \brief The neighbourhood tensor on an OpenCL 1.2 device (SPEC: Grasso et al. 2015).
  *
- * Cells, sorting, neighbours, centroids and tensors are computed on the device in float
- * relative to each query point, the eigen-analysis on the host. Shape factors agree
- * with \ref estimateTensors within 1e-4, neighbour counts exactly where the device
- * computes in double (see Device::double_precision). A cloud that does not fit into the
- * device's memory is cut into slabs with a margin as wide as the radius. Not for use by
- * several threads at once. */
+ * Keys of cells, a bitonic sort, neighbours, centroids, tensors and their
+ * eigen-analysis are computed on the device, in float relative to each query point.
+ * Shape factors agree with \ref estimateTensors within 1e-4, neighbour counts exactly
+ * where the device computes in double (see Device::double_precision). A cloud that does
+ * not fit into the device's memory, or whose cells are too many for a key of 64 bits,
+ * is cut into slabs with a margin as wide as the radius. A device that is a processor
+ * runs on all of its cores. Not for use by several threads at once. */
 class TensorEngine {
 public:
   /** \brief Opens a device: the first GPU, else the first of any kind; or the one of

@@ -128,6 +128,14 @@ cellTable(global const ulong* queries,
 #define CHUNK_BITS 5
 #define CHUNK_MASK ((1 << CHUNK_BITS) - 1)
 
+// The place along x of a point or query relative to its chunk: rounded once, so that points
+// at one place have the same.
+INLINE float
+placeInChunk(float offset, int cell, float cell_size)
+{
+  return fma(cell_size, (float)(cell & CHUNK_MASK), offset);
+}
+
 // Positions in sorted order: x relative to its chunk, y and z to their cell.
 kernel void
 gatherPoints(global const ulong* points,
@@ -145,7 +153,7 @@ gatherPoints(global const ulong* points,
     return;
   const ulong index_mask = ((ulong)1 << layout.index_bits) - 1;
   const uint i = (uint)(points[place] & index_mask);
-  x[place] = offsets[3 * i] + cell_size * (float)(cells[i].x & CHUNK_MASK);
+  x[place] = placeInChunk(offsets[3 * i], cells[i].x, cell_size);
   y[place] = offsets[3 * i + 1];
   z[place] = offsets[3 * i + 2];
 }

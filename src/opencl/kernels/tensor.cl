@@ -22,10 +22,9 @@
 typedef struct {
   global const float *x, *y, *z; // sorted points, relative to chunk and cells
   global const uint* table;      // ROWS x ROW_PLACES of the query's cell
-  float qx;                      // query, relative to the first chunk of the rows
+  float qx, next_qx;             // query, relative to the first and next chunk of the rows
   float bx;                      // the same, relative to the first bin of the rows
   float qy, qz;                  // query, relative to its cell
-  float chunk_step;              // length of a chunk
   int next_chunk;                // bin with which the next chunk begins
   float cell_size, inverse_radius;
   float surely_inside, perhaps_inside; // squared distances, see BAND
@@ -240,7 +239,7 @@ walkNeighbours(
     walkRun(walk,
             chunk_end,
             end,
-            walk->qx - walk->chunk_step,
+            walk->next_qx,
             oy,
             oz,
             cx,
@@ -346,11 +345,14 @@ tensors(global const ulong* queries,
   walk.y = y;
   walk.z = z;
   walk.table = table + TABLE_SIZE * query_slot[place];
-  walk.qx = offsets[3 * i] + cell_size * (float)(REACH + (first_cell & CHUNK_MASK));
+  const float in_own_chunk = placeInChunk(offsets[3 * i], cells[i].x, cell_size);
+  const float chunk_step = cell_size * (float)(CHUNK_MASK + 1);
+  const bool begins_in_own = (first_cell & ~CHUNK_MASK) == (cells[i].x & ~CHUNK_MASK);
+  walk.qx = begins_in_own ? in_own_chunk : in_own_chunk + chunk_step;
+  walk.next_qx = begins_in_own ? in_own_chunk - chunk_step : in_own_chunk;
   walk.bx = offsets[3 * i] + cell_size * (float)REACH;
   walk.qy = offsets[3 * i + 1];
   walk.qz = offsets[3 * i + 2];
-  walk.chunk_step = cell_size * (float)(CHUNK_MASK + 1);
   walk.next_chunk = min((CHUNK_MASK + 1 - (first_cell & CHUNK_MASK)) * BINS, ROW_BINS);
   walk.cell_size = cell_size;
   walk.inverse_radius = 1 / radius;
