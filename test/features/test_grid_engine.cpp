@@ -148,6 +148,50 @@ TEST(GridEngine, AgreesOnAdversarialClouds)
         }
 }
 
+// Neighbours certain for many queries are summed apart from those that are tested, and
+// weights come from tables: with thousands of neighbours most do. Duplicates, a dense
+// spot and points near the query are where tables and lists change hands.
+TEST(GridEngine, AgreesForThousandsOfNeighbours)
+{
+  Points flat = uniformPoints(9000, {6, 6, 0.05}, 61);
+  Points spot = uniformPoints(6000, {4, 4, 4}, 62);
+  for (const Point& p : uniformPoints(3000, {0.3, 0.3, 0.3}, 63))
+    spot.push_back(p + Point(1, 0, 0));
+  Points twice = uniformPoints(4000, {3, 3, 3}, 64);
+  twice.insert(twice.end(), twice.begin(), twice.end());
+  Points wire = wireScene(8000, 65);
+  for (Point& p : wire)
+    p += Point(1e3, -2e3, 5e2);
+  for (const auto& [name, points] : {std::make_pair("a sheet", &flat),
+                                     std::make_pair("a dense spot", &spot),
+                                     std::make_pair("all points twice", &twice),
+                                     std::make_pair("a wire far off", &wire)})
+    for (const char* weight : {"fermi-dirac-1",
+                               "fermi-dirac-2",
+                               "fermi-dirac-3",
+                               "fermi-dirac:0.5,0.02",
+                               "fermi-dirac:2,5",
+                               "sph-4",
+                               "quadratic-inverse",
+                               "const"}) {
+      SCOPED_TRACE(std::string(name) + ", " + weight);
+      TensorSettings settings;
+      settings.radius = 1.6;
+      settings.weighting = Weighting(weight);
+      EXPECT_TRUE(gridAgrees(*points, settings, {}, 25));
+    }
+  // Radii of its own for every point: the tables are scaled.
+  NeighbourhoodSizes sizes;
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    sizes.radii.push_back(1 + 0.1 * static_cast<double>(i % 9));
+  for (const char* weight : {"fermi-dirac-1", "fermi-dirac-2", "fermi-dirac-3"}) {
+    SCOPED_TRACE(weight);
+    TensorSettings settings;
+    settings.weighting = Weighting(weight);
+    EXPECT_TRUE(gridAgrees(flat, settings, sizes, 25));
+  }
+}
+
 TEST(GridEngine, TakesARadiusForEveryPoint)
 {
   const Points points = wireScene(4000, 11);

@@ -11,6 +11,7 @@
 #include <hwy/aligned_allocator.h>
 
 #include <linelet/support/points.h>
+#include <linelet/tensor/neighbourhood_tensor.h>
 
 namespace linelet::grid {
 
@@ -83,22 +84,16 @@ private:
 };
 
 /** \brief Sums over points p: number (or weight), p, and p (x) p. */
-struct Moments {
+struct Moments : SymmetricTensor {
   double count = 0;
   Point first = Point::Zero();
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 
   void
   add(double weight, const Point& p)
   {
     count += weight;
     first += weight * p;
-    xx += weight * p.x() * p.x();
-    xy += weight * p.x() * p.y();
-    xz += weight * p.x() * p.z();
-    yy += weight * p.y() * p.y();
-    yz += weight * p.y() * p.z();
-    zz += weight * p.z() * p.z();
+    SymmetricTensor::add(weight, p);
   }
 
   Moments&
@@ -106,12 +101,7 @@ struct Moments {
   {
     count += other.count;
     first += other.first;
-    xx += other.xx;
-    xy += other.xy;
-    xz += other.xz;
-    yy += other.yy;
-    yz += other.yz;
-    zz += other.zz;
+    SymmetricTensor::operator+=(other);
     return *this;
   }
 
@@ -129,12 +119,6 @@ struct Moments {
     m.xz += count * o.x() * o.z() - s.x() * o.z() - s.z() * o.x();
     m.yz += count * o.y() * o.z() - s.y() * o.z() - s.z() * o.y();
     return m;
-  }
-
-  double
-  trace() const
-  {
-    return xx + yy + zz;
   }
 };
 
