@@ -20,6 +20,9 @@
 
 namespace linelet::grid {
 
+/** \brief Half a unit in the last place of a float. */
+constexpr double float_rounding = 0x1p-24;
+
 /** \brief The shapes of the neighbourhoods of some queries at all scales. Arrays have
  * an entry a scale. */
 struct LeafShapes {
