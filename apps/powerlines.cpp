@@ -52,6 +52,34 @@ toJson(const PowerLineNetwork& network, Clearance Wire::*kind)
   return {{"distance", clearance.distance}, {"wire", wire}};
 }
 
+/** Sags and clearances in feet or degrees would be looked for in metres, and missed. */
+void
+requireMetres(const io::Cloud& cloud, const std::string& path)
+{
+  const std::string help =
+      ", and power lines are looked for in metres; project it first, for example with "
+      "pdal translate IN OUT.las reprojection "
+      "--filters.reprojection.out_srs=EPSG:25832 "
+      "(the code of your zone)";
+  const std::string unit = io::unitOtherThanMetre(cloud.wkt);
+  if (!unit.empty())
+    throw io::FileError(path + ": its reference system " +
+                        io::referenceName(cloud.wkt) + " has the unit " + unit + help);
+  // Degrees that no reference system tells of: next to no extent, but for the height.
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Point& p : cloud.points)
+    if (p.allFinite()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  const Point extent = high - low;
+  const Point world = cloud.shift + low;
+  if (cloud.wkt.empty() && cloud.points.size() > 1 &&
+      extent.head<2>().maxCoeff() < 0.5 && extent.z() > 2 &&
+      std::abs(world.x()) <= 360 && std::abs(world.y()) <= 90)
+    throw io::FileError(path + ": its coordinates look like degrees" + help);
+}
+
 } // namespace
 
 int
@@ -78,6 +106,8 @@ runPowerlines(const std::vector<std::string>& arguments)
 
   std::vector<std::string> warnings;
   io::Cloud cloud = io::readCloud(in, reading, &warnings, &frame.monitor);
+  requireMetres(cloud, in);
+  powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =
       powerline::extractPowerLines(cloud, settings, &frame.monitor);

@@ -21,6 +21,8 @@ namespace linelet::io {
 
 namespace {
 
+constexpr const char* label_height = "0.5"; // of texts in drawings, units of the file
+
 /** Keeps what GDAL complains about for our own message. */
 class Complaints {
 public:
@@ -201,7 +203,20 @@ writeGeoPackage(const std::string& path,
   writer.close();
 }
 
-/** DXF knows no attributes: each of our layers becomes a layer of the drawing. */
+/** Text of a style string: quotes and backslashes escaped. */
+std::string
+labelStyle(const std::string& text)
+{
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\')
+      escaped += '\\';
+    escaped += letter;
+  }
+  return "LABEL(f:\"Arial\",t:\"" + escaped + "\",s:" + label_height + "g,p:5)";
+}
+
+/** DXF knows no attributes, but layers and texts. */
 void
 writeDxf(const std::string& path,
          const std::string& staged,
@@ -213,8 +228,16 @@ writeDxf(const std::string& path,
   for (const VectorLayer& content : layers)
     for (const VectorFeature& feature : content.features) {
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
-      out->SetField("Layer", content.name.c_str());
+      const std::string& own = feature.drawing_layer;
+      out->SetField("Layer", own.empty() ? content.name.c_str() : own.c_str());
       writer.add(*layer, *out);
+      if (feature.label.empty())
+        continue;
+      const Point& middle = feature.vertices[feature.vertices.size() / 2];
+      const auto text = writer.makeFeature(*layer, VectorLayer::Kind::Points, {middle});
+      text->SetField("Layer", "labels");
+      text->SetStyleString(labelStyle(feature.label).c_str());
+      writer.add(*layer, *text);
     }
   writer.close();
 }

@@ -3,6 +3,8 @@
 
 #include "reference.h"
 
+#include <cmath>
+
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <ogr_spatialref.h>
@@ -80,6 +82,25 @@ referenceName(const std::string& wkt)
   if (reference == nullptr || reference->GetName() == nullptr)
     return {};
   return reference->GetName();
+}
+
+std::string
+unitOtherThanMetre(const std::string& wkt)
+{
+  const Reference reference = parseReference(wkt);
+  if (reference == nullptr)
+    return {};
+  const Quiet quiet;
+  if (reference->IsGeographic() != 0)
+    return "degree";
+  constexpr double exactly = 1e-9;
+  const char* name = nullptr;
+  if (std::abs(reference->GetLinearUnits(&name) - 1) > exactly)
+    return name != nullptr ? name : "unknown unit";
+  if (reference->IsCompound() != 0 &&
+      std::abs(reference->GetTargetLinearUnits("VERT_CS", &name) - 1) > exactly)
+    return name != nullptr ? name : "unknown unit";
+  return {};
 }
 
 } // namespace linelet::io

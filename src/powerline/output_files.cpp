@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 #include <linelet/powerline/output_files.h>
 
@@ -53,6 +54,17 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network)
   cloud.set({"wire_distance", network.wire_distance, "to the wire, m"});
 }
 
+void
+makeOutputFolder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw io::FileError("cannot make the folder " + folder + ": " +
+                        (error ? error.message() : "there is a file of that name"));
+  io::checkCloudOutput((std::filesystem::path(folder) / "classified.las").string());
+}
+
 std::vector<std::string>
 writePowerLineFiles(const std::string& folder,
                     io::Cloud cloud,
@@ -61,10 +73,7 @@ writePowerLineFiles(const std::string& folder,
                     std::vector<std::string>* warnings,
                     Monitor* monitor)
 {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw io::FileError("cannot make the folder " + folder + ": " + error.message());
+  makeOutputFolder(folder);
   std::vector<std::string> paths;
   for (const char* name : {"classified.las",
                            "wires.geojson",

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <string>
 #include <utility>
 
 #include <linelet/powerline/output_files.h>
@@ -20,6 +23,17 @@ io::Value
 whole(int value)
 {
   return static_cast<std::int64_t>(value);
+}
+
+/** For reading, not for computing; "-" for what is not known. */
+std::string
+decimals(double value)
+{
+  if (!std::isfinite(value))
+    return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
 }
 
 io::VectorFeature
@@ -59,6 +73,15 @@ wireFeature(const Wire& wire,
       {"largest_gap", wire.largest_gap},
       {"confidence", wire.confidence},
       {"reason", wire.reason}};
+  feature.drawing_layer = "wires_circuit_" + std::to_string(wire.circuit) + "_span_" +
+                          std::to_string(span.number) + "_wire_" +
+                          std::to_string(wire.number);
+  feature.label =
+      "wire_id " + std::to_string(wire.id) + ", span_id " + std::to_string(wire.span) +
+      ", length " + decimals(wire.length) + ", sag " + decimals(wire.sag) +
+      ", catenary_a " + decimals(wire.curve.a) + ", ground_clearance " +
+      decimals(wire.ground.distance) + ", vegetation_clearance " +
+      decimals(wire.vegetation.distance) + ", confidence " + decimals(wire.confidence);
   return feature;
 }
 
@@ -74,6 +97,8 @@ supportFeature(const Support& support, const Point& shift)
                         {"top_z", support.top.z() + shift.z()},
                         {"points", whole(support.points)},
                         {"confidence", support.confidence}};
+  feature.label = std::string(pole ? "pole " : "pylon ") + std::to_string(support.id) +
+                  ", height " + decimals(support.height);
   return feature;
 }
 

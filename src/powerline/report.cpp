@@ -90,12 +90,15 @@ addTotals(Markup& page, const Content& content)
   const std::string limit =
       "wires below " + report::number(content.options.clearance, 1) + " m clearance";
   page << "<div class=\"totals\">\n";
-  addTotal(page, std::to_string(network.circuits.size()), "lines");
-  addTotal(page, std::to_string(network.spans.size()), "spans");
-  addTotal(page, std::to_string(network.wires.size()), "wires");
+  const auto addCount = [&](std::size_t count, const std::string& one) {
+    addTotal(page, std::to_string(count), (count == 1 ? one : one + "s").c_str());
+  };
+  addCount(network.circuits.size(), "line");
+  addCount(network.spans.size(), "span");
+  addCount(network.wires.size(), "wire");
   addTotal(page, report::number(length / 1000, 3) + " km", "of wire");
-  addTotal(page, std::to_string(network.supports.size() - poles), "pylons");
-  addTotal(page, std::to_string(poles), "poles");
+  addCount(network.supports.size() - poles, "pylon");
+  addCount(poles, "pole");
   addTotal(page, std::to_string(below), limit.c_str(), below > 0);
   addTotal(page, std::to_string(doubtful), "wires in doubt");
   page << "</div>\n";

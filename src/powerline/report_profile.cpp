@@ -13,6 +13,7 @@ namespace linelet::powerline::report {
 namespace {
 
 constexpr double left = 46, widest = 1004, top = 14, deepest = 300; ///< pixels
+constexpr double narrow_chart = 420; ///< pixels, its caption stands beside it
 
 /** From metres along and up to pixels. */
 struct View {
@@ -88,7 +89,9 @@ addAxes(Markup& page, const View& view)
          << " H" << view.right() << "\"/><text class=\"tick end\" x=\"" << left - 5
          << "\" y=\"" << view.y(z - view.world) + 4 << "\">" << number(z, 0)
          << "</text>\n";
-  const double on = roundStep(view.to - view.from, 10);
+  // A short span is drawn small: fewer ticks, or their numbers run into each other.
+  const double ticks = std::clamp((view.right() - left) / 45.0, 2.0, 10.0);
+  const double on = roundStep(view.to - view.from, static_cast<int>(ticks));
   for (double s = std::ceil(view.from / on) * on; s < view.to; s += on)
     page << "<path class=\"grid\" d=\"M" << view.x(s) << " " << top << " V"
          << view.bottom() << "\"/><text class=\"tick middle\" x=\"" << view.x(s)
@@ -225,11 +228,12 @@ addProfile(Markup& page,
   addWireCurves(page, content, span, frame, view);
   addClearance(page, content, span, frame, view);
   const double factor = view.y_scale / view.x_scale;
+  const bool narrow = view.right() - left < narrow_chart;
   page << "<text class=\"tick\" x=\"" << left << "\" y=\"" << view.bottom() + 29
-       << "\">" << content.supportName(span.from_support)
-       << "</text><text class=\"tick middle\" x=\"" << 0.5 * (left + view.right())
-       << "\" y=\"" << view.bottom() + 29
-       << "\">metres along the span, heights in metres"
+       << "\">" << content.supportName(span.from_support) << "</text><text class=\"tick"
+       << (narrow ? "" : " middle") << "\" x=\""
+       << (narrow ? view.right() + 40 : 0.5 * (left + view.right())) << "\" y=\""
+       << view.bottom() + 29 << "\">metres along the span, heights in metres"
        << (std::abs(factor - 1) < 0.01
                ? std::string(", to scale")
                : ", heights stretched × " + number(factor, factor < 1 ? 2 : 0))

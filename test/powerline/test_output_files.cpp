@@ -200,7 +200,31 @@ TEST_F(OutputFiles, LayersOpenInGdalWithGeometryAttributesAndReference)
   }
   const auto drawing = open("wires.dxf");
   ASSERT_NE(drawing, nullptr);
-  EXPECT_EQ(drawing->GetLayer(0)->GetFeatureCount(), 6);
+  EXPECT_EQ(drawing->GetLayer(0)->GetFeatureCount(), 12); // with a text each
+}
+
+TEST_F(OutputFiles, ADrawingNamesItsWiresByLayerAndText)
+{
+  write();
+  const auto drawing = open("wires.dxf");
+  ASSERT_NE(drawing, nullptr);
+  std::size_t wires = 0, texts = 0;
+  for (const auto& feature : *drawing->GetLayer(0)) {
+    const std::string layer = feature->GetFieldAsString("Layer");
+    if (layer.rfind("wires_circuit_", 0) == 0) {
+      ++wires;
+      EXPECT_EQ(wkbFlatten(feature->GetGeometryRef()->getGeometryType()),
+                wkbLineString);
+      EXPECT_EQ(feature->GetGeometryRef()->getCoordinateDimension(), 3);
+    }
+    const std::string text = feature->GetFieldAsString("Text");
+    texts += layer == "labels" && text.rfind("wire_id ", 0) == 0;
+    if (text.rfind("wire_id 2,", 0) == 0) {
+      EXPECT_NE(text.find("vegetation_clearance 3.00"), std::string::npos) << text;
+    }
+  }
+  EXPECT_EQ(wires, 3U);
+  EXPECT_EQ(texts, 3U);
 }
 
 TEST_F(OutputFiles, GeoJsonSaysWorldCoordinatesAndTheirReference)

@@ -84,4 +84,10 @@ valueAt(const Column& column, std::size_t i);
 std::string
 referenceName(const std::string& wkt);
 
+/** \brief The first unit of the reference system \a wkt that is not the metre, by its
+ * name: "degree", "US survey foot", ...; empty where all are metres or the system is
+ * unknown. */
+std::string
+unitOtherThanMetre(const std::string& wkt);
+
 } // namespace linelet::io

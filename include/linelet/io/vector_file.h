@@ -21,6 +21,8 @@ using Value = std::variant<std::int64_t, double, std::string>;
 struct VectorFeature {
   Points vertices; ///< world coordinates; a closed line repeats its first vertex
   std::vector<std::pair<std::string, Value>> attributes; ///< in the order of columns
+  std::string drawing_layer; ///< its layer in a DXF drawing; empty: that of the layer
+  std::string label;         ///< text beside it in a DXF drawing; empty: none
 };
 
 /** \brief Features of one kind under one name. */
@@ -35,8 +37,9 @@ struct VectorLayer {
  * reference system. An existing file is replaced; the same input gives the same bytes.
  *
  * GeoJSON holds all layers in one collection, each feature with a property `layer`, and
- * names the reference system in its `crs` member. DXF holds no attributes; each layer
- * is a layer of the drawing. \param[in] wkt reference system, empty: unknown \throws
+ * names the reference system in its `crs` member. DXF holds no attributes: there a
+ * feature has its VectorFeature::drawing_layer, and its label becomes a text on the
+ * layer `labels`. \param[in] wkt reference system, empty: unknown \throws
  * FileError */
 void
 writeLayers(const std::string& path,

@@ -32,7 +32,9 @@ void
 classify(io::Cloud& cloud, const PowerLineNetwork& network);
 
 /** \brief The network as layers in world coordinates: `wires` (lines) and `pylons`
- * (points at the foot), each with its attributes; also without a feature.
+ * (points at the foot), each with its attributes; also without a feature. In a drawing
+ * every wire is a layer `wires_circuit_1_span_2_wire_3`, with its main attributes as a
+ * text on the layer `labels`.
  * \param[in] shift world coordinates of the network's origin */
 std::vector<io::VectorLayer>
 powerLineLayers(const PowerLineNetwork& network,
@@ -52,6 +54,11 @@ std::string
 powerLineReport(const io::Cloud& cloud,
                 const PowerLineNetwork& network,
                 const OutputOptions& options);
+
+/** \brief Makes \a folder if need be and makes sure that files can be written there, so
+ * that this fails before long work. \throws io::FileError */
+void
+makeOutputFolder(const std::string& folder);
 
 /** \brief Writes `classified.las`, `wires.geojson`, `wires.gpkg`, `wires.dxf`,
  * `summary.json` and `report.html` into \a folder, which is made if need be. An empty
