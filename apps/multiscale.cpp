@@ -180,17 +180,12 @@ addColumns(io::Cloud& cloud, const std::vector<MultiScaleShape>& shapes)
   add("scale", &S::scale, "number of the optimal scale");
 }
 
-/** \brief Shapes about the query points, for which the noise measures are defined. */
-std::vector<MultiScaleShape>
-shapesAboutPoints(const Points& points,
-                  MultiScaleSettings settings,
-                  const MultiScaleShapes& result,
-                  Monitor* monitor)
+/** \brief The noise measures are defined for shapes about the query points. */
+MultiScaleSettings
+aboutPoints(MultiScaleSettings settings)
 {
   settings.centroid = Centroid::QueryPoint;
-  settings.stop_change = 0;
-  settings.radii = result.radii;
-  return multiScaleShapes(points, points, settings, {}, monitor).shapes;
+  return settings;
 }
 
 /** \brief JSON has no NaN. */
@@ -249,7 +244,9 @@ runMultiscale(const std::vector<std::string>& arguments)
   if (!cloud.points.empty()) {
     planned.engine =
         chosenScaleEngine(cloud.points, cloud.points, planned.radii.back(), planned);
-    const Cost cost = estimateCost(cloud.points, planned);
+    Cost cost = estimateCost(cloud.points, planned);
+    if (planned.centroid != Centroid::QueryPoint)
+      cost.seconds += estimateCost(cloud.points, aboutPoints(planned)).seconds;
     if (cost.seconds > 3)
       std::fprintf(stderr,
                    "linelet multiscale: largest radius %.4g holds %.0f neighbours a "
@@ -276,7 +273,9 @@ runMultiscale(const std::vector<std::string>& arguments)
   const std::vector<MultiScaleShape> about_points =
       settings.centroid == Centroid::QueryPoint
           ? result.shapes
-          : shapesAboutPoints(cloud.points, settings, result, &frame.monitor);
+          : multiScaleShapes(
+                cloud.points, cloud.points, aboutPoints(planned), {}, &frame.monitor)
+                .shapes;
   const double noise_rate = noiseRate(about_points);
   const double noise_width = noiseWidth(about_points);
 
