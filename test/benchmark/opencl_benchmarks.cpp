@@ -68,8 +68,8 @@ openCl(benchmark::State& state, Scene kind, const char* weight, double neighbour
   state.counters["upload_ms"] = 1e3 * times.upload;
   state.counters["grid_ms"] = 1e3 * times.grid;
   state.counters["tensor_ms"] = 1e3 * times.tensor;
-  state.counters["download_ms"] = 1e3 * times.download;
   state.counters["analysis_ms"] = 1e3 * times.analysis;
+  state.counters["download_ms"] = 1e3 * times.download;
 }
 
 } // namespace
