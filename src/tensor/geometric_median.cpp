@@ -13,8 +13,8 @@
 #include <Eigen/Core>
 
 // The loops over points, compiled for every instruction set that matters.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&                 \
-    defined(__linux__)
+#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) &&                      \
+    defined(__x86_64__) && defined(__linux__)
 #define LINELET_ON_VECTORS                                                             \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
