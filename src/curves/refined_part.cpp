@@ -26,6 +26,9 @@ namespace {
 // so far, those beyond it are not tried.
 constexpr std::array<double, 6> bandwidths = {1, 0.7, 0.5, 1.4, 2, 2.8};
 constexpr std::size_t first_upwards = 3;
+// Where the spacing of the points varies, these bandwidths are tried once more, varying
+// with it.
+constexpr std::array<std::size_t, 3> varied_bandwidths = {0, 1, 3};
 constexpr double hopeless_score = 60;
 constexpr std::size_t least_part = 5;
 // The bandwidth of a part this large is chosen by a few samples of neighbouring points.
@@ -231,28 +234,45 @@ public:
     return fitter_.fit(start, settings);
   }
 
+  /** \brief Lets bandwidth, spacing and noise vary by \a scales from here on. */
+  void
+  vary(const ScaleField* scales)
+  {
+    scales_ = scales;
+  }
+
   /** \brief Traces and fits with bandwidth number \a k.
    * \return the score; where nothing new was to be fitted, that of the best */
   double
   tryBandwidth(std::size_t k)
   {
-    const double b = bandwidths[k] * scale_unit_;
-    const RidgeField field(points_, b);
+    const double unit = scales_ ? scales_->unit() : scale_unit_;
+    const double b = bandwidths[k] * unit;
+    const RidgeField field(points_, b, scales_);
     const Traces traces =
         traceRidges(field, {user_.start_points, user_.max_iterations});
+    double local = scales_ && !traces.meetings.empty() ? 0 : b; // where curves meet
+    if (local == 0)
+      for (const Point& meeting : traces.meetings)
+        local +=
+            field.bandwidthAt(meeting) / static_cast<double>(traces.meetings.size());
     PairingSettings pairing;
-    pairing.cluster = 2.5 * b;
-    pairing.cut = 1.25 * b;
-    pairing.reach = 3 * b;
+    pairing.cluster = 2.5 * local;
+    pairing.cut = 1.25 * local;
+    pairing.reach = 3 * local;
     ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
-    if (start.empty() || (!best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
+    const bool alike = best_.settings.scales == scales_;
+    if (start.empty() ||
+        (alike && !best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
       return best_.score;
     for (ModelCurve& curve : start)
-      curve.scale = b;
+      curve.scale = std::min(field.bandwidthAt(curve.nodes.front()),
+                             field.bandwidthAt(curve.nodes.back()));
     EmSettings settings;
-    settings.spacing = std::max(0.4 * scale_unit_, 0.24 * b);
+    settings.scales = scales_;
+    settings.spacing = std::max(0.4 * unit, 0.24 * b);
     settings.noise = 0.5 * b;
-    settings.least_noise = 0.1 * scale_unit_;
+    settings.least_noise = 0.1 * unit;
     settings.bending = 1 / frame_.diagonal;
     EmFit fit = fitter_.fit(start, settings);
     const double score = scoreOf(fit, points_.size());
@@ -267,6 +287,7 @@ private:
   UniformGrid grid_;
   EmFitter fitter_;
   const RefinedSettings& user_;
+  const ScaleField* scales_ = nullptr;
   Fitted best_;
 };
 
@@ -350,7 +371,7 @@ refineThinned(const Points& points,
   for (const Point& p : points)
     if (uniform(random) < share)
       some.push_back(p);
-  EmFit fit = refinePart(some, user, stop, progress);
+  EmFit fit = refinePart(some, user, nullptr, stop, progress);
   for (auto& counts : fit.counts)
     for (double& count : counts)
       count /= share;
@@ -362,6 +383,7 @@ refineThinned(const Points& points,
 EmFit
 refinePart(const Points& points,
            const RefinedSettings& user,
+           const ScaleField* scales,
            const std::function<bool()>& stop,
            const std::function<void(double)>& progress)
 {
@@ -391,6 +413,11 @@ refinePart(const Points& points,
       }
       progress(static_cast<double>(k + 1) / (2.0 + bandwidths.size()));
     }
+  }
+  if (scales && points.size() <= sampled_part) {
+    part.vary(scales);
+    for (const std::size_t k : varied_bandwidths)
+      part.tryBandwidth(k);
   }
   // Close parallel curves are traced as one.
   EmFit& best = part.best().fit;
@@ -433,28 +460,33 @@ refinePart(const Points& points,
 }
 
 std::vector<Indices>
-connectedParts(const Points& points, double distance, std::size_t least)
+connectedParts(const Points& points,
+               double distance,
+               std::size_t least,
+               const ScaleField* scales)
 {
   const UniformGrid grid(points, distance);
-  std::vector<std::size_t> part(points.size(), UniformGrid::none);
-  std::vector<Indices> parts;
+  std::vector<std::size_t> root(points.size());
+  std::iota(root.begin(), root.end(), std::size_t(0));
+  const auto rootOf = [&](std::size_t i) {
+    while (root[i] != i)
+      i = root[i] = root[root[i]];
+    return i;
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (part[i] != UniformGrid::none || !points[i].allFinite())
-      continue;
-    Indices members{static_cast<Index>(i)};
-    part[i] = i;
-    for (std::size_t k = 0; k < members.size(); ++k)
-      grid.forEachWithin(points[members[k]], distance, [&](Index j, double) {
-        if (part[j] == UniformGrid::none) {
-          part[j] = i;
-          members.push_back(j);
-        }
-      });
-    if (members.size() >= least) {
-      std::sort(members.begin(), members.end());
-      parts.push_back(std::move(members));
-    }
+    const double wider = scales ? std::max(1.0, scales->at(points[i])) : 1;
+    grid.forEachWithin(points[i], wider * distance, [&](Index j, double) {
+      const std::size_t a = rootOf(i), b = rootOf(j);
+      root[std::max(a, b)] = std::min(a, b);
+    });
   }
+  std::vector<Indices> all(points.size()), parts;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      all[rootOf(i)].push_back(static_cast<Index>(i));
+  for (Indices& members : all)
+    if (members.size() >= least)
+      parts.push_back(std::move(members));
   return parts;
 }
 

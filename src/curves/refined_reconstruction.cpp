@@ -33,6 +33,10 @@ constexpr double attach_distance = 0.8;
 constexpr double loop_length = 5;
 
 constexpr std::size_t least_part = 5;
+// The spacing of so many points is looked at, and followed where it varies by more than
+// this along the curves.
+constexpr std::size_t most_varied = 60000;
+constexpr double uneven = 2.5;
 constexpr std::size_t most_in_cell = 100; // of side D
 // Vertices of the result per node of the fit: an edge across a junction is told by its
 // vertices to belong to neither curve, so it had better be short.
@@ -57,6 +61,21 @@ supportOf(const ModelCurve& curve,
   return result;
 }
 
+/** \brief \a curve with every edge in so many parts. */
+ModelCurve
+finely(const ModelCurve& curve)
+{
+  ModelCurve result = curve;
+  result.nodes.clear();
+  for (std::size_t e = 0; e < curve.edges(); ++e)
+    for (std::size_t k = 0; k < finer; ++k)
+      result.nodes.emplace_back(curve.from(e) + static_cast<double>(k) / finer *
+                                                    (curve.to(e) - curve.from(e)));
+  if (!curve.closed)
+    result.nodes.push_back(curve.nodes.back());
+  return result;
+}
+
 CurveNetwork
 networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& counts)
 {
@@ -65,8 +84,7 @@ networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& cou
   for (const ModelCurve& coarse : curves) {
     if (coarse.edges() == 0)
       continue;
-    const ModelCurve model =
-        resampled(coarse, length(coarse) / static_cast<double>(finer * coarse.edges()));
+    const ModelCurve model = finely(coarse);
     Curve curve;
     curve.points = model.nodes;
     curve.closed = model.closed;
@@ -172,7 +190,12 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
   for (const Index i : thinned(all, scale_unit))
     thin.push_back(all[i]);
   const Points& points = thin.size() < all.size() ? thin : all;
-  const std::vector<Indices> parts = connectedParts(points, link, least_part);
+  ScaleField scales;
+  if (points.size() <= most_varied)
+    scales = ScaleField(points, scale_unit);
+  const bool varied = scales.spread() > uneven;
+  const std::vector<Indices> parts =
+      connectedParts(points, link, least_part, varied ? &scales : nullptr);
   std::vector<EmFit> fits(parts.size());
   if (monitor)
     monitor->begin("curves", points.size());
@@ -194,16 +217,18 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
       const Point origin = points[parts[p].front()];
       for (const Index i : parts[p])
         part.push_back(points[i] - origin);
-      fits[p] = refinePart(part, settings, stop, [&](double share) {
-        if (stop())
-          throw Cancelled();
-        const auto now = static_cast<std::size_t>(std::min(1.0, share) *
-                                                  static_cast<double>(parts[p].size()));
-        if (monitor && now > told) {
-          monitor->advance(now - told);
-          told = now;
-        }
-      });
+      const ScaleField local = scales.from(origin);
+      fits[p] = refinePart(
+          part, settings, varied ? &local : nullptr, stop, [&](double share) {
+            if (stop())
+              throw Cancelled();
+            const auto now = static_cast<std::size_t>(
+                std::min(1.0, share) * static_cast<double>(parts[p].size()));
+            if (monitor && now > told) {
+              monitor->advance(now - told);
+              told = now;
+            }
+          });
       for (ModelCurve& curve : fits[p].curves)
         for (Point& node : curve.nodes)
           node += origin;

@@ -54,19 +54,19 @@ public:
     heads_[bucket] = nodes_.size() - 1;
   }
 
-  /** \brief The nearest node within \a distance that \a accept takes, or null. */
+  /** \brief The nearest node within \a distance (at most a cell) that \a accept takes,
+   * or null. */
   template <class Accept>
   const Node*
   nearest(const Point& x, double distance, Accept&& accept) const
   {
     const Eigen::Matrix<std::int64_t, 3, 1> middle = cellOf(x);
-    const auto reach = static_cast<std::int64_t>(std::ceil(distance / cell_));
     const Node* best = nullptr;
     double best_squared = distance * distance;
     Eigen::Matrix<std::int64_t, 3, 1> c;
-    for (c.x() = middle.x() - reach; c.x() <= middle.x() + reach; ++c.x())
-      for (c.y() = middle.y() - reach; c.y() <= middle.y() + reach; ++c.y())
-        for (c.z() = middle.z() - reach; c.z() <= middle.z() + reach; ++c.z())
+    for (c.x() = middle.x() - 1; c.x() <= middle.x() + 1; ++c.x())
+      for (c.y() = middle.y() - 1; c.y() <= middle.y() + 1; ++c.y())
+        for (c.z() = middle.z() - 1; c.z() <= middle.z() + 1; ++c.z())
           for (std::size_t k = heads_[bucketOf(c)]; k != none; k = nodes_[k].next) {
             const double squared = (nodes_[k].at - x).squaredNorm();
             if (squared <= best_squared && accept(nodes_[k])) {
@@ -99,18 +99,11 @@ private:
   std::vector<Node> nodes_;
 };
 
-/** \brief The bandwidth at some point. */
-double
-middleBandwidth(const RidgeField& field)
-{
-  return field.bandwidthAt(field.kept()[field.kept().size() / 2]);
-}
-
 class Tracer {
 public:
   Tracer(const RidgeField& field, const TraceLimits& limits)
       : field_(field),
-        map_(attach_distance * middleBandwidth(field), field.kept().size()),
+        map_(attach_distance * field.widestBandwidth(), field.kept().size()),
         explained_(field.kept().size(), 0)
   {
     // A trace has nothing to gain from more steps than its points can feed.

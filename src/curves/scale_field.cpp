@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <linelet/curves/ridge_field.h>
 #include <linelet/search/kd_tree.h>
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::size_t spacing_neighbours = 6;
 constexpr std::size_t smoothing_neighbours = 12;
-constexpr double widest = 8;
 // Points whose neighbourhood is this linear tell of the spacing along curves; so large
 // a share of all there must be.
 constexpr double least_linearity = 0.6;
@@ -24,7 +24,7 @@ constexpr double least_linear = 0.3;
 } // namespace
 
 ScaleField::ScaleField(const Points& points, double scale_unit)
-    : grid_(points, 2 * scale_unit)
+    : grid_(std::make_shared<UniformGrid>(points, 2 * scale_unit)), unit_(scale_unit)
 {
   const KdTree tree(points);
   std::vector<double> logarithms(points.size());
@@ -33,9 +33,10 @@ ScaleField::ScaleField(const Points& points, double scale_unit)
     tree.nearest(points[i], smoothing_neighbours + 1, near[i]);
     const Index sixth = near[i][std::min(spacing_neighbours, near[i].size() - 1)];
     const double spacing = (points[sixth] - points[i]).norm() / scale_unit;
-    logarithms[i] = std::log(std::clamp(spacing, 1 / widest, widest));
+    logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
   }
   std::vector<double> linear;
+  auto values = std::make_shared<std::vector<double>>();
   for (std::size_t i = 0; i < points.size(); ++i) {
     double sum = 0;
     Point mean = Point::Zero();
@@ -47,11 +48,12 @@ ScaleField::ScaleField(const Points& points, double scale_unit)
       second += v * v.transpose();
     }
     const auto count = static_cast<double>(near[i].size());
-    scales_.push_back(std::exp(sum / count));
+    values->push_back(std::exp(sum / count));
     mean /= count;
     if (linearityOf(second / count - mean * mean.transpose()) >= least_linearity)
-      linear.push_back(scales_.back());
+      linear.push_back(values->back());
   }
+  values_ = std::move(values);
   if (static_cast<double>(linear.size()) <
       least_linear * static_cast<double>(points.size()))
     return;

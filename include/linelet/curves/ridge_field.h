@@ -62,6 +62,11 @@ public:
   {
     return scales_ ? bandwidth_ * scales_->at(x) : bandwidth_;
   }
+  double
+  widestBandwidth() const
+  {
+    return scales_ ? bandwidth_ * scales_->widest() : bandwidth_;
+  }
   const UniformGrid&
   grid() const
   {

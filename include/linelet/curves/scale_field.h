@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <linelet/search/uniform_grid.h>
@@ -17,24 +18,40 @@ namespace linelet {
  * takes from the scale unit then grow by it. Without points it is 1 everywhere. */
 class ScaleField {
 public:
-  ScaleField() : grid_({}, 1) {}
+  ScaleField() = default;
 
   /** \brief The distance of every point to its sixth neighbour, smoothed over its
    * neighbourhood, beside \a scale_unit; between 1/8 and 8.
    * \param[in] points finite points */
   ScaleField(const Points& points, double scale_unit);
 
+  /** \brief This field for coordinates that count from \a origin; it shares memory. */
+  ScaleField
+  from(const Point& origin) const
+  {
+    ScaleField field = *this;
+    field.origin_ += origin;
+    return field;
+  }
+
   double
   at(const Point& x) const
   {
-    const Index nearest = scales_.empty() ? UniformGrid::none : grid_.nearest(x);
-    return nearest == UniformGrid::none ? 1 : scales_[nearest];
+    return values_ ? (*values_)[grid_->nearest(x + origin_)] : 1;
   }
 
-  bool
-  isUniform() const
+  /** \brief No value is greater. */
+  static constexpr double
+  widest()
   {
-    return scales_.empty();
+    return 8;
+  }
+
+  /** \brief The scale unit of which this is a multiple. */
+  double
+  unit() const
+  {
+    return unit_;
   }
 
   /** \brief The ratio of wide to narrow spacings along curves: that of the ninth to the
@@ -46,8 +63,10 @@ public:
   }
 
 private:
-  UniformGrid grid_;
-  std::vector<double> scales_;
+  std::shared_ptr<const UniformGrid> grid_;
+  std::shared_ptr<const std::vector<double>> values_;
+  Point origin_ = Point::Zero();
+  double unit_ = 0;
   double spread_ = 1;
 };
 
