@@ -117,11 +117,13 @@ explained(const cl::Error& error, const std::string& device)
           error.err()};
 }
 
-Context::Context(const std::string& wish) : cl_device_(choose(wish))
+Context::Context(const std::string& wish, unsigned lanes)
+    : lanes_(lanes), cl_device_(choose(wish))
 {
   device_ = describe(cl_device_);
   const auto native = cl_device_.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
-  lanes_ = native >= 16 ? 16 : native >= 8 ? 8 : native >= 4 ? 4 : 1;
+  if (lanes_ == 0)
+    lanes_ = native >= 16 ? 16 : native >= 8 ? 8 : native >= 4 ? 4 : 1;
   try {
     context_ = cl::Context(cl_device_);
     queue_ = cl::CommandQueue(context_, cl_device_);

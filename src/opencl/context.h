@@ -28,8 +28,9 @@ class Context {
 public:
   /** \brief Opens a device: the first GPU, else the first device of any kind; or the
    * first one whose number (as listed by \ref devices) or part of whose name is \a
-   * wish. \throws Error listing the devices where there is none such */
-  explicit Context(const std::string& wish = {});
+   * wish. \param[in] lanes see \ref lanes; 0: as many as the device prefers
+   * \throws Error listing the devices where there is none such */
+  explicit Context(const std::string& wish = {}, unsigned lanes = 0);
 
   const Device&
   device() const
