@@ -109,23 +109,39 @@ bridgeOnce(ModelCurves& result, double near, double widest, double reach)
               outwardDirection(second, static_cast<int>(b % 2), reach),
               spacing);
     now[bridge.a] = now[bridge.b] = used;
-    first.origin = -1;
+    const bool counted = !first.counts.empty() && !second.counts.empty();
+    // The bridge explains no points.
+    const std::vector<double> none(between.size() + 1, 0);
     if (a / 2 == b / 2) {
       if (a % 2 == 1)
         first.nodes.insert(first.nodes.end(), between.begin(), between.end());
       else
         first.nodes.insert(first.nodes.end(), between.rbegin(), between.rend());
+      if (counted)
+        first.counts.insert(first.counts.end(), none.begin(), none.end());
       first.closed = true;
       continue;
     }
     // The far ends keep their names: first's at 0, second's at 1.
-    if (a % 2 == 0)
+    if (a % 2 == 0) {
       std::reverse(first.nodes.begin(), first.nodes.end());
+      std::reverse(first.counts.begin(), first.counts.end());
+    }
+    if (!counted)
+      first.counts.clear();
     first.nodes.insert(first.nodes.end(), between.begin(), between.end());
     if (b % 2 == 0)
       first.nodes.insert(first.nodes.end(), second.nodes.begin(), second.nodes.end());
     else
       first.nodes.insert(first.nodes.end(), second.nodes.rbegin(), second.nodes.rend());
+    if (counted) {
+      std::vector<double>& counts = first.counts;
+      counts.insert(counts.end(), none.begin(), none.end());
+      if (b % 2 == 0)
+        counts.insert(counts.end(), second.counts.begin(), second.counts.end());
+      else
+        counts.insert(counts.end(), second.counts.rbegin(), second.counts.rend());
+    }
     const int outer[2] = {a % 2 == 0 ? first.junction[1] : first.junction[0],
                           second.junction[1 - b % 2]};
     first.junction = {outer[0], outer[1]};

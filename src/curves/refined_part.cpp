@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
-#include <Eigen/Eigenvalues>
-
+#include <linelet/curves/curve_doubling.h>
+#include <linelet/curves/curve_likeness.h>
 #include <linelet/curves/junction_pairing.h>
 #include <linelet/curves/junction_revision.h>
 #include <linelet/curves/model_score.h>
@@ -35,9 +34,6 @@ constexpr std::size_t least_part = 5;
 constexpr std::size_t sampled_part = 60000;
 constexpr std::size_t sample_size = 8000;
 constexpr std::size_t samples = 3;
-// A curve is doubled where the variances of its points' offsets differ this much.
-constexpr double doubled_spread = 2;
-constexpr double least_doubled = 12;
 constexpr int most_rounds = 3;
 // Curves may be joined wrongly where they pass within so many standard deviations, or
 // D.
@@ -54,109 +50,7 @@ constexpr std::size_t least_rest = 8;
 // A part this large is looked at before it is worked on: where hardly any neighbourhood
 // of sampled points is linear, it is a surface or a volume.
 constexpr std::size_t large_part = 5000;
-constexpr std::size_t looked_at = 200;
 constexpr std::size_t least_thinned = 1000;
-constexpr double least_linearity = 0.3;
-
-/** \brief Whether most of some neighbourhoods of 2 or 4 times \a size are linear. */
-bool
-looksLinear(const Points& points, const UniformGrid& grid, double size)
-{
-  std::vector<double> best;
-  const std::size_t stride = points.size() / looked_at;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    double linearity = 0;
-    for (const double radius : {2 * size, 4 * size}) {
-      Point first = Point::Zero();
-      Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-      double count = 0;
-      grid.forEachWithin(points[i], radius, [&](Index k, double) {
-        const Point v = points[k] - points[i];
-        first += v;
-        second += v * v.transpose();
-        count += 1;
-      });
-      first /= count;
-      linearity =
-          std::max(linearity, linearityOf(second / count - first * first.transpose()));
-    }
-    best.push_back(linearity);
-  }
-  const auto middle = best.begin() + static_cast<std::ptrdiff_t>(best.size() / 2);
-  std::nth_element(best.begin(), middle, best.end());
-  return *middle >= least_linearity;
-}
-
-/** \brief Whether \a start leads to the fit \a best, or to one like it: as many curves
- * of the same length and ends, nowhere farther from it than \a tolerance. */
-bool
-leadsTo(const EmFit& best, const ModelCurves& start, double tolerance)
-{
-  if (start.size() != best.curves.size())
-    return false;
-  const auto rings = [](const ModelCurves& curves) {
-    return std::count_if(curves.begin(), curves.end(), [](const ModelCurve& curve) {
-      return curve.closed;
-    });
-  };
-  if (rings(start) != rings(best.curves) ||
-      std::abs(length(start) - length(best.curves)) > 0.1 * length(best.curves))
-    return false;
-  Points nodes;
-  for (const ModelCurve& curve : best.curves)
-    for (const Point& node : resampled(curve, 0.5 * tolerance).nodes)
-      nodes.push_back(node);
-  const UniformGrid grid(nodes, tolerance);
-  for (const ModelCurve& curve : start)
-    for (const Point& node : curve.nodes)
-      if (grid.nearest(node, tolerance) == UniformGrid::none)
-        return false;
-  return true;
-}
-
-/** \brief \a fit with every curve doubled whose points lie to two sides of it.
- *
- * That is told by the spread of their offsets: far wider in one direction than in the
- * other. \return nothing if there is no such curve */
-ModelCurves
-doubled(const EmFit& fit, const Points& points, const UniformGrid& grid, double reach)
-{
-  ModelCurves result;
-  bool any = false;
-  for (const ModelCurve& curve : fit.curves) {
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    double count = 0;
-    for (std::size_t e = 0; e < curve.edges(); ++e) {
-      const Point chord = curve.to(e) - curve.from(e);
-      const double edge_length = chord.norm();
-      const Point direction = chord / std::max(edge_length, 1e-300);
-      const Point middle = 0.5 * (curve.from(e) + curve.to(e));
-      grid.forEachWithin(middle, reach + edge_length, [&](Index i, double) {
-        const Point v = points[i] - middle;
-        const double z = v.dot(direction);
-        const Point off = v - z * direction;
-        if (std::abs(z) > 0.5 * edge_length || off.squaredNorm() > reach * reach)
-          return;
-        spread += off * off.transpose();
-        count += 1;
-      });
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
-    const Point values = eigen.eigenvalues();
-    if (count < least_doubled || values.z() < doubled_spread * values.y()) {
-      result.push_back(curve);
-      continue;
-    }
-    any = true;
-    const Point shift = std::sqrt(values.z() / count) * eigen.eigenvectors().col(2);
-    for (const double side : {-1.0, 1.0}) {
-      result.push_back(curve);
-      for (Point& node : result.back().nodes)
-        node += side * shift;
-    }
-  }
-  return any ? result : ModelCurves();
-}
 
 /** \brief A fit and what it was made with. */
 struct Fitted {
@@ -338,19 +232,24 @@ rejoin(Part& part)
   return better;
 }
 
-/** \brief Fits noise of one length where the distances of the points may be such. */
+/** \brief Fits noise of one length where the distances of the points may be such, to
+ * the best fit and to \a other, which normal noise has rejected. */
 void
-fitShell(Part& part)
+fitShell(Part& part, const EmFit& other)
 {
-  const EmFit& best = part.best().fit;
-  EmSettings settings = part.best().settings;
-  if (best.curves.empty() || settings.scales || part.dimensions() < 3 ||
-      best.noise < least_shell * settings.least_noise ||
-      best.peakedness > most_peakedness)
+  const EmSettings settings = part.best().settings;
+  if (part.best().fit.curves.empty() || settings.scales || part.dimensions() < 3)
     return;
-  settings.shell = std::sqrt(3.0) * best.noise;
-  settings.noise = shell_width * settings.shell;
-  part.take(part.fit(best.curves, settings), settings);
+  const EmFit normal = part.best().fit;
+  for (const EmFit* start : {&normal, &other}) {
+    if (start->curves.empty() || start->noise < least_shell * settings.least_noise ||
+        start->peakedness > most_peakedness)
+      continue;
+    EmSettings shell = settings;
+    shell.shell = std::sqrt(3.0) * start->noise;
+    shell.noise = shell_width * shell.shell;
+    part.take(part.fit(start->curves, shell), shell);
+  }
 }
 
 /** \brief Fits a share of the points, so few that their spacing is about \a size times
@@ -420,12 +319,15 @@ refinePart(const Points& points,
       part.tryBandwidth(k);
   }
   // Close parallel curves are traced as one.
+  EmFit other;
   EmFit& best = part.best().fit;
-  const ModelCurves pairs = doubled(best, points, part.grid(), 4 * best.noise);
+  const ModelCurves pairs = doubled(best.curves, points, part.grid(), 4 * best.noise);
   if (!pairs.empty()) {
     EmSettings settings = part.best().settings;
     settings.noise = 0.6 * best.noise;
-    part.take(part.fit(pairs, settings), part.best().settings);
+    other = part.fit(pairs, settings);
+    if (part.take(other, part.best().settings))
+      other = {};
   }
 
   for (int round = 0; round < most_rounds && points.size() <= sampled_part; ++round)
@@ -455,39 +357,8 @@ refinePart(const Points& points,
     if (!part.take(part.fit(start, settings), part.best().settings))
       break;
   }
-  fitShell(part);
+  fitShell(part, other);
   return std::move(best);
-}
-
-std::vector<Indices>
-connectedParts(const Points& points,
-               double distance,
-               std::size_t least,
-               const ScaleField* scales)
-{
-  const UniformGrid grid(points, distance);
-  std::vector<std::size_t> root(points.size());
-  std::iota(root.begin(), root.end(), std::size_t(0));
-  const auto rootOf = [&](std::size_t i) {
-    while (root[i] != i)
-      i = root[i] = root[root[i]];
-    return i;
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double wider = scales ? std::max(1.0, scales->at(points[i])) : 1;
-    grid.forEachWithin(points[i], wider * distance, [&](Index j, double) {
-      const std::size_t a = rootOf(i), b = rootOf(j);
-      root[std::max(a, b)] = std::min(a, b);
-    });
-  }
-  std::vector<Indices> all(points.size()), parts;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      all[rootOf(i)].push_back(static_cast<Index>(i));
-  for (Indices& members : all)
-    if (members.size() >= least)
-      parts.push_back(std::move(members));
-  return parts;
 }
 
 } // namespace linelet

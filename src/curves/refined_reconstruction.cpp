@@ -44,13 +44,11 @@ constexpr std::size_t finer = 3;
 
 /** \brief Half the points of each edge to each of its vertices. */
 std::vector<Index>
-supportOf(const ModelCurve& curve,
-          const ModelCurve& coarse,
-          const std::vector<double>& counts)
+supportOf(const ModelCurve& curve, const ModelCurve& coarse)
 {
   std::vector<double> support(curve.nodes.size(), 0);
   for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const double share = 0.5 * counts[std::min(e / finer, coarse.edges() - 1)] /
+    const double share = 0.5 * coarse.counts[std::min(e / finer, coarse.edges() - 1)] /
                          static_cast<double>(finer);
     support[e] += share;
     support[e + 1 == curve.nodes.size() ? 0 : e + 1] += share;
@@ -77,7 +75,7 @@ finely(const ModelCurve& curve)
 }
 
 CurveNetwork
-networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& counts)
+networkOf(const ModelCurves& curves)
 {
   CurveNetwork network;
   std::vector<std::array<EndReach, 2>> reaches;
@@ -90,9 +88,8 @@ networkOf(const ModelCurves& curves, const std::vector<std::vector<double>>& cou
     curve.closed = model.closed;
     curve.front.kind = curve.back.kind =
         model.closed ? EndKind::Loop : EndKind::Support;
-    if (coarse.origin >= 0)
-      curve.support =
-          supportOf(model, coarse, counts[static_cast<std::size_t>(coarse.origin)]);
+    if (coarse.counts.size() == coarse.edges())
+      curve.support = supportOf(model, coarse);
     network.curves.push_back(std::move(curve));
     reaches.emplace_back();
     for (std::size_t end = 0; end < 2; ++end)
@@ -246,18 +243,13 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
   if (stopped)
     throw Cancelled();
   ModelCurves curves;
-  std::vector<std::vector<double>> counts;
   for (EmFit& fit : fits)
     for (std::size_t c = 0; c < fit.curves.size(); ++c) {
-      fit.curves[c].origin = static_cast<int>(curves.size());
+      fit.curves[c].counts = std::move(fit.counts[c]);
       curves.push_back(std::move(fit.curves[c]));
-      counts.push_back(std::move(fit.counts[c]));
     }
-  return networkOf(bridgeGaps(curves,
-                              near_gap * scale_unit,
-                              settings.distance_cutoff,
-                              end_reach * scale_unit),
-                   counts);
+  return networkOf(bridgeGaps(
+      curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit));
 }
 
 } // namespace linelet

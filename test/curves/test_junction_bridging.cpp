@@ -3,6 +3,7 @@
 
 #include <linelet/curves/junction_bridging.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -35,6 +36,21 @@ TEST(JunctionBridging, GrowingCurveTakesUpPiecesThatAloneAreTooShort)
   // Without the long one nothing is joined, nor across gaps beyond the limit given.
   EXPECT_EQ(bridgeGaps({pieces[0], pieces[1], pieces[3]}, 1, 0, 3).size(), 3u);
   EXPECT_EQ(bridgeGaps(pieces, 1, 4, 3).size(), 4u);
+}
+
+TEST(JunctionBridging, BridgeExplainsNoPointsThePiecesKeepTheirs)
+{
+  ModelCurve front = stretch(0, 40, 0), back = stretch(42, 62, 0);
+  front.counts.assign(front.edges(), 3);
+  back.counts.assign(back.edges(), 5);
+  std::reverse(back.nodes.begin(), back.nodes.end());
+  const ModelCurves joined = bridgeGaps({back, front}, 1, 0, 3);
+  ASSERT_EQ(joined.size(), 1u);
+  ASSERT_EQ(joined[0].counts.size(), joined[0].edges());
+  for (std::size_t e = 0; e < joined[0].edges(); ++e) {
+    const double x = 0.5 * (joined[0].from(e).x() + joined[0].to(e).x());
+    EXPECT_EQ(joined[0].counts[e], x < 40 ? 3 : x < 42 ? 0 : 5) << x;
+  }
 }
 
 TEST(JunctionBridging, NeighboursKeepToTheirOwnSide)

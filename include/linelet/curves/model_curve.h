@@ -16,8 +16,8 @@ struct ModelCurve {
   Points nodes;        ///< vertices; a closed curve does not repeat its first one
   bool closed = false; ///< whether the last node is joined to the first
   std::array<int, 2> junction = {-1, -1}; ///< of the front and the back end; -1: free
-  double scale = 0; ///< bandwidth of the ridges that it comes from
-  int origin = -1;  ///< number of the fitted curve that it is; -1: joined of several
+  double scale = 0;           ///< bandwidth of the ridges that it comes from
+  std::vector<double> counts; ///< points explained by each edge, or empty
 
   /** \brief Number of edges. */
   std::size_t
