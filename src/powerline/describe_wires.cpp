@@ -117,11 +117,13 @@ describeWires(const std::vector<Hanging>& wires,
                                                                                  : 1;
     measure(wire, hanging, points);
   }
+  PowerLineSettings any_length = settings; // the border of the data leaves short ones
+  any_length.min_length = 0;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     // Its own points count as free while a wire is weighed.
     const Piece& piece = wires[w].strand.piece;
     growth.claim(piece, Growth::nobody);
-    judge(result[w], weigh(growth, piece, settings), settings.max_gap);
+    judge(result[w], weigh(growth, piece, any_length), settings.max_gap);
     growth.claim(piece, 0);
   }
   return result;

@@ -17,6 +17,7 @@
 #include <ogrsf_frmts.h>
 
 #include <linelet/io/point_file.h>
+#include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline/output_files.h>
 
 #include "network_by_hand.h"
@@ -201,6 +202,25 @@ TEST_F(OutputFiles, LayersOpenInGdalWithGeometryAttributesAndReference)
   const auto drawing = open("wires.dxf");
   ASSERT_NE(drawing, nullptr);
   EXPECT_EQ(drawing->GetLayer(0)->GetFeatureCount(), 12); // with a text each
+}
+
+// The scan ends a few metres beyond two poles of the bundled scene: what is left of the
+// wires there is short, but as well covered as the rest.
+TEST(BundledScene, ShortWiresAtTheBorderAreJudgedByTheirPoints)
+{
+  const io::Cloud cloud =
+      io::readCloud(std::string(LINELET_SOURCE_DIR) + "/data/corridor.las");
+  const PowerLineNetwork network = extractPowerLines(cloud);
+  std::size_t short_ones = 0;
+  for (const Wire& wire : network.wires) {
+    EXPECT_EQ(wire.reason.find("points on 0.0 %"), std::string::npos) << wire.id;
+    if (wire.length < 10) {
+      ++short_ones;
+      EXPECT_GT(wire.confidence, 0.5) << wire.id << ": " << wire.reason;
+      EXPECT_NE(wire.reason.find("m long"), std::string::npos) << wire.id;
+    }
+  }
+  EXPECT_GT(short_ones, 0U);
 }
 
 TEST_F(OutputFiles, ADrawingNamesItsWiresByLayerAndText)
