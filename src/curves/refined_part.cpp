@@ -357,7 +357,8 @@ refinePart(const Points& points,
     if (!part.take(part.fit(start, settings), part.best().settings))
       break;
   }
-  fitShell(part, other);
+  if (points.size() <= sampled_part) // integrals of every pair: no work for millions
+    fitShell(part, other);
   return std::move(best);
 }
 
