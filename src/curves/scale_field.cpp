@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <linelet/curves/ridge_field.h>
-#include <linelet/search/kd_tree.h>
 
 namespace linelet {
 
@@ -24,13 +23,12 @@ constexpr double least_linear = 0.3;
 } // namespace
 
 ScaleField::ScaleField(const Points& points, double scale_unit)
-    : grid_(std::make_shared<UniformGrid>(points, 2 * scale_unit)), unit_(scale_unit)
+    : tree_(std::make_shared<KdTree>(points)), unit_(scale_unit)
 {
-  const KdTree tree(points);
   std::vector<double> logarithms(points.size());
   std::vector<Indices> near(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    tree.nearest(points[i], smoothing_neighbours + 1, near[i]);
+    tree_->nearest(points[i], smoothing_neighbours + 1, near[i]);
     const Index sixth = near[i][std::min(spacing_neighbours, near[i].size() - 1)];
     const double spacing = (points[sixth] - points[i]).norm() / scale_unit;
     logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
@@ -59,6 +57,17 @@ ScaleField::ScaleField(const Points& points, double scale_unit)
     return;
   std::sort(linear.begin(), linear.end());
   spread_ = linear[linear.size() * 9 / 10] / linear[linear.size() / 10];
+}
+
+// Asked of places far from all points too, where the rows of a grid are empty for long.
+double
+ScaleField::at(const Point& x) const
+{
+  if (!values_)
+    return 1;
+  thread_local Indices nearest;
+  tree_->nearest(x + origin_, 1, nearest);
+  return nearest.empty() ? 1 : (*values_)[nearest.front()];
 }
 
 } // namespace linelet

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <linelet/search/uniform_grid.h>
+#include <linelet/search/kd_tree.h>
 #include <linelet/support/points.h>
 
 namespace linelet {
@@ -35,10 +35,7 @@ public:
   }
 
   double
-  at(const Point& x) const
-  {
-    return values_ ? (*values_)[grid_->nearest(x + origin_)] : 1;
-  }
+  at(const Point& x) const;
 
   /** \brief No value is greater. */
   static constexpr double
@@ -63,7 +60,7 @@ public:
   }
 
 private:
-  std::shared_ptr<const UniformGrid> grid_;
+  std::shared_ptr<const KdTree> tree_;
   std::shared_ptr<const std::vector<double>> values_;
   Point origin_ = Point::Zero();
   double unit_ = 0;
