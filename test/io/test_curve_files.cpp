@@ -159,13 +159,16 @@ TEST(CurveFiles, GeoJsonNamesCompoundSystems)
 TEST(CurveFiles, LayersKeepTheirNamesAndKinds)
 {
   const Folder folder;
-  const VectorLayer lines{"wires",
-                          VectorLayer::Kind::Lines,
-                          {{{{0, 0, 0}, {1, 1, 1}}, {{"id", std::int64_t{7}}}}}};
-  const VectorLayer points{
-      "poles",
-      VectorLayer::Kind::Points,
-      {{{{5, 6, 7}}, {{"height", 31.5}, {"name", std::string("a \"b\"\n\\")}}}}};
+  const VectorLayer lines{
+      "wires",
+      VectorLayer::Kind::Lines,
+      {{{{0, 0, 0}, {1, 1, 1}}, {{"id", std::int64_t{7}}}, {}, {}}}};
+  const VectorLayer points{"poles",
+                           VectorLayer::Kind::Points,
+                           {{{{5, 6, 7}},
+                             {{"height", 31.5}, {"name", std::string("a \"b\"\n\\")}},
+                             {},
+                             {}}}};
   for (const char* name : {"a.gpkg", "a.geojson"}) {
     writeLayers(folder.file(name), {lines, points}, {});
     const auto dataset = open(folder.file(name));
