@@ -21,38 +21,16 @@ constexpr double margin = 1e-5;
 
 constexpr double float_rounding = 0x1p-24;
 
-Float3
-toFloat(const Point& p)
-{
-  return {
-      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 } // namespace
 
 BlockSweep::BlockSweep(const SweepJob& job)
     : job_(job),
       kernels_(sweepKernels()),
-      method_(methodFor(job.settings)),
-      sums_(method_ == Method::Sums),
+      gather_(job.frame, job.surface, job.radius),
+      method_(sweepMethod(job.settings)),
+      sums_(method_ == SweepMethod::Sums),
       weight_error_(weightError(job.settings.weighting))
 {
-}
-
-BlockSweep::Method
-BlockSweep::methodFor(const TensorSettings& settings)
-{
-  const bool centred = settings.centroid != Centroid::QueryPoint;
-  // At its step rounding would decide; the medians iterate to the last digit.
-  if (settings.weighting.kernel() == Kernel::Step ||
-      (centred && settings.centroid_weighting.kernel() == Kernel::Step) ||
-      settings.centroid == Centroid::Median ||
-      settings.centroid == Centroid::WeightedMedian)
-    return Method::Double;
-  if (settings.weighting.kernel() == Kernel::Const &&
-      settings.centroid != Centroid::WeightedMean)
-    return Method::Sums;
-  return centred ? Method::Centre : Method::Weights;
 }
 
 void
@@ -80,7 +58,10 @@ BlockSweep::operator()(std::size_t block)
   for (std::vector<double>& entries : tensors_)
     entries.assign(count + PointList::padding, 0.0);
 
-  gather(cell);
+  const double longest = *std::max_element(radii_.begin(), radii_.end());
+  gather_(cell, origin_, queries_, longest + margin, region_);
+  certain_.reserve(region_.size);
+  certain_.size = 0;
   refine(part(0, count), region_, Moments(), 0);
   write();
 }
@@ -106,54 +87,6 @@ BlockSweep::part(std::size_t begin, std::size_t end) const
 }
 
 void
-BlockSweep::gather(const BlockFrame::Cell& cell)
-{
-  Point low = queries_.front(), high = low;
-  for (const Point& query : queries_) {
-    low = low.cwiseMin(query);
-    high = high.cwiseMax(query);
-  }
-  const Box box{toFloat(low), toFloat(high)};
-  const double longest = *std::max_element(radii_.begin(), radii_.end()) + margin;
-
-  // Blocks that follow each other along x are one run of points.
-  std::array<std::pair<std::size_t, std::size_t>, 9> runs;
-  std::size_t count = 0, points = 0;
-  for (std::int64_t z = std::max<std::int64_t>(cell[2] - 1, 0); z <= cell[2] + 1; ++z)
-    for (std::int64_t y = std::max<std::int64_t>(cell[1] - 1, 0); y <= cell[1] + 1;
-         ++y) {
-      const std::uint64_t last = job_.frame.key({cell[0] + 1, y, z});
-      std::size_t block = job_.surface.lowerBound(
-          job_.frame.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}),
-          cursors_[count]);
-      cursors_[count] = block;
-      const std::size_t begin = job_.surface.begin(block);
-      while (block < job_.surface.blocks() && job_.surface.key(block) <= last)
-        ++block;
-      runs[count] = {begin, job_.surface.begin(block)};
-      points += runs[count].second - begin;
-      ++count;
-    }
-  region_.reserve(points);
-  region_.size = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (runs[i].first < runs[i].second)
-      kernels_.gather({job_.surface.coordinate(0),
-                       job_.surface.coordinate(1),
-                       job_.surface.coordinate(2),
-                       runs[i].first,
-                       runs[i].second,
-                       {origin_.x(), origin_.y(), origin_.z()},
-                       1 / job_.radius},
-                      box,
-                      static_cast<float>(longest * longest),
-                      region_);
-  region_.pad();
-  certain_.reserve(region_.size);
-  certain_.size = 0;
-}
-
-void
 BlockSweep::refine(const Part& queries,
                    const PointList& list,
                    const Moments& inside,
@@ -174,7 +107,7 @@ BlockSweep::refine(const Part& queries,
   kept.reserve(list.size);
   const std::size_t known = certain_.size;
   Moments here;
-  if (method_ == Method::Weights)
+  if (method_ == SweepMethod::Weights)
     kernels_.split(list, ball, last, kept, certain_);
   else
     kernels_.classify(list, ball, last, kept, sums_ ? &here : nullptr);
@@ -217,22 +150,24 @@ BlockSweep::solveOne(const Part& queries, std::size_t query, const Moments& insi
   Moments t;
   bool good = false;
   switch (method_) {
-  case Method::Sums:
+  case SweepMethod::Sums:
     good = constTensor(queries, query, inside, t);
     break;
-  case Method::Weights:
+  case SweepMethod::Weights:
     good = weightedTensor(queries, query, t);
     break;
-  case Method::Centre:
+  case SweepMethod::Centre:
     good = centredTensor(queries, query, t);
     break;
-  case Method::Double:
+  case SweepMethod::Double:
     break;
   }
   known_[query] = good;
   if (!good) {
     job_.records[job_.queries.index(first_ + query)] = inDouble(
-        query, method_ == Method::Sums || method_ == Method::Weights ? region_ : last_);
+        query,
+        method_ == SweepMethod::Sums || method_ == SweepMethod::Weights ? region_
+                                                                        : last_);
     return;
   }
   const double scale = 1 / t.count;

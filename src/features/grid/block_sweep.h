@@ -11,7 +11,9 @@
 #include <linelet/features/tensor_estimation.h>
 
 #include "block_order.h"
+#include "region.h"
 #include "sweep_kernels.h"
+#include "sweep_method.h"
 #include "weight_error.h"
 
 namespace linelet::grid {
@@ -48,17 +50,6 @@ public:
   operator()(std::size_t block);
 
 private:
-  /** \brief How a tensor is computed. */
-  enum class Method {
-    Sums,    ///< const around the query or the mean: sums of moments
-    Weights, ///< a kernel around the query
-    Centre,  ///< a kernel around a mean of the neighbours
-    Double   ///< neighbours from the lists, all else in double
-  };
-
-  static Method
-  methodFor(const TensorSettings& settings);
-
   /** \brief Part of the queries of the block, and the ball around them. */
   struct Part {
     std::size_t begin, end;
@@ -69,9 +60,6 @@ private:
 
   Part
   part(std::size_t begin, std::size_t end) const;
-
-  void
-  gather(const BlockFrame::Cell& cell);
 
   void
   refine(const Part& queries,
@@ -132,7 +120,8 @@ private:
 
   const SweepJob& job_;
   SweepKernels kernels_;
-  Method method_;
+  RegionGatherer gather_;
+  SweepMethod method_;
   bool sums_; ///< certain neighbours leave the lists as sums
   WeightError weight_error_;
 
@@ -146,10 +135,9 @@ private:
   std::array<std::vector<double>, 6> tensors_;
   std::array<std::vector<double>, 9> eigen_;
 
-  std::array<std::size_t, 9> cursors_{}; // where the last block's runs began
-  PointList region_;                     // what any query of the block can reach
-  std::deque<PointList> levels_;         // one a depth of refinement
-  PointList certain_; // neighbours of all queries of a part, for Method::Weights
+  PointList region_;             // what any query of the block can reach
+  std::deque<PointList> levels_; // one a depth of refinement
+  PointList certain_; // neighbours of all queries of a part, for SweepMethod::Weights
   PointList last_, dense_;
   Indices doubtful_;
   std::vector<std::pair<Index, std::uint32_t>> exact_;

@@ -21,21 +21,15 @@ constexpr double sharp_radius = 0.125;
 // Parts of the block, and parts of a part: cut in two so many times.
 constexpr int first_cuts = 4, cuts = 3;
 
-Float3
-toFloat(const Point& p)
-{
-  return {
-      static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 } // namespace
 
 LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
     : job_(job),
       lists_(sweepKernels()),
       kernels_(ladderKernels()),
+      gather_(job.frame, job.surface, job.radii.back()),
       visit_(std::move(visit)),
-      method_(methodFor(job.settings)),
+      method_(sweepMethod(job.settings)),
       weight_(job.settings.weighting),
       centre_weight_(job.settings.centroid == Centroid::WeightedMean
                          ? job.settings.centroid_weighting
@@ -59,22 +53,6 @@ LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
     radii_.push_back(radius / job.radii.back());
 }
 
-LadderSweep::Method
-LadderSweep::methodFor(const MultiScaleSettings& settings)
-{
-  const bool centred = settings.centroid != Centroid::QueryPoint;
-  // At its step rounding would decide; the medians iterate to the last digit.
-  if (settings.weighting.kernel() == Kernel::Step ||
-      (centred && settings.centroid_weighting.kernel() == Kernel::Step) ||
-      settings.centroid == Centroid::Median ||
-      settings.centroid == Centroid::WeightedMedian)
-    return Method::Double;
-  if (settings.weighting.kernel() == Kernel::Const &&
-      settings.centroid != Centroid::WeightedMean)
-    return Method::Sums;
-  return centred ? Method::Centre : Method::Weights;
-}
-
 void
 LadderSweep::operator()(const LadderPiece& piece)
 {
@@ -87,7 +65,7 @@ LadderSweep::operator()(const LadderPiece& piece)
   queries_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / unit);
-  gather(cell);
+  gather_(cell, origin_, queries_, 1 + margin, region_);
   refine(0, count, region_, 0, first_cuts);
 }
 
@@ -105,52 +83,6 @@ LadderSweep::part(std::size_t begin, std::size_t end) const
   for (std::size_t i = begin; i < end; ++i)
     size = std::max(size, (queries_[i] - center).squaredNorm());
   return {begin, end, center, std::sqrt(size)};
-}
-
-void
-LadderSweep::gather(const BlockFrame::Cell& cell)
-{
-  Point low = queries_.front(), high = low;
-  for (const Point& query : queries_) {
-    low = low.cwiseMin(query);
-    high = high.cwiseMax(query);
-  }
-  const Box box{toFloat(low), toFloat(high)};
-  constexpr double longest = 1 + margin;
-
-  // Blocks that follow each other along x are one run of points.
-  std::array<std::pair<std::size_t, std::size_t>, 9> runs;
-  std::size_t count = 0, points = 0;
-  for (std::int64_t z = std::max<std::int64_t>(cell[2] - 1, 0); z <= cell[2] + 1; ++z)
-    for (std::int64_t y = std::max<std::int64_t>(cell[1] - 1, 0); y <= cell[1] + 1;
-         ++y) {
-      const std::uint64_t last = job_.frame.key({cell[0] + 1, y, z});
-      std::size_t block = job_.surface.lowerBound(
-          job_.frame.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}),
-          cursors_[count]);
-      cursors_[count] = block;
-      const std::size_t begin = job_.surface.begin(block);
-      while (block < job_.surface.blocks() && job_.surface.key(block) <= last)
-        ++block;
-      runs[count] = {begin, job_.surface.begin(block)};
-      points += runs[count].second - begin;
-      ++count;
-    }
-  region_.reserve(points);
-  region_.size = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (runs[i].first < runs[i].second)
-      lists_.gather({job_.surface.coordinate(0),
-                     job_.surface.coordinate(1),
-                     job_.surface.coordinate(2),
-                     runs[i].first,
-                     runs[i].second,
-                     {origin_.x(), origin_.y(), origin_.z()},
-                     1 / job_.radii.back()},
-                    box,
-                    static_cast<float>(longest * longest),
-                    region_);
-  region_.pad();
 }
 
 void
@@ -183,7 +115,7 @@ LadderSweep::shrink(const Part& queries, const PointList& list, std::size_t dept
   }
   PointList& kept = levels_[depth];
   kept.reserve(list.size);
-  if (method_ != Method::Sums) {
+  if (method_ != SweepMethod::Sums) {
     const double far = 1 + queries.size + margin;
     const Ball ball{toFloat(queries.center), -1, static_cast<float>(far * far)};
     lists_.classify(list, ball, false, kept, nullptr);
@@ -265,7 +197,7 @@ LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth
   }
   setScales(queries, true);
   redo_ = 0;
-  if (method_ == Method::Double)
+  if (method_ == SweepMethod::Double)
     redo_ = (1U << leaf_queries) - 1;
   else {
     const double far = 1 + queries.size + margin,
@@ -292,11 +224,11 @@ LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth
     countHere(queries);
     doubts_.clear();
     std::fill(sums_.begin(), sums_.end(), LadderSums());
-    if (method_ == Method::Sums)
+    if (method_ == SweepMethod::Sums)
       sums(queries, depth);
     else {
       kernels_.order(leaf_, spare_, scales_.data(), scales_.size(), ends_.data());
-      method_ == Method::Weights ? weights(queries) : centred(queries);
+      method_ == SweepMethod::Weights ? weights(queries) : centred(queries);
     }
   }
   for (std::size_t lane = 0; lane < count; ++lane)

@@ -15,7 +15,9 @@
 
 #include "block_order.h"
 #include "ladder_kernels.h"
+#include "region.h"
 #include "sweep_kernels.h"
+#include "sweep_method.h"
 #include "weight_error.h"
 
 namespace linelet::grid {
@@ -84,17 +86,6 @@ public:
   operator()(const LadderPiece& piece);
 
 private:
-  /** \brief How tensors are computed. */
-  enum class Method {
-    Sums,    ///< const around the query or the mean: sums of moments
-    Weights, ///< a kernel around the query
-    Centre,  ///< a kernel around a mean of the neighbours
-    Double   ///< all in double
-  };
-
-  static Method
-  methodFor(const MultiScaleSettings& settings);
-
   /** \brief Part of the queries of the block, and the ball around them. */
   struct Part {
     std::size_t begin, end;
@@ -104,9 +95,6 @@ private:
 
   Part
   part(std::size_t begin, std::size_t end) const;
-
-  void
-  gather(const BlockFrame::Cell& cell);
 
   void
   refine(std::size_t begin,
@@ -167,8 +155,9 @@ private:
   const LadderJob& job_;
   SweepKernels lists_;
   LadderKernels kernels_;
+  RegionGatherer gather_;
   LeafVisitor visit_;
-  Method method_;
+  SweepMethod method_;
   SweepWeight weight_, centre_weight_;
   WeightError weight_error_;
   std::vector<double> radii_; // in units of the largest
@@ -177,8 +166,7 @@ private:
   Point origin_;               // center of the block
   double reach_ = 1;           // largest coordinate of a list
   std::vector<Point> queries_; // relative to the block, in units of the largest radius
-  std::array<std::size_t, 9> cursors_{}; // where the last block's runs began
-  PointList region_;                     // what any query of the block can reach
+  PointList region_;           // what any query of the block can reach
 
   std::deque<PointList> levels_;            // one a depth of refinement
   std::deque<std::vector<Moments>> inside_; // the same, about the block's center
