@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include <linelet/search/kd_tree.h>
 #include <linelet/tensor/weighting.h>
 
 using namespace linelet;
@@ -210,6 +211,24 @@ TEST(GridEngine, TakesARadiusForEveryPoint)
       settings.centroid = centroid;
       EXPECT_TRUE(gridAgrees(points, settings, sizes));
     }
+}
+
+// Where the weight ends in a step, that of a point on the ball must not be left to the
+// rounding of its coordinates.
+TEST(GridEngine, WeighsPointsOnTheBallAsTheReferenceDoes)
+{
+  const Points points = uniformPoints(3000, {10, 4, 0.5}, 41);
+  const KdTree tree(points);
+  NeighbourhoodSizes sizes;
+  Indices near;
+  for (const Point& point : points)
+    sizes.radii.push_back(tree.nearest(point, 7, near));
+  for (const char* weight : {"ease-exponential", "fermi-dirac-1"}) {
+    SCOPED_TRACE(weight);
+    TensorSettings settings;
+    settings.weighting = Weighting(weight);
+    EXPECT_TRUE(gridAgrees(points, settings, sizes));
+  }
 }
 
 TEST(GridEngine, TakesQueriesThatAreNoPointsOfTheSurface)

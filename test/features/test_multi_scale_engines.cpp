@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <linelet/features/multi_scale.h>
+#include <linelet/search/kd_tree.h>
 
 #include "multi_scale_clouds.h"
 
@@ -121,6 +122,24 @@ TEST(MultiScaleEngines, AgreeForEveryKernelAndMean)
       settings.max_radius = 3;
       ASSERT_NO_FATAL_FAILURE(expectSameShapes(cloud, queries, settings));
     }
+  }
+}
+
+// Where the weight ends in a step, that of a point on the ball must not be left to the
+// rounding of its coordinates.
+TEST(MultiScaleEngines, AgreeOnTheWeightOfPointsOnTheBall)
+{
+  const Points cloud = randomPoints(1200, 15, {10, 4, 0.5});
+  const linelet::KdTree tree(cloud);
+  linelet::Indices near;
+  for (std::size_t i = 0; i < 300; ++i) {
+    MultiScaleSettings settings;
+    settings.weighting = Kernel::EaseExponential;
+    for (const std::size_t count : {7, 8, 12, 40})
+      settings.radii.push_back(tree.nearest(cloud[i], count, near));
+    settings.scale_unit = 0.3;
+    SCOPED_TRACE("point " + std::to_string(i));
+    ASSERT_NO_FATAL_FAILURE(expectSameShapes(cloud, {cloud[i]}, settings));
   }
 }
 

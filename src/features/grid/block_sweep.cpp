@@ -42,7 +42,7 @@ BlockSweep::operator()(std::size_t block)
   first_ = job_.queries.begin(block);
   const std::size_t count = job_.queries.begin(block + 1) - first_;
   queries_.resize(count);
-  radii_.assign(count, 1.0);
+  radii_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     // A record may lie in two cache lines.
     const PointDistributionTensor& record =
@@ -50,8 +50,7 @@ BlockSweep::operator()(std::size_t block)
     hwy::Prefetch(&record.xx);
     hwy::Prefetch(&record.neighbors);
     queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radius);
-    if (job_.radii != nullptr)
-      radii_[i] = (*job_.radii)[job_.queries.index(first_ + i)] / job_.radius;
+    radii_[i] = radiusOf(i) / job_.radius;
   }
   found_.assign(count, 0);
   known_.assign(count, 0);
@@ -204,8 +203,7 @@ BlockSweep::weightedTensor(const Part& queries, std::size_t query, Moments& t)
 {
   const Float3 at = local(query, queries.center);
   const Band limits = band(queries, query);
-  const double inverse = 1 / (radii_[query] * radii_[query]);
-  const auto scale = static_cast<float>(inverse);
+  const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
   const Found found = kernels_.weightedSums(
       {last_, at, certain_, toFloat(queries_[query])}, limits, job_.weight, scale, t);
   std::size_t neighbours = found.certain;
@@ -214,7 +212,9 @@ BlockSweep::weightedTensor(const Part& queries, std::size_t query, Moments& t)
       const Point offset(double{last_.x[place]} - double{at[0]},
                          double{last_.y[place]} - double{at[1]},
                          double{last_.z[place]} - double{at[2]});
-      t.add(job_.settings.weighting(std::sqrt(offset.squaredNorm() * inverse)), offset);
+      // A weight may end in a step on the ball: no other distance will do.
+      const double distance = std::sqrt(squaredDistance(query, last_.id[place]));
+      t.add(job_.settings.weighting(distance * (1 / radiusOf(query))), offset);
       ++neighbours;
     }
   found_[query] = static_cast<std::uint32_t>(neighbours);
@@ -254,14 +254,24 @@ BlockSweep::centredTensor(const Part& queries, std::size_t query, Moments& t)
   return precise(t, t.trace(), dense_.size);
 }
 
+double
+BlockSweep::radiusOf(std::size_t query) const
+{
+  return job_.radii != nullptr ? (*job_.radii)[job_.queries.index(first_ + query)]
+                               : job_.radius;
+}
+
+double
+BlockSweep::squaredDistance(std::size_t query, std::uint32_t slot) const
+{
+  return (job_.surface.point(slot) - job_.queries.point(first_ + query)).squaredNorm();
+}
+
 bool
 BlockSweep::isNeighbour(std::size_t query, std::uint32_t slot) const
 {
-  const double radius = job_.radii != nullptr
-                            ? (*job_.radii)[job_.queries.index(first_ + query)]
-                            : job_.radius;
-  return (job_.surface.point(slot) - job_.queries.point(first_ + query))
-             .squaredNorm() <= radius * radius;
+  const double radius = radiusOf(query);
+  return squaredDistance(query, slot) <= radius * radius;
 }
 
 const Indices&

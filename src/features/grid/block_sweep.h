@@ -94,6 +94,11 @@ private:
   bool
   centredTensor(const Part& queries, std::size_t query, Moments& t);
 
+  /** \brief As the points came, not as they are in the lists. */
+  double
+  radiusOf(std::size_t query) const;
+  double
+  squaredDistance(std::size_t query, std::uint32_t slot) const;
   bool
   isNeighbour(std::size_t query, std::uint32_t slot) const;
 

@@ -160,15 +160,16 @@ LadderSweep::settle(const Part& queries,
       if ((doubt.queries >> lane & 1) == 0)
         continue;
       const Point query = job_.queries.point(first_ + queries.begin + lane);
-      if (lane >= shapes_.count ||
-          !((candidate - query).squaredNorm() <= radius * radius)) {
+      const double squared = (candidate - query).squaredNorm();
+      if (lane >= shapes_.count || !(squared <= radius * radius)) {
         doubt.queries = static_cast<std::uint16_t>(doubt.queries & ~(1U << lane));
         continue;
       }
       const Point v = about_center -
                       Point(exact_at_[0][lane], exact_at_[1][lane], exact_at_[2][lane]);
       LadderSums& sum = sums[doubt.scale];
-      add(weighting(v.norm() / radii_[doubt.scale]),
+      // A weight may end in a step on the ball: no other distance will do.
+      add(weighting(std::sqrt(squared) * (1 / radius)),
           scales_[doubt.scale].relative ? v : about_center,
           lane,
           sum);
