@@ -12,6 +12,7 @@
 
 #include <linelet/opencl/point_distribution_tensor_ocl.h>
 #include <linelet/opencl/tensor_engine.h>
+#include <linelet/search/kd_tree.h>
 
 using namespace linelet;
 
@@ -184,6 +185,21 @@ TEST_F(OpenCL, RadiiPointByPoint)
   sizes.radii[4] = 0;
   sizes.radii[5] = -1;
   TensorSettings settings;
+  check(points, points, settings, sizes);
+}
+
+// Where the weight ends in a step, that of a point on the ball must not be left to the
+// rounding of its coordinates.
+TEST_F(OpenCL, PointsOnTheBallAreWeighedAsTheReferenceDoes)
+{
+  const Points points = box(800, Point(5, 2, 0.5), 10);
+  const KdTree tree(points);
+  NeighbourhoodSizes sizes;
+  Indices near;
+  for (const Point& point : points)
+    sizes.radii.push_back(tree.nearest(point, 7, near));
+  TensorSettings settings;
+  settings.weighting = Kernel::EaseExponential;
   check(points, points, settings, sizes);
 }
 

@@ -8,8 +8,9 @@
 // where the device computes in double; left out of programs built without them.
 //
 // All lengths are in float relative to the query point, which no offset of the cloud
-// touches. Where a squared distance lies within BAND of the squared radius, the query is walked once more
-// and such pairs are decided by the rule of all engines, d^2 <= r^2 in double.
+// touches. Where a squared distance lies within BAND of the squared radius, the query is
+// walked once more and such pairs are decided by the rule of all engines, d^2 <= r^2 in
+// double.
 
 #ifdef CENTROID
 
@@ -33,7 +34,7 @@ typedef struct {
   ulong index_mask;             // the part of them that is the index
   global const double* exact;   // points by index
   global const double* query;   // this query
-  double squared_radius;
+  double radius;
 #endif
 } Walk;
 
@@ -56,9 +57,11 @@ typedef struct {
 #define SWEEP_CENTROID 1 // weighted sum of positions; weights by distance to the query
 #define SWEEP_PULL 2     // Weiszfeld's iteration at the centre
 
-// Decides the lanes that lie next to the border of the ball.
+// Decides the lanes that lie next to the border of the ball; `share`, their distance in
+// units of the radius, stays on the side of 1 on which it is in double, as a weight may
+// end there in a step.
 INLINE Ints
-decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
+decideBorder(const Walk* walk, uint first, Floats squared, Ints inside, Floats* share)
 {
 #ifdef EXACT
   const Ints border =
@@ -66,12 +69,15 @@ decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
   if (!ANY(border))
     return inside;
   int lanes[WIDTH], decided[WIDTH];
+  float shares[WIDTH];
 #if WIDTH == 1
   lanes[0] = border;
   decided[0] = inside;
+  shares[0] = *share;
 #else
   JOIN(vstore, WIDTH)(border, 0, lanes);
   JOIN(vstore, WIDTH)(inside, 0, decided);
+  JOIN(vstore, WIDTH)(*share, 0, shares);
 #endif
   for (uint lane = 0; lane < WIDTH; ++lane) {
     if (lanes[lane] == 0)
@@ -84,11 +90,17 @@ decideBorder(const Walk* walk, uint first, Floats squared, Ints inside)
     // keeps compilers from fusing and reordering.
     volatile double xx = dx * dx, yy = dy * dy, zz = dz * dz;
     volatile double xx_yy = xx + yy;
-    decided[lane] = xx_yy + zz <= walk->squared_radius ? -1 : 0;
+    volatile double sum = xx_yy + zz;
+    decided[lane] = sum <= walk->radius * walk->radius ? -1 : 0;
+    const double exact_share = sqrt(sum) * (1 / walk->radius);
+    shares[lane] = exact_share < 1 ? min((float)exact_share, 0x1.fffffep-1f)
+                                   : max((float)exact_share, 1.0f);
   }
 #if WIDTH == 1
+  *share = shares[0];
   return decided[0];
 #else
+  *share = JOIN(vload, WIDTH)(0, shares);
   return JOIN(vload, WIDTH)(0, decided);
 #endif
 #else
@@ -120,8 +132,10 @@ addPoints(const Walk* walk,
   const Floats squared = dx * dx + dy * dy + dz * dz;
   Ints inside = MASK_IF(squared <= walk->surely_inside);
   Ints border = MASK_IF(squared <= walk->perhaps_inside);
+  const float scale = walk->inverse_radius;
+  Floats share = sqrt(squared) * scale; // distance to the query in units of the radius
   if (exact)
-    inside = decideBorder(walk, first, squared, inside);
+    inside = decideBorder(walk, first, squared, inside, &share);
   if (tail) {
     const Ints valid = MASK_IF(LANES < left);
     inside &= valid;
@@ -132,11 +146,9 @@ addPoints(const Walk* walk,
   if (!exact)
     sums->border = border ? sums->border + 1 : sums->border;
   const Floats vx = dx - cx, vy = dy - cy, vz = dz - cz;
-  const float scale = walk->inverse_radius;
   if (sweep == SWEEP_CENTROID) {
     const Floats wanted =
-        CENTROID != 2 ? 1
-                      : weightOf(CENTROID_WEIGHT, C_FIRST, C_SECOND, sqrt(squared) * scale);
+        CENTROID != 2 ? 1 : weightOf(CENTROID_WEIGHT, C_FIRST, C_SECOND, share);
     const Floats w = inside ? wanted : zero;
     sums->x += w * dx;
     sums->y += w * dy;
@@ -165,10 +177,10 @@ addPoints(const Walk* walk,
     sums->yz = inside ? sums->yz + vy * vz : sums->yz;
     sums->zz = inside ? sums->zz + vz * vz : sums->zz;
 #else
-    const Floats wanted = weightOf(TENSOR_WEIGHT,
-                                   W_FIRST,
-                                   W_SECOND,
-                                   sqrt(vx * vx + vy * vy + vz * vz) * scale);
+#if CENTROID != 0
+    share = sqrt(vx * vx + vy * vy + vz * vz) * scale; // to the centroid
+#endif
+    const Floats wanted = weightOf(TENSOR_WEIGHT, W_FIRST, W_SECOND, share);
     const Floats w = inside ? wanted : zero;
     const Floats wx = w * vx, wy = w * vy, wz = w * vz;
     sums->weight += w;
@@ -363,7 +375,7 @@ tensors(global const ulong* queries,
   walk.index_mask = index_mask;
   walk.exact = point_positions;
   walk.query = query_positions + 3 * i;
-  walk.squared_radius = exact_radii[i] * exact_radii[i];
+  walk.radius = exact_radii[i];
 #endif
   Sums s = tensorSums(&walk, false);
   if (s.border > 0)
