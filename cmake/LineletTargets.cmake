@@ -55,6 +55,8 @@ function(linelet_test name)
     LINELET_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
   target_link_libraries(${target} PRIVATE ${TEST_LINK} GTest::gtest GTest::gtest_main)
   include(GoogleTest)
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST
+  # A program is asked for its tests' names when it is first read from disk; beside a full
+  # machine that takes longer than the 5 s that CMake grants.
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
     TEST_PREFIX ${name}. PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()
