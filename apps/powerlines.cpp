@@ -52,19 +52,19 @@ toJson(const PowerLineNetwork& network, Clearance Wire::*kind)
   return {{"distance", clearance.distance}, {"wire", wire}};
 }
 
-/** Sags and clearances in feet or degrees would be looked for in metres, and missed. */
+/** Degrees, told or not, have no length that wires could be measured by. */
 void
-requireMetres(const io::Cloud& cloud, const std::string& path)
+requireLengths(const io::Cloud& cloud, const io::Units& units, const std::string& path)
 {
   const std::string help =
-      ", and power lines are looked for in metres; project it first, for example with "
+      ", and power lines are looked for in lengths; project it first, for example with "
       "pdal translate IN OUT.las reprojection "
       "--filters.reprojection.out_srs=EPSG:25832 "
       "(the code of your zone)";
-  const std::string unit = io::unitOtherThanMetre(cloud.wkt);
-  if (!unit.empty())
+  if (std::isnan(units.plan))
     throw io::FileError(path + ": its reference system " +
-                        io::referenceName(cloud.wkt) + " has the unit " + unit + help);
+                        io::referenceName(cloud.wkt) + " has the unit " +
+                        units.plan_name + help);
   // Degrees that no reference system tells of: next to no extent, but for the height.
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Point& p : cloud.points)
@@ -91,7 +91,12 @@ runPowerlines(const std::vector<std::string>& arguments)
   std::string in, folder;
   powerline::PowerLineSettings settings;
   io::ReadOptions reading;
-  frame.app.add_option("IN", in, "point file, z up, metres; classes are not needed")
+  frame.app
+      .add_option(
+          "IN",
+          in,
+          "point file, z up, metres or feet (by its reference system); classes are not "
+          "needed")
       ->required();
   frame.app
       .add_option("OUTDIR",
@@ -106,7 +111,11 @@ runPowerlines(const std::vector<std::string>& arguments)
 
   std::vector<std::string> warnings;
   io::Cloud cloud = io::readCloud(in, reading, &warnings, &frame.monitor);
-  requireMetres(cloud, in);
+  const io::Units units = io::unitsOf(cloud.wkt);
+  requireLengths(cloud, units, in);
+  if (!units.height_stated && !units.areMetres())
+    warnings.push_back("the reference system tells no unit of heights; they count as " +
+                       units.height_name + ", like x and y");
   powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =

@@ -45,11 +45,12 @@ geoKeys(const std::string& data)
   return keys;
 }
 
-/** WKT by the EPSG codes among the GeoTIFF keys; \a code is what was asked for. */
-std::string
-wktOfGeoKeys(const LasRecord& record, int& code)
+/** The codes of a reference system among the GeoTIFF keys. */
+ReferenceCodes
+codesIn(const LasRecord& record)
 {
-  constexpr unsigned geographic = 2048, projected = 3072, vertical = 4096,
+  constexpr unsigned model = 1024, geographic = 2048, projected = 3072,
+                     projected_unit = 3076, vertical = 4096, vertical_unit = 4099,
                      user_defined = 32767;
   const auto keys = geoKeys(record.data);
   const auto codeOf = [&](unsigned key) {
@@ -57,10 +58,15 @@ wktOfGeoKeys(const LasRecord& record, int& code)
     const bool usable = place != keys.end() && place->second != user_defined;
     return usable ? static_cast<int>(place->second) : 0;
   };
-  code = codeOf(projected) != 0 ? codeOf(projected) : codeOf(geographic);
-  if (code == 0)
-    return {};
-  return wktOfEpsg(code, codeOf(vertical));
+  ReferenceCodes codes;
+  codes.plan = codeOf(projected);
+  // A projection of the user's own is based on longitude and latitude, but is not that.
+  if (codes.plan == 0 && codeOf(model) != 1)
+    codes.plan = codeOf(geographic);
+  codes.height = codeOf(vertical);
+  codes.plan_unit = codeOf(projected_unit);
+  codes.height_unit = codeOf(vertical_unit);
+  return codes;
 }
 
 } // namespace
@@ -74,18 +80,18 @@ lasReferenceSystem(const LasOrigin& origin, std::string& problem)
       load<std::uint16_t>(origin.header.data() + las_at::global_encoding);
   const bool wkt_first = (encoding & las_wkt_bit) != 0 || origin.format >= 6;
 
-  int code = 0;
+  const ReferenceCodes codes = keys != nullptr ? codesIn(*keys) : ReferenceCodes();
   std::string text = wkt_first ? wktIn(wkt) : std::string();
-  if (text.empty() && keys != nullptr)
-    text = wktOfGeoKeys(*keys, code);
+  if (text.empty())
+    text = wktOfCodes(codes);
   if (text.empty())
     text = wktIn(wkt);
   if (text.empty())
     text = wktIn(findRecord(origin, "liblas", 2112)); // before LAS had one of its own
   if (!text.empty())
     return text;
-  if (code != 0)
-    problem = "reference system EPSG:" + std::to_string(code) +
+  if (codes.plan != 0)
+    problem = "reference system EPSG:" + std::to_string(codes.plan) +
               " of the GeoTIFF keys is not in PROJ's tables";
   else if (keys != nullptr)
     problem = "the GeoTIFF keys name no EPSG code";
@@ -93,7 +99,7 @@ lasReferenceSystem(const LasOrigin& origin, std::string& problem)
     problem = "the WKT record cannot be understood";
   if (!problem.empty())
     problem += "; the reference system counts as unknown";
-  return {};
+  return wktOfUnit(codes.plan_unit);
 }
 
 } // namespace linelet::io

@@ -21,8 +21,6 @@ namespace linelet::io {
 
 namespace {
 
-constexpr const char* label_height = "0.5"; // of texts in drawings, units of the file
-
 /** Keeps what GDAL complains about for our own message. */
 class Complaints {
 public:
@@ -111,9 +109,10 @@ public:
   void
   makeFields(OGRLayer& layer, const VectorLayer& content)
   {
-    if (content.features.empty())
-      return;
-    for (const auto& [name, value] : content.features.front().attributes) {
+    const Attributes& columns = content.features.empty()
+                                    ? content.columns
+                                    : content.features.front().attributes;
+    for (const auto& [name, value] : columns) {
       static constexpr OGRFieldType types[] = {OFTInteger64, OFTReal, OFTString};
       OGRFieldDefn field(name.c_str(), types[value.index()]);
       if (layer.CreateField(&field) != OGRERR_NONE)
@@ -205,7 +204,7 @@ writeGeoPackage(const std::string& path,
 
 /** Text of a style string: quotes and backslashes escaped. */
 std::string
-labelStyle(const std::string& text)
+labelStyle(const std::string& text, double height)
 {
   std::string escaped;
   for (const char letter : text) {
@@ -213,7 +212,8 @@ labelStyle(const std::string& text)
       escaped += '\\';
     escaped += letter;
   }
-  return "LABEL(f:\"Arial\",t:\"" + escaped + "\",s:" + label_height + "g,p:5)";
+  return "LABEL(f:\"Arial\",t:\"" + escaped + "\",s:" + std::to_string(height) +
+         "g,p:5)";
 }
 
 /** DXF knows no attributes, but layers and texts. */
@@ -236,7 +236,7 @@ writeDxf(const std::string& path,
       const Point& middle = feature.vertices[feature.vertices.size() / 2];
       const auto text = writer.makeFeature(*layer, VectorLayer::Kind::Points, {middle});
       text->SetField("Layer", "labels");
-      text->SetStyleString(labelStyle(feature.label).c_str());
+      text->SetStyleString(labelStyle(feature.label, content.text_height).c_str());
       writer.add(*layer, *text);
     }
   writer.close();

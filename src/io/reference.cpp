@@ -4,6 +4,7 @@
 #include "reference.h"
 
 #include <cmath>
+#include <limits>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -44,6 +45,56 @@ wktOf(const OGRSpatialReference& reference)
   return wkt;
 }
 
+/** A unit of length that GeoTIFF keys name by its EPSG code. */
+struct LengthUnit {
+  int code;
+  const char* name;
+  double metres;
+};
+constexpr LengthUnit length_units[] = {{9001, "metre", 1},
+                                       {9002, "foot", 0.3048},
+                                       {9003, "US survey foot", 1200.0 / 3937}};
+constexpr double exactly = 1e-9; // as units in WKT are rounded
+
+const LengthUnit*
+unitOfCode(int code)
+{
+  for (const LengthUnit& unit : length_units)
+    if (unit.code == code)
+      return &unit;
+  return nullptr;
+}
+
+/** The horizontal part; false where nothing is known of it. */
+bool
+makePlan(OGRSpatialReference& plan, const ReferenceCodes& codes)
+{
+  if (codes.plan == 0 || plan.importFromEPSG(codes.plan) != OGRERR_NONE)
+    return false;
+  const LengthUnit* unit = unitOfCode(codes.plan_unit);
+  if (unit != nullptr && plan.IsProjected() != 0 &&
+      std::abs(plan.GetLinearUnits() - unit->metres) > exactly)
+    plan.SetLinearUnitsAndUpdateParameters(unit->name, unit->metres);
+  return true;
+}
+
+/** The vertical part; false where nothing is known of it. */
+bool
+makeHeight(OGRSpatialReference& height, const ReferenceCodes& codes)
+{
+  const LengthUnit* unit = unitOfCode(codes.height_unit);
+  const bool known =
+      codes.height != 0 && height.importFromEPSG(codes.height) == OGRERR_NONE;
+  if (unit == nullptr ||
+      (known && std::abs(height.GetLinearUnits() - unit->metres) <= exactly))
+    return known;
+  const std::string name = known ? height.GetName() : "unknown height";
+  height.Clear();
+  height.SetVertCS(name.c_str(), "unknown", 2005);
+  height.SetLinearUnits(unit->name, unit->metres);
+  return true;
+}
+
 } // namespace
 
 Reference
@@ -58,21 +109,30 @@ parseReference(const std::string& wkt)
 }
 
 std::string
-wktOfEpsg(int horizontal, int vertical)
+wktOfCodes(const ReferenceCodes& codes)
 {
   const Quiet quiet;
-  OGRSpatialReference plane;
-  if (plane.importFromEPSG(horizontal) != OGRERR_NONE)
+  OGRSpatialReference plan, height, both;
+  if (!makePlan(plan, codes))
     return {};
-  if (vertical == 0)
-    return wktOf(plane);
-  OGRSpatialReference height, both;
-  if (height.importFromEPSG(vertical) != OGRERR_NONE)
-    return wktOf(plane);
-  const std::string name = std::string(plane.GetName()) + " + " + height.GetName();
-  if (both.SetCompoundCS(name.c_str(), &plane, &height) != OGRERR_NONE)
-    return wktOf(plane);
+  if (!makeHeight(height, codes))
+    return wktOf(plan);
+  const std::string name = std::string(plan.GetName()) + " + " + height.GetName();
+  if (both.SetCompoundCS(name.c_str(), &plan, &height) != OGRERR_NONE)
+    return wktOf(plan);
   return wktOf(both);
+}
+
+std::string
+wktOfUnit(int code)
+{
+  const LengthUnit* unit = unitOfCode(code);
+  if (unit == nullptr || unit->metres == 1)
+    return {};
+  OGRSpatialReference local;
+  local.SetLocalCS("unknown reference system");
+  local.SetLinearUnits(unit->name, unit->metres);
+  return wktOf(local);
 }
 
 std::string
@@ -84,23 +144,37 @@ referenceName(const std::string& wkt)
   return reference->GetName();
 }
 
-std::string
-unitOtherThanMetre(const std::string& wkt)
+Units
+unitsOf(const std::string& wkt)
 {
+  Units units;
   const Reference reference = parseReference(wkt);
   if (reference == nullptr)
-    return {};
+    return units;
   const Quiet quiet;
-  if (reference->IsGeographic() != 0)
-    return "degree";
-  constexpr double exactly = 1e-9;
+  const auto take = [](const char* given, double metres, std::string& name) {
+    name = given != nullptr ? given : "unknown unit";
+    return std::abs(metres - 1) <= exactly ? 1 : metres;
+  };
   const char* name = nullptr;
-  if (std::abs(reference->GetLinearUnits(&name) - 1) > exactly)
-    return name != nullptr ? name : "unknown unit";
-  if (reference->IsCompound() != 0 &&
-      std::abs(reference->GetTargetLinearUnits("VERT_CS", &name) - 1) > exactly)
-    return name != nullptr ? name : "unknown unit";
-  return {};
+  units.height_stated = reference->IsVertical() != 0;
+  if (units.height_stated) {
+    const double metres = reference->GetTargetLinearUnits("VERT_CS", &name);
+    units.height = take(name, metres, units.height_name);
+  }
+  if (reference->IsGeographic() != 0 || reference->IsGeocentric() != 0) {
+    units.plan = std::numeric_limits<double>::quiet_NaN();
+    units.plan_name =
+        reference->IsGeographic() != 0 ? "degree" : "metre from the Earth's centre";
+    return units;
+  }
+  const double metres = reference->GetLinearUnits(&name);
+  units.plan = take(name, metres, units.plan_name);
+  if (!units.height_stated) {
+    units.height = units.plan;
+    units.height_name = units.plan_name;
+  }
+  return units;
 }
 
 } // namespace linelet::io

@@ -21,9 +21,21 @@ using Reference = std::unique_ptr<OGRSpatialReference, ReleaseReference>;
 Reference
 parseReference(const std::string& wkt);
 
-/** \brief WKT of the systems with these EPSG codes, \a vertical may be 0; empty where
- * PROJ does not know one. */
+/** \brief What the GeoTIFF keys of a file say of its reference system: EPSG codes of
+ * its parts and of their units, 0 where not given. */
+struct ReferenceCodes {
+  int plan = 0, height = 0;
+  int plan_unit = 0, height_unit = 0;
+};
+
+/** \brief WKT of the system with these codes; a unit that is given counts more than
+ * that of the system. Empty where PROJ does not know the horizontal part. */
 std::string
-wktOfEpsg(int horizontal, int vertical);
+wktOfCodes(const ReferenceCodes& codes);
+
+/** \brief WKT of a system of which nothing but the unit is known; empty for metres and
+ * for units that are none of length. */
+std::string
+wktOfUnit(int code);
 
 } // namespace linelet::io

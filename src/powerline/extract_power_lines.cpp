@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <linelet/powerline/extract_power_lines.h>
+#include <linelet/powerline/metric_frame.h>
 
 #include <chrono>
 #include <cmath>
@@ -154,7 +155,15 @@ extractPowerLines(const io::Cloud& cloud,
     for (std::size_t i = 0; i < classes.size(); ++i)
       classes[i] = static_cast<std::uint8_t>(io::valueAt(*column, i));
   }
-  return extractPowerLines(cloud.points, classes, settings, monitor);
+  const MetricFrame frame(cloud);
+  if (frame.units().areMetres())
+    return extractPowerLines(cloud.points, classes, settings, monitor);
+  Points points(cloud.points.size());
+  std::transform(cloud.points.begin(),
+                 cloud.points.end(),
+                 points.begin(),
+                 [&](const Point& p) { return frame.metres(p); });
+  return extractPowerLines(points, classes, settings, monitor);
 }
 
 } // namespace linelet::powerline

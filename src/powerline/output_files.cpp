@@ -83,7 +83,7 @@ writePowerLineFiles(const std::string& folder,
                            "report.html"})
     paths.push_back((std::filesystem::path(folder) / name).string());
 
-  const auto layers = powerLineLayers(network, cloud.shift, options);
+  const auto layers = powerLineLayers(cloud, network, options);
   for (std::size_t i = 1; i <= 3; ++i)
     io::writeLayers(paths[i], layers, cloud.wkt);
   writeText(paths[4], powerLineSummary(cloud, network, options));

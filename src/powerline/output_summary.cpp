@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline/output_files.h>
 
 namespace linelet::powerline {
@@ -25,9 +26,9 @@ number(double value)
 }
 
 Json
-place(const Point& p, const Point& shift)
+place(const Point& p, const MetricFrame& frame)
 {
-  const Point world = p + shift;
+  const Point world = frame.world(p);
   return Json::array({number(world.x()), number(world.y()), number(world.z())});
 }
 
@@ -48,17 +49,17 @@ identities(const std::vector<int>& ids)
 }
 
 Json
-clearance(const Clearance& found, const Point& shift)
+clearance(const Clearance& found, const MetricFrame& frame)
 {
   if (!found.known())
     return nullptr;
   return {{"distance", number(found.distance)},
-          {"at", place(found.wire, shift)},
-          {"to", place(found.other, shift)}};
+          {"at", place(found.wire, frame)},
+          {"to", place(found.other, frame)}};
 }
 
 Json
-wireJson(const Wire& wire, const Point& shift, const OutputOptions& options)
+wireJson(const Wire& wire, const MetricFrame& frame, const OutputOptions& options)
 {
   return {{"wire_id", wire.id},
           {"span_id", wire.span},
@@ -67,8 +68,8 @@ wireJson(const Wire& wire, const Point& shift, const OutputOptions& options)
           {"conductors", wire.conductors},
           {"from_pylon", identity(wire.front_support)},
           {"to_pylon", identity(wire.back_support)},
-          {"from", place(wire.front, shift)},
-          {"to", place(wire.back, shift)},
+          {"from", place(wire.front, frame)},
+          {"to", place(wire.back, frame)},
           {"length", number(wire.length)},
           {"span_length", number(wire.span_length)},
           {"sag", number(wire.sag)},
@@ -76,9 +77,9 @@ wireJson(const Wire& wire, const Point& shift, const OutputOptions& options)
            {{"a", number(wire.curve.a)},
             {"azimuth", number(wire.curve.azimuth)},
             {"swing", number(wire.curve.swing)},
-            {"lowest", place(wire.curve.lowest, shift)}}},
-          {"ground_clearance", clearance(wire.ground, shift)},
-          {"vegetation_clearance", clearance(wire.vegetation, shift)},
+            {"lowest", place(wire.curve.lowest, frame)}}},
+          {"ground_clearance", clearance(wire.ground, frame)},
+          {"vegetation_clearance", clearance(wire.vegetation, frame)},
           {"below_clearance", belowClearance(wire, options.clearance)},
           {"points", wire.points},
           {"rms", number(wire.rms)},
@@ -122,10 +123,15 @@ powerLineSummary(const io::Cloud& cloud,
                  const PowerLineNetwork& network,
                  const OutputOptions& options)
 {
-  const Point& shift = cloud.shift;
+  const MetricFrame frame(cloud);
+  const io::Units& units = frame.units();
   Json summary = {{"source", options.source},
                   {"points", cloud.points.size()},
                   {"reference_system", io::referenceName(cloud.wkt)},
+                  {"units",
+                   {{"lengths", "metre"},
+                    {"coordinates", units.plan_name},
+                    {"heights_in_coordinates", units.height_name}}},
                   {"clearance_limit", number(options.clearance)},
                   {"totals", totals(network, options)}};
   Json circuits = Json::array(), spans = Json::array(), wires = Json::array(),
@@ -144,11 +150,11 @@ powerLineSummary(const io::Cloud& cloud,
                      {"azimuth", number(span.azimuth)},
                      {"wires", span.wires}});
   for (const Wire& wire : network.wires)
-    wires.push_back(wireJson(wire, shift, options));
+    wires.push_back(wireJson(wire, frame, options));
   for (const Support& support : network.supports)
     pylons.push_back({{"pylon_id", support.id},
                       {"kind", support.kind == Support::Kind::Pole ? "pole" : "pylon"},
-                      {"base", place(support.base, shift)},
+                      {"base", place(support.base, frame)},
                       {"height", number(support.height)},
                       {"points", support.points},
                       {"confidence", number(support.confidence)}});

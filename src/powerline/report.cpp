@@ -123,6 +123,16 @@ addSpans(Markup& page, const Content& content)
   }
 }
 
+std::string
+unitsInWords(const io::Units& units)
+{
+  std::string words = "lengths and heights in metres";
+  if (!units.areMetres())
+    words += ", coordinates x and y in " + report::escaped(units.plan_name) +
+             ", z in " + report::escaped(units.height_name);
+  return words;
+}
+
 } // namespace
 
 std::string
@@ -130,7 +140,7 @@ powerLineReport(const io::Cloud& cloud,
                 const PowerLineNetwork& network,
                 const OutputOptions& options)
 {
-  const Content content{cloud, network, options};
+  const Content content{cloud, network, options, MetricFrame(cloud)};
   const std::string name = options.source.empty() ? std::string("point cloud")
                                                   : report::escaped(options.source);
   const std::string reference = io::referenceName(cloud.wkt);
@@ -142,7 +152,7 @@ powerLineReport(const io::Cloud& cloud,
        << "</style>\n</head>\n<body>\n<h1>Power lines</h1>\n<p class=\"muted\">" << name
        << " · " << cloud.points.size() << " points · "
        << (reference.empty() ? "reference system unknown" : report::escaped(reference))
-       << " · lengths in metres</p>\n";
+       << " · " << unitsInWords(content.metric.units()) << "</p>\n";
   addTotals(page, content);
   if (network.wires.empty())
     page

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline/output_files.h>
 
 namespace linelet::powerline::report {
@@ -86,6 +87,14 @@ struct Content {
   const io::Cloud& cloud;
   const PowerLineNetwork& network;
   const OutputOptions& options;
+  MetricFrame metric;
+
+  /** \brief A point of the cloud in metres, as the network has it. */
+  Point
+  point(std::size_t i) const
+  {
+    return metric.metres(cloud.points[i]);
+  }
 
   const Wire&
   wire(int id) const

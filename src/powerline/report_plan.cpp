@@ -96,7 +96,8 @@ frameOf(const Content& content)
   const bool any = line.low.x() <= line.high.x();
   const Point reach = Point::Constant(60), rim = Point::Constant(8);
   const Point low = line.low - reach, high = line.high + reach;
-  for (const Point& p : content.cloud.points) {
+  for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
+    const Point p = content.point(i);
     if (!p.allFinite())
       continue;
     const Point q = turned.turned(p);
@@ -151,7 +152,7 @@ addPicture(Markup& page, const Content& content, const Frame& frame)
   std::vector<std::uint8_t> pixels(columns * rows, 0);
   const auto& network = content.network;
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
-    const Point& p = content.cloud.points[i];
+    const Point p = content.point(i);
     if (!p.allFinite() || network.classes[i] == wire_class ||
         network.classes[i] == pylon_class)
       continue;

@@ -70,7 +70,7 @@ pointsOfSpans(const Content& content)
   }
 
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
-    const Point& p = content.cloud.points[i];
+    const Point p = content.point(i);
     if (!p.allFinite() || p.x() < low.x() || p.y() < low.y() || p.x() > high.x() ||
         p.y() > high.y())
       continue;

@@ -49,7 +49,7 @@ struct View {
 View
 viewOf(const Content& content, const Span& span, const SpanFrame& frame)
 {
-  View view{0, frame.length, 1e300, -1e300, 1, 1, content.cloud.shift.z()};
+  View view{0, frame.length, 1e300, -1e300, 1, 1, content.metric.metresAbove(0)};
   for (const int id : span.wires) {
     const Wire& wire = content.wire(id);
     for (const Point& p : polyline(wire)) {
@@ -135,7 +135,7 @@ addPoints(Markup& page,
 {
   Markup wires, pylons, others;
   for (const Index i : points) {
-    const Point& p = content.cloud.points[i];
+    const Point p = content.point(i);
     const double s = frame.along(p);
     if (s < view.from || s > view.to || p.z() < view.low || p.z() > view.high)
       continue;

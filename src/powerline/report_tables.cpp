@@ -70,7 +70,6 @@ addWireTable(Markup& page, const Content& content, const Span& span)
         "rms m",
         "gap m",
         "confidence"});
-  const double world = content.cloud.shift.z();
   for (const int id : span.wires) {
     const Wire& wire = content.wire(id);
     page << "<tr><td><i style=\"background:" << wireColour(wire.number) << "\"></i>"
@@ -79,8 +78,8 @@ addWireTable(Markup& page, const Content& content, const Span& span)
     cell(page, number(wire.length, 2));
     cell(page, number(wire.sag, 2));
     cell(page, number(wire.curve.a, 0));
-    cell(page, number(wire.front.z() + world, 2));
-    cell(page, number(wire.back.z() + world, 2));
+    cell(page, number(content.metric.metresAbove(wire.front.z()), 2));
+    cell(page, number(content.metric.metresAbove(wire.back.z()), 2));
     cell(page, number(wire.ground.distance, 2), wire.ground.distance < limit);
     cell(page, number(wire.vegetation.distance, 2), wire.vegetation.distance < limit);
     cell(page, std::to_string(wire.points));
@@ -171,7 +170,7 @@ addHazards(Markup& page, const Content& content)
        {"distance m", "span", "wire", "to", "x of the wire", "y", "z"},
        "<table class=\"narrow\">");
   for (const Hazard& hazard : hazards) {
-    const Point at = hazard.found->wire + content.cloud.shift;
+    const Point at = content.metric.world(hazard.found->wire);
     page << "<tr>";
     cell(page, number(hazard.found->distance, 2), true);
     page << "<td><a href=\"#span" << hazard.wire->span << "\">" << hazard.wire->span

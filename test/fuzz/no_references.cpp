@@ -20,7 +20,13 @@ parseReference(const std::string&)
 }
 
 std::string
-wktOfEpsg(int, int)
+wktOfCodes(const ReferenceCodes&)
+{
+  return {};
+}
+
+std::string
+wktOfUnit(int)
 {
   return {};
 }

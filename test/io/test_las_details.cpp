@@ -257,26 +257,6 @@ TEST(LasDetails, ReferenceSystemsAreFoundInKeysAndText)
   EXPECT_EQ(nameOf("pdal_100-points.las"), "");
 }
 
-TEST(LasDetails, UnitsOtherThanTheMetreAreNamed)
-{
-  const std::string metres = R"(LOCAL_CS["site",UNIT["metre",1]])",
-                    feet =
-                        R"(LOCAL_CS["site",UNIT["US survey foot",0.3048006096012192]])";
-  EXPECT_EQ(unitOtherThanMetre(""), "");
-  EXPECT_EQ(unitOtherThanMetre("nonsense"), "");
-  EXPECT_EQ(unitOtherThanMetre(metres), "");
-  EXPECT_EQ(unitOtherThanMetre(feet), "US survey foot");
-  const std::string degrees =
-      R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
-      R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])";
-  EXPECT_EQ(unitOtherThanMetre(degrees), "degree");
-  // Plan in metres, heights in feet.
-  EXPECT_EQ(unitOtherThanMetre("COMPD_CS[\"both\"," + metres +
-                               R"(,VERT_CS["height",VERT_DATUM["sea",2005],)"
-                               R"(UNIT["foot",0.3048]]])"),
-            "foot");
-}
-
 TEST(LasDetails, AWriteThatFailsLeavesNothing)
 {
   Cloud cloud;

@@ -314,6 +314,14 @@ TEST_F(OutputFiles, NoWiresGiveValidEmptyFiles)
   ASSERT_NE(file, nullptr);
   ASSERT_NE(file->GetLayerByName("wires"), nullptr);
   EXPECT_EQ(file->GetLayerByName("wires")->GetFeatureCount(), 0);
+  // A style or a script that names a column finds it also where there is no wire.
+  const auto columnOf = [&](const char* layer, const char* column) {
+    return file->GetLayerByName(layer)->GetLayerDefn()->GetFieldIndex(column);
+  };
+  for (const char* column : {"wire_id", "length", "ground_clearance", "reason"})
+    EXPECT_GE(columnOf("wires", column), 0) << column;
+  for (const char* column : {"pylon_id", "kind", "height"})
+    EXPECT_GE(columnOf("pylons", column), 0) << column;
   EXPECT_NE(open("wires.dxf"), nullptr);
   const auto summary = nlohmann::json::parse(textOf(folder_ / "summary.json"));
   EXPECT_EQ(summary.at("totals").at("wires"), 0);

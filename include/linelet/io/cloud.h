@@ -56,7 +56,7 @@ struct LasOrigin; // what a LAS to LAS trip must keep beside points and columns
  * World coordinates are `shift + points[i]`. The shift is chosen by the reader so that
  * points are small; nothing is ever stored as a large float. */
 struct Cloud {
-  Point shift = Point::Zero(); ///< metres (unit of the file), added on output
+  Point shift = Point::Zero(); ///< in the units of the file, added on output
   Points points;               ///< relative to shift; NaN where the file has NaN
   std::vector<Column> columns; ///< each as long as points
   std::string wkt;             ///< coordinate reference system (WKT), empty: unknown
@@ -84,10 +84,25 @@ valueAt(const Column& column, std::size_t i);
 std::string
 referenceName(const std::string& wkt);
 
-/** \brief The first unit of the reference system \a wkt that is not the metre, by its
- * name: "degree", "US survey foot", ...; empty where all are metres or the system is
- * unknown. */
-std::string
-unitOtherThanMetre(const std::string& wkt);
+/** \brief The units that coordinates count in. */
+struct Units {
+  double plan = 1;                   ///< metres in one of x and y; NaN: no lengths
+  double height = 1;                 ///< metres in one of z
+  std::string plan_name = "metre";   ///< "degree", "US survey foot", ...
+  std::string height_name = "metre"; ///< the same for z
+  bool height_stated = true;         ///< else z is taken to count as x and y do
+
+  /** \brief Whether every unit is the metre. */
+  bool
+  areMetres() const
+  {
+    return plan == 1 && height == 1;
+  }
+};
+
+/** \brief The units of the reference system \a wkt: those of its horizontal and of its
+ * vertical part. Metres where it is empty or cannot be understood. */
+Units
+unitsOf(const std::string& wkt);
 
 } // namespace linelet::io

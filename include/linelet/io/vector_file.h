@@ -17,10 +17,13 @@ namespace linelet::io {
 /** \brief An attribute of a vector feature. */
 using Value = std::variant<std::int64_t, double, std::string>;
 
+/** \brief Named attributes, in the order of columns. */
+using Attributes = std::vector<std::pair<std::string, Value>>;
+
 /** \brief A point (one vertex) or a polyline with named attributes. */
 struct VectorFeature {
   Points vertices; ///< world coordinates; a closed line repeats its first vertex
-  std::vector<std::pair<std::string, Value>> attributes; ///< in the order of columns
+  Attributes attributes;
   std::string drawing_layer; ///< its layer in a DXF drawing; empty: that of the layer
   std::string label;         ///< text beside it in a DXF drawing; empty: none
 };
@@ -31,6 +34,8 @@ struct VectorLayer {
   std::string name;
   Kind kind = Kind::Lines;
   std::vector<VectorFeature> features; ///< all with the same attribute names and types
+  Attributes columns; ///< those names, with any values, for a layer without features
+  double text_height = 0.5; ///< of labels in a DXF drawing, in the unit of coordinates
 };
 
 /** \brief Writes layers as .geojson, .gpkg or .dxf: 3D, in full precision, in the given

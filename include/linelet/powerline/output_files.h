@@ -34,15 +34,16 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network);
 /** \brief The network as layers in world coordinates: `wires` (lines) and `pylons`
  * (points at the foot), each with its attributes; also without a feature. In a drawing
  * every wire is a layer `wires_circuit_1_span_2_wire_3`, with its main attributes as a
- * text on the layer `labels`.
- * \param[in] shift world coordinates of the network's origin */
+ * text on the layer `labels`. Coordinates are in the units of \a cloud, lengths in
+ * metres. */
 std::vector<io::VectorLayer>
-powerLineLayers(const PowerLineNetwork& network,
-                const Point& shift,
+powerLineLayers(const io::Cloud& cloud,
+                const PowerLineNetwork& network,
                 const OutputOptions& options);
 
 /** \brief The network as JSON text: totals, circuits, spans, wires, pylons; keys in
- * snake_case, null for what is unknown, world coordinates. */
+ * snake_case, null for what is unknown, world coordinates in the units of \a cloud,
+ * lengths in metres. */
 std::string
 powerLineSummary(const io::Cloud& cloud,
                  const PowerLineNetwork& network,

@@ -136,8 +136,8 @@ struct StageTime {
   double seconds = 0;
 };
 
-/** \brief What \ref extractPowerLines found, in the coordinates of the points it got.
- */
+/** \brief What \ref extractPowerLines found, in the coordinates of the points it got,
+ * or in metres from the same origin (MetricFrame) where these were not metres. */
 struct PowerLineNetwork {
   std::vector<Wire> wires;
   std::vector<Span> spans;

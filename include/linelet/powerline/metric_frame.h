@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/io/cloud.h>
+
+namespace linelet::powerline {
+
+/** \brief The way between a cloud, which may count in feet, and a network of its lines,
+ * which is in metres: the same axes, from the same origin (io::Cloud::shift). */
+class MetricFrame {
+public:
+  /** \brief The frame of \a cloud, by the units of its reference system.
+   * \throws std::invalid_argument where these are no lengths (degrees) */
+  explicit MetricFrame(const io::Cloud& cloud);
+
+  /** \brief A point of the cloud (without its shift) in metres. */
+  Point
+  metres(const Point& of_cloud) const
+  {
+    return of_cloud.cwiseProduct(unit_);
+  }
+
+  /** \brief World coordinates, in the units of the file, of a point of the network. */
+  Point
+  world(const Point& of_network) const
+  {
+    return of_network.cwiseQuotient(unit_) + shift_;
+  }
+
+  /** \brief Metres above the zero of heights, of a height in the network. */
+  double
+  metresAbove(double z) const
+  {
+    return z + shift_.z() * unit_.z();
+  }
+
+  const io::Units&
+  units() const
+  {
+    return units_;
+  }
+
+private:
+  io::Units units_;
+  Point shift_, unit_; // unit_: metres in one of each axis
+};
+
+} // namespace linelet::powerline
