@@ -19,6 +19,7 @@
 #include "frame.h"
 #include "options.h"
 #include "picture/benchmark_picture.h"
+#include "picture/canvas.h"
 
 namespace linelet::apps {
 
@@ -184,6 +185,8 @@ runBenchmark(const std::vector<std::string>& arguments)
   addOptions(app, settings);
   frame.parse(arguments);
   settings.threads = 1;
+  if (!plot_path.empty())
+    checkPictureOutput(plot_path);
   const std::string method =
       label.empty() ? std::string(nameOf(settings.preset)) : label;
 

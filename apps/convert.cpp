@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 
 #include "commands.h"
@@ -24,6 +25,7 @@ runConvert(const std::vector<std::string>& arguments)
   addOptions(frame.app, options);
   addOptions(frame.app, writing);
   frame.parse(arguments);
+  io::checkCloudOutput(out);
 
   std::vector<std::string> warnings;
   const io::Cloud cloud = io::readCloud(in, options, &warnings, &frame.monitor);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +43,15 @@ pointsOfClasses(const io::Cloud& cloud,
   return chosen;
 }
 
+/** \brief Whether \a option was set to no avail, unless the preset is the published
+ * one; an option file has all of them, most as they are anyway. */
+bool
+isOfPublishedPreset(const CLI::Option* option)
+{
+  return option->get_description().rfind("published:", 0) == 0 && option->count() > 0 &&
+         option->results() != std::vector<std::string>{option->get_default_str()};
+}
+
 } // namespace
 
 int
@@ -66,6 +76,9 @@ runCurves(const std::vector<std::string>& arguments)
   frame.parse(arguments);
   settings.threads = frame.threads;
   io::checkCurvesOutput(output);
+  if (settings.preset != Preset::Published)
+    for (const CLI::Option* option : frame.app.get_options(isOfPublishedPreset))
+      frame.warn(option->get_name() + " has no effect without --preset published");
 
   std::vector<std::string> warnings;
   const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
@@ -81,6 +94,9 @@ runCurves(const std::vector<std::string>& arguments)
   if (network.curves.empty())
     frame.warn("no curve found in the " + std::to_string(points.size()) +
                " points; the output is empty");
+  else if (cloud.wkt.empty() && std::filesystem::path(output).extension() == ".geojson")
+    frame.warn(output + ": the input tells no reference system, so readers of GeoJSON "
+                        "take the coordinates for degrees; .gpkg says it is unknown");
   std::printf(
       "%s: %zu curves (%zu closed), %zu junctions, length %.6g, from %zu points\n",
       output.c_str(),

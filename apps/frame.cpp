@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 
 #include <unistd.h>
+
+#include <linelet/io/output_file.h>
 
 namespace linelet::apps {
 
@@ -48,6 +48,17 @@ public:
     return items;
   }
 };
+
+/** \brief One line for a usage error, with the option file it comes from, if any. */
+std::string
+usageError(const CLI::App* app, const CLI::Error& error)
+{
+  const std::string& name = app->get_name();
+  const bool of_file = dynamic_cast<const CLI::ConfigError*>(&error) != nullptr;
+  return name + ": " +
+         (of_file ? app->get_config_ptr()->as<std::string>() + ": " : std::string()) +
+         error.what() + "; " + name + " --help lists the options\n";
+}
 
 } // namespace
 
@@ -122,11 +133,12 @@ Frame::Frame(const std::string& command, const std::string& description)
   app.add_option("--threads", threads, "threads, 0: all");
   app.add_option("--json", json_file_, "write a machine-readable summary to this file")
       ->configurable(false);
-  app.set_config("--config", "", "read options from this file");
+  app.set_config("--config", "", "read options from this file")->type_name("FILE");
   app.config_formatter(std::make_shared<OptionFile>());
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_flag("--print-config", print_config_, "print all options with their values")
       ->configurable(false);
+  app.failure_message(usageError);
 }
 
 void
@@ -136,13 +148,19 @@ Frame::parse(const std::vector<std::string>& arguments)
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   }
   catch (const CLI::ParseError& error) {
+    // The options can be looked at before there is a file to work on.
+    const bool asked_early =
+        print_config_ && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     // A request for help exits with 0, everything else is a usage error.
-    throw Exit{app.exit(error) == 0 ? 0 : 2};
+    if (!asked_early)
+      throw Exit{app.exit(error) == 0 ? 0 : 2};
   }
   if (print_config_) {
     std::cout << app.config_to_str(true, true);
     throw Exit{0};
   }
+  if (!json_file_.empty())
+    io::checkWritable(json_file_);
 }
 
 void
@@ -163,11 +181,11 @@ Frame::finish() const
 {
   if (json_file_.empty())
     return 0;
-  std::ofstream file(json_file_);
-  file << summary.dump(2) << '\n';
-  if (!file.flush())
-    throw std::runtime_error(json_file_ + ": cannot be written; check that the folder "
-                                          "exists and has room");
+  io::OutputFile file(json_file_);
+  // A path may hold bytes that are no UTF-8, which JSON is.
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  file.write(summary.dump(2, ' ', false, replace) + '\n');
+  file.commit();
   return 0;
 }
 

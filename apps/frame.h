@@ -64,7 +64,8 @@ public:
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   ProgressBar monitor;
 
-  /** \brief Reads the arguments behind the command's name. \throws Exit */
+  /** \brief Reads the arguments behind the command's name.
+   * \throws Exit, io::FileError where --json cannot be written */
   void
   parse(const std::vector<std::string>& arguments);
 

@@ -8,6 +8,7 @@
 
 #include <linelet/evaluation/geometries.h>
 #include <linelet/evaluation/test_cloud.h>
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 
@@ -43,6 +44,9 @@ generateGeometry(const std::vector<std::string>& arguments)
       ->expected(2);
   addOptions(frame.app, settings);
   frame.parse(arguments);
+  io::checkCloudOutput(output);
+  if (!truth.empty())
+    io::checkCurvesOutput(truth);
 
   const auto geometry = fromName<evaluation::Geometry>(name);
   if (!hole.empty())

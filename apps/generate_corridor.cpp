@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <linelet/evaluation/corridor.h>
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 
@@ -80,6 +81,9 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
       "--truth", truth, "file for the true wires, one polyline a span");
   addOptions(frame.app, settings);
   frame.parse(arguments);
+  io::checkCloudOutput(output);
+  if (!truth.empty())
+    io::checkCurvesOutput(truth);
 
   evaluation::CorridorScan scan =
       evaluation::simulateCorridor(settings, &frame.monitor);

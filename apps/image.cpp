@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
+#include "picture/canvas.h"
 #include "picture/pictures.h"
 
 namespace linelet::apps {
@@ -71,9 +71,7 @@ runImage(const std::vector<std::string>& arguments)
   // Medians of every neighbourhood of a whole cloud take their time.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
-  if (const auto ending = std::filesystem::path(output).extension();
-      ending != ".png" && ending != ".PNG")
-    throw std::runtime_error(output + ": pictures are written as .png only");
+  checkPictureOutput(output);
   constexpr unsigned least = 200, most = 10000;
   if (settings.width < least || settings.height < least || settings.width > most ||
       settings.height > most)

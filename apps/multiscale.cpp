@@ -5,9 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +12,7 @@
 #include <linelet/features/multi_scale.h>
 #include <linelet/features/noise_rate.h>
 #include <linelet/io/output_check.h>
+#include <linelet/io/output_file.h>
 #include <linelet/io/point_file.h>
 
 #include "commands.h"
@@ -93,54 +91,31 @@ estimateCost(const Points& points, const MultiScaleSettings& settings)
   return cost;
 }
 
-/** \brief Writes the graphs of every point as they come. */
-class GraphFile {
-public:
-  GraphFile(const std::string& path, const std::vector<double>& radii)
-      : path_(path), radii_(radii), file_(std::fopen(path.c_str(), "w"), std::fclose)
-  {
-    if (!file_)
-      fail();
-    std::fputs("point,scale,radius,neighbors,linearity,planarity,sphericity,"
-               "major_x,major_y,major_z\n",
-               file_.get());
-  }
+constexpr const char* graph_header =
+    "point,scale,radius,neighbors,linearity,planarity,sphericity,"
+    "major_x,major_y,major_z\n";
 
-  void
-  write(std::size_t point, const ShapeGraph& graph)
-  {
-    for (std::size_t k = 0; k < graph.size(); ++k) {
-      const ScaleShape& s = graph[k];
-      std::fprintf(file_.get(), "%zu,%zu,%.9g,%u", point, k, radii_[k], s.neighbors);
-      for (const float value :
-           {s.linearity, s.planarity, s.sphericity, s.major_x, s.major_y, s.major_z})
-        if (std::isnan(value))
-          std::fputs(",", file_.get()); // an empty cell is what readers take for NaN
-        else
-          std::fprintf(file_.get(), ",%.7g", static_cast<double>(value));
-      std::fputc('\n', file_.get());
+/** \brief The rows of one point in the file of graphs. */
+std::string
+rowsOf(std::size_t point, const ShapeGraph& graph, const std::vector<double>& radii)
+{
+  std::string rows;
+  char cell[64];
+  for (std::size_t k = 0; k < graph.size(); ++k) {
+    const ScaleShape& s = graph[k];
+    std::snprintf(
+        cell, sizeof(cell), "%zu,%zu,%.9g,%u", point, k, radii[k], s.neighbors);
+    rows += cell;
+    for (const float value :
+         {s.linearity, s.planarity, s.sphericity, s.major_x, s.major_y, s.major_z}) {
+      // An empty cell is what readers take for NaN.
+      std::snprintf(cell, sizeof(cell), ",%.7g", static_cast<double>(value));
+      rows += std::isnan(value) ? "," : cell;
     }
+    rows += '\n';
   }
-
-  void
-  close()
-  {
-    if (std::ferror(file_.get()) != 0 || std::fclose(file_.release()) != 0)
-      fail();
-  }
-
-private:
-  [[noreturn]] void
-  fail() const
-  {
-    throw std::runtime_error(
-        path_ + ": cannot be written; check that the folder exists and has room");
-  }
-
-  std::string path_;
-  const std::vector<double>& radii_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-};
+  return rows;
+}
 
 template <class T>
 void
@@ -229,6 +204,8 @@ runMultiscale(const std::vector<std::string>& arguments)
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
   io::checkCloudOutput(output);
+  if (!graphs.empty())
+    io::checkWritable(graphs);
 
   std::vector<std::string> warnings;
   io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
@@ -261,14 +238,17 @@ runMultiscale(const std::vector<std::string>& arguments)
   if (graphs.empty())
     result = multiScaleShapes(cloud.points, cloud.points, planned, {}, &frame.monitor);
   else {
-    GraphFile file(graphs, planned.radii);
+    io::OutputFile file(graphs);
+    file.write(graph_header);
     result = multiScaleShapes(
         cloud.points,
         cloud.points,
         planned,
-        [&](std::size_t point, const ShapeGraph& graph) { file.write(point, graph); },
+        [&](std::size_t point, const ShapeGraph& graph) {
+          file.write(rowsOf(point, graph, planned.radii));
+        },
         &frame.monitor);
-    file.close();
+    file.commit();
   }
   const std::vector<MultiScaleShape> about_points =
       settings.centroid == Centroid::QueryPoint

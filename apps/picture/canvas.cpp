@@ -5,16 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include <vtkAutoInit.h>
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <linelet/io/output_file.h>
 
 VTK_MODULE_INIT(vtkRenderingFreeType) // registers what the text renderer writes with
 
@@ -216,13 +219,24 @@ Canvas::save(const std::string& path) const
                            static_cast<std::size_t>(x * fineness + u) * 3 + i];
         *out++ = static_cast<std::uint8_t>(sum / (fineness * fineness));
       }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
+  vtkNew<vtkPNGWriter> writer; // in memory: VTK says on stderr what fails on disk
   writer->SetInputData(image);
+  writer->WriteToMemoryOn();
   writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw std::runtime_error(path + ": cannot be written; check that the folder exists "
-                                    "and has room");
+  vtkUnsignedCharArray& png = *writer->GetResult();
+  io::OutputFile file(path);
+  file.write({reinterpret_cast<const char*>(png.GetPointer(0)),
+              static_cast<std::size_t>(png.GetNumberOfValues())});
+  file.commit();
+}
+
+void
+checkPictureOutput(const std::string& path)
+{
+  const auto ending = std::filesystem::path(path).extension();
+  if (ending != ".png" && ending != ".PNG")
+    throw std::runtime_error(path + ": pictures are written as .png only");
+  io::checkWritable(path);
 }
 
 } // namespace linelet::apps

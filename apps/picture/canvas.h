@@ -69,7 +69,7 @@ public:
   static double
   textWidth(const std::string& words, double size, bool bold = false);
 
-  /** \brief Writes a PNG file. \throws std::runtime_error */
+  /** \brief Writes a PNG file. \throws io::FileError */
   void
   save(const std::string& path) const;
 
@@ -104,5 +104,10 @@ private:
   int width_, height_;
   std::vector<std::uint8_t> pixels_; // fine, rows downwards, 3 bytes each
 };
+
+/** \brief Fails at once where saving a picture at \a path would fail after long work.
+ * \throws std::runtime_error */
+void
+checkPictureOutput(const std::string& path);
 
 } // namespace linelet::apps

@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <string_view>
+
+#include <linelet/io/output_file.h>
 
 namespace linelet::io {
 
@@ -39,36 +40,6 @@ stagingPath(const std::string& path);
 /** \brief Puts the finished \a staged in the place of \a path. \throws FileError */
 void
 publish(const std::string& staged, const std::string& path);
-
-/** \brief A file under construction. Nothing stands at its path before \ref commit. */
-class OutputFile {
-public:
-  /** \throws FileError */
-  explicit OutputFile(const std::string& path);
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile&
-  operator=(const OutputFile&) = delete;
-
-  /** \throws FileError */
-  void
-  write(std::string_view bytes);
-
-  /** \brief The file is whole: put it in its place. \throws FileError */
-  void
-  commit();
-
-private:
-  [[noreturn]] void
-  fail();
-
-  std::string path_, staged_;
-  std::FILE* file_ = nullptr;
-};
-
-/** \brief Fails where no file can be made at \a path; makes none. \throws FileError */
-void
-checkWritable(const std::string& path);
 
 /** \brief The sentence for a file that cannot be written, from errno. */
 std::string

@@ -101,6 +101,18 @@ isNumber(std::string_view word)
   return parseNumber(word, value);
 }
 
+/** Whether \a word would be a number, were it not for its decimal comma. */
+bool
+hasDecimalComma(std::string_view word)
+{
+  const std::size_t comma = word.find(',');
+  if (comma == std::string_view::npos)
+    return false;
+  std::string with_point(word);
+  with_point[comma] = '.';
+  return isNumber(with_point);
+}
+
 /** The text behind the mark of a comment; null where \a line is none. */
 const char*
 commentOf(std::string_view line)
@@ -148,6 +160,12 @@ private:
   fail(const std::string& what) const
   {
     source_.fail("line " + std::to_string(lines_.number()) + ": " + what);
+  }
+
+  [[noreturn]] void
+  failForCommas() const
+  {
+    fail("numbers have decimal commas; write them with points, as in 1.5");
   }
 
   void
@@ -201,6 +219,8 @@ private:
     split(line);
     dropEnd(1);
     if (std::none_of(words_.begin(), words_.end(), isNumber)) {
+      if (std::any_of(words_.begin(), words_.end(), hasDecimalComma))
+        failForCommas();
       takeNames();
       numbers_.resize(names_.size());
       return true;
@@ -251,9 +271,12 @@ private:
     if (rows_ == 0)
       dropWords();
     for (std::size_t i = 0; i < names_.size(); ++i)
-      if (!dropped_[i] && !numbers_[i].add(words_[i]))
+      if (!dropped_[i] && !numbers_[i].add(words_[i])) {
+        if (hasDecimalComma(words_[i]))
+          failForCommas();
         fail("'" + cleanName(words_[i].substr(0, 40)) + "' is no number for '" +
              names_[i] + "'");
+      }
     if (++rows_ % block_points == 0)
       source_.advance(block_points);
     return true;
@@ -266,6 +289,8 @@ private:
     dropped_.assign(names_.size(), false);
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const bool place = names_[i] == "x" || names_[i] == "y" || names_[i] == "z";
+      if (hasDecimalComma(words_[i]))
+        failForCommas();
       if (place || words_[i].empty() || isNumber(words_[i]))
         continue;
       dropped_[i] = true;

@@ -88,7 +88,13 @@ TEST_F(CurveCommands, ACircleIsOneClosedCurveInEveryFormat)
   for (const auto& [ending, beginning] : beginnings) {
     SCOPED_TRACE(ending);
     const std::string output = path("circle" + ending);
-    runWell("curves " + cloud + " " + output + " --json " + path("circle.json"));
+    const std::string told =
+        runWell("curves " + cloud + " " + output + " --json " + path("circle.json"))
+            .error;
+    // Only GeoJSON has a reference system even where none is known.
+    EXPECT_EQ(told.find("take the coordinates for degrees") != std::string::npos,
+              std::string(ending) == ".geojson")
+        << told;
     const auto summary = json(path("circle.json"));
     EXPECT_EQ(summary["points"], 128);
     EXPECT_EQ(summary["curves"], 1);

@@ -92,6 +92,8 @@ TEST_F(FileCommands, WhatCannotBeReadIsNamedInOneLine)
   expectOneLineOf("info " + write("cloud.laz", "LASF"), path("cloud.laz"));
   expectOneLineOf("info " + write("short.las", "LASF"), path("short.las"));
   expectOneLineOf("info " + write("empty.xyz", ""), path("empty.xyz"));
+  expectOneLineOf("info " + write("comma.csv", "x;y;z\n1,5;2;3\n"), "line 2: numbers");
+  expectOneLineOf("info " + write("comma.txt", "1,5;2;3\n1,5;2;3\n"), "decimal commas");
   EXPECT_THAT(run("info " + path("cloud.laz")).error, HasSubstr("decompress"));
   expectOneLineOf("convert " + writeSmallCloud() + " " + path("out.foo"),
                   path("out.foo"));
@@ -137,6 +139,16 @@ TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
       expectOneLineOf(command + path("none.las") + " " + path(output), path(output));
   expectOneLineOf("curves " + path("none.las") + " " + path("out.las"), "out.las");
   expectOneLineOf("tensor " + path("none.las") + " " + path("out.gpkg"), "out.gpkg");
+  expectOneLineOf("convert " + path("none.las") + " " + path("out.foo"), "out.foo");
+  expectOneLineOf("image " + path("none.las") + " " + path("no/out.png"), "no/out.png");
+  // Outputs beside the main one as well.
+  for (const std::string call : {"info none.las --json ",
+                                 "multiscale none.las out.las --graphs ",
+                                 "generate circle out.las --truth ",
+                                 "generate corridor out.las --truth ",
+                                 "benchmark --sample 1 --plot "})
+    expectOneLineOf("" + call + path("no/folder/out.png"), path("no/folder/out.png"));
+  expectOneLineOf("benchmark --sample 1 --plot " + path("out.jpg"), path("out.jpg"));
   // What can be written is not touched by asking.
   write("kept.ply", "what was here before");
   expectOneLineOf("curves " + path("none.las") + " " + path("kept.ply"), "none.las");

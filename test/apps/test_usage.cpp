@@ -14,6 +14,7 @@ using linelet::test::Outcome;
 using linelet::test::ToolTest;
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::StartsWith;
 
 namespace {
 
@@ -73,6 +74,52 @@ TEST_F(Usage, MisuseExitsWithTwo)
   EXPECT_EQ(run("info").code, 2);
   EXPECT_EQ(run("convert " + cloud).code, 2);
   EXPECT_EQ(run("curves " + cloud + " out.obj --preset newest").code, 2);
+}
+
+TEST_F(Usage, MisuseIsToldInOneLine)
+{
+  const std::string wrong = write("wrong.ini", "pionts=99\n");
+  for (const char* call : {"curves",
+                           "curves in.xyz out.obj --frobnicate",
+                           "curves in.xyz out.obj --distance-cutoff far",
+                           "curves in.xyz out.obj --preset newest"}) {
+    const Outcome outcome = run(call);
+    EXPECT_EQ(outcome.code, 2) << call;
+    EXPECT_EQ(lines(outcome.error), 1) << outcome.error;
+    EXPECT_THAT(outcome.error, StartsWith("linelet curves: "));
+    EXPECT_THAT(outcome.error, HasSubstr("linelet curves --help"));
+  }
+  EXPECT_THAT(run("curves in.xyz out.obj --config " + wrong).error,
+              StartsWith("linelet curves: " + wrong + ": "));
+}
+
+TEST_F(Usage, OptionsCanBePrintedBeforeThereAreFiles)
+{
+  for (const std::string& command : all_commands) {
+    SCOPED_TRACE(command);
+    EXPECT_THAT(runWell(command + " --print-config").out, HasSubstr("threads=0\n"));
+  }
+  // And serve any file afterwards.
+  write("options.ini", runWell("generate --points 33 --print-config").out);
+  EXPECT_THAT(runWell("generate circle " + path("circle.xyz") + " --config " +
+                      path("options.ini"))
+                  .out,
+              HasSubstr(" 33 points"));
+}
+
+TEST_F(Usage, OptionsOfAnotherPresetAreNotIgnoredInSilence)
+{
+  runWell("generate circle " + path("in.xyz") + " --points 64");
+  const std::string call = "curves " + path("in.xyz") + " " + path("out.obj");
+  const Outcome ignored =
+      runWell(call + " --step 0.4 --centroid mean --start-points 1");
+  EXPECT_THAT(ignored.error, HasSubstr("--step has no effect"));
+  EXPECT_THAT(ignored.error, HasSubstr("--centroid has no effect"));
+  EXPECT_EQ(lines(ignored.error), 2) << ignored.error;
+  EXPECT_EQ(runWell(call + " --step 0.4 --preset published").error, "");
+  // An option file with every default ignores nothing that was asked for.
+  write("options.ini", runWell(call + " --print-config").out);
+  EXPECT_EQ(runWell(call + " --config " + path("options.ini")).error, "");
 }
 
 TEST_F(Usage, PrintedOptionsCanBeReadBack)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -113,7 +114,9 @@ describe(StreamlineSettings& s, Visit&& visit)
   visit("prefilter-radius",
         s.prefilter_radius,
         "published: move points to the mean of those within; 0: none");
-  describe(s.shape, visit);
+  describe(s.shape, [&](const char* name, auto& value, const char* help) {
+    visit(name, value, ("published: " + std::string(help)).c_str());
+  });
 }
 
 /** \brief Checks that every parameter is in range.

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace linelet::io {
+
+/** \brief A file under construction. Nothing stands at its path before \ref commit;
+ * without it, nothing stays. */
+class OutputFile {
+public:
+  /** \throws FileError where no file can be made at \a path */
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile&
+  operator=(const OutputFile&) = delete;
+
+  /** \throws FileError where there is no room */
+  void
+  write(std::string_view bytes);
+
+  /** \brief The file is whole: put it in its place. \throws FileError */
+  void
+  commit();
+
+private:
+  [[noreturn]] void
+  fail();
+
+  std::string path_, staged_;
+  std::FILE* file_ = nullptr;
+};
+
+/** \brief Fails where no file can be made at \a path; makes none. \throws FileError */
+void
+checkWritable(const std::string& path);
+
+} // namespace linelet::io
