@@ -134,6 +134,14 @@ unpackColours(std::vector<Column>& columns)
   }
 }
 
+/** Distance of \a value from the next float. */
+double
+floatGap(double value)
+{
+  const auto number = static_cast<float>(std::abs(value));
+  return static_cast<double>(std::nextafter(number, INFINITY) - number);
+}
+
 double
 wholeShift(double low, double high)
 {
@@ -174,6 +182,7 @@ Cloud
 cloudFromColumns(const Source& source, std::vector<Column> columns)
 {
   Cloud cloud;
+  double extent = 0, gap = 0; // the largest of all axes
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
     const Column* column = findIn(columns, name);
@@ -197,10 +206,24 @@ cloudFromColumns(const Source& source, std::vector<Column> columns)
         },
         column->values);
     cloud.shift[axis] = low <= high ? wholeShift(low, high) : 0;
+    if (low <= high) {
+      extent = std::max(extent, high - low);
+      if (std::holds_alternative<std::vector<float>>(column->values))
+        gap = std::max({gap, floatGap(low), floatGap(high)});
+    }
     if (cloud.shift[axis] != 0)
       for (Point& point : cloud.points)
         point[axis] -= cloud.shift[axis];
     columns.erase(columns.begin() + (column - columns.data()));
+  }
+  constexpr double coarse = 1e-5; // of the extent: a millimetre in a hundred metres
+  if (extent > 0 && gap > coarse * extent) {
+    std::string apart;
+    appendNumber(apart, gap);
+    source.warn("coordinates are floats of 4 bytes, which lie " + apart +
+                " apart this far from the origin: finer detail, if there was any, is "
+                "lost; store them in 8 bytes, or less a shift (linelet convert "
+                "--shifted)");
   }
   unpackColours(columns);
   makeNamesUnique(columns);

@@ -11,11 +11,11 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <linelet/io/point_file.h>
+
 #include "files.h"
 #include "geojson.h"
 #include "reference.h"
-
-#include <linelet/io/point_file.h>
 
 namespace linelet::io {
 
@@ -177,6 +177,16 @@ private:
   std::unique_ptr<GDALDataset> dataset_;
 };
 
+/** What GeoPackage calls a plane of which nothing is known. Without a system GDAL takes
+ * coordinates for degrees. */
+Reference
+unknownPlane()
+{
+  Reference plane(new OGRSpatialReference);
+  plane->SetLocalCS("Undefined Cartesian SRS");
+  return plane;
+}
+
 void
 writeGeoPackage(const std::string& path,
                 const std::string& staged,
@@ -185,7 +195,9 @@ writeGeoPackage(const std::string& path,
 {
   // The same input gives the same bytes: no time of writing.
   const GdalOption date("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
-  const Reference system = parseReference(wkt);
+  Reference system = parseReference(wkt);
+  if (system == nullptr)
+    system = unknownPlane();
   CPLErrorReset();
   LayerWriter writer(path, staged, "GPKG");
   for (const VectorLayer& content : layers) {

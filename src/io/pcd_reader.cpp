@@ -280,25 +280,12 @@ private:
     for (Column& column : columns_) {
       const std::string_view word = takeWord(line, " \t,;");
       const bool read = std::visit(
-          [&](auto& values) {
-            using T = typename std::decay_t<decltype(values)>::value_type;
-            T value{};
-            double real = 0;
-            if (!parseNumber(word, value)) {
-              if (!parseNumber(word, real) || !representable<T>(real))
-                return false;
-              value = static_cast<T>(real);
-            }
-            values.push_back(value);
-            return true;
-          },
+          [&](auto& values) { return parseValue(word, values.emplace_back()); },
           column.values);
       if (!read && word.empty() && lines_.rest().empty())
         return false;
       if (!read)
-        failHere(word.empty() ? "there is no value for '" + column.name + "'"
-                              : "'" + cleanName(word.substr(0, 40)) +
-                                    "' is no value for '" + column.name + "'");
+        failHere(noValue(word, column.name));
     }
     return true;
   }

@@ -321,18 +321,9 @@ private:
           takeWord(line);
         continue;
       }
-      const bool read = std::visit(
-          [&](auto& values) {
-            using T = typename std::decay_t<decltype(values)>::value_type;
-            double real = 0;
-            if (parseNumber(word, values[row]))
-              return true;
-            if (!parseNumber(word, real) || !representable<T>(real))
-              return false;
-            values[row] = static_cast<T>(real);
-            return true;
-          },
-          columns_[next++].values);
+      const bool read =
+          std::visit([&](auto& values) { return parseValue(word, values[row]); },
+                     columns_[next++].values);
       if (!read)
         return failOrEnd(word, property);
     }
@@ -345,9 +336,7 @@ private:
   {
     if (word.empty() && lines_.rest().empty())
       return false;
-    failHere(word.empty() ? "there is no value for '" + property.name + "'"
-                          : "'" + cleanName(word.substr(0, 40)) +
-                                "' is no value for '" + property.name + "'");
+    failHere(noValue(word, property.name));
   }
 
   const Source& source_;

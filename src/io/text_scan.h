@@ -9,6 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include "source.h"
+#include "values.h"
+
 namespace linelet::io {
 
 /** \brief Takes the lines of a text one after another; LF, CRLF and CR end a line. */
@@ -78,6 +81,30 @@ parseNumber(std::string_view word, T& value)
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   return !word.empty() && result.ec == std::errc() &&
          result.ptr == word.data() + word.size();
+}
+
+/** \brief Whether \a word is a value of T, be it written as a real number: 3.0 for 3.
+ */
+template <class T>
+bool
+parseValue(std::string_view word, T& value)
+{
+  if (parseNumber(word, value))
+    return true;
+  double real = 0;
+  if (!parseNumber(word, real) || !representable<T>(real))
+    return false;
+  value = static_cast<T>(real);
+  return true;
+}
+
+/** \brief Says that \a word is no value of the attribute \a name. */
+inline std::string
+noValue(std::string_view word, const std::string& name)
+{
+  return word.empty()
+             ? "there is no value for '" + name + "'"
+             : "'" + cleanName(word.substr(0, 40)) + "' is no value for '" + name + "'";
 }
 
 /** \brief Appends the shortest text that reads back as the same value. */

@@ -266,3 +266,28 @@ TEST(Conversion, LargeCloudsGetAGridThatReachesThem)
   writeCloud(folder.file("a.las"), cloud);
   expectSamePlaces(cloud, readCloud(folder.file("a.las")), 0.01);
 }
+
+TEST(Conversion, FloatsTooCoarseForTheirPlaceAreWarnedOf)
+{
+  const Folder folder;
+  const auto warningsOf = [&](const std::string& bytes, const std::string& rows) {
+    std::string sizes, types;
+    for (int axis = 0; axis < 3; ++axis)
+      sizes += " " + bytes, types += " F";
+    writeBytes(folder.file("a.pcd"),
+               "FIELDS x y z\nSIZE" + sizes + "\nTYPE" + types +
+                   "\nWIDTH 2\nHEIGHT 1\nDATA ascii\n" + rows);
+    std::vector<std::string> warnings;
+    readCloud(folder.file("a.pcd"), {}, &warnings);
+    return warnings;
+  };
+  const std::string utm = "500000 5427000.3 200\n500090 5427001.9 210\n";
+  const auto warnings = warningsOf("4", utm);
+  ASSERT_EQ(warnings.size(), 1U);
+  // Between 2^22 and 2^23 floats of 24 bits lie half a unit apart.
+  EXPECT_NE(warnings[0].find(" 0.5 apart"), std::string::npos) << warnings[0];
+  EXPECT_TRUE(warningsOf("8", utm).empty());
+  EXPECT_TRUE(warningsOf("4", "-60 0.25 200\n90 1.9 210\n").empty());
+  EXPECT_TRUE(warningsOf("4", "0 0 0\n9000000 5427001 210\n").empty());
+  EXPECT_TRUE(warningsOf("4", "500000 1 1\n500000 1 1\n").empty());
+}

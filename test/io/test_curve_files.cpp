@@ -156,6 +156,17 @@ TEST(CurveFiles, GeoJsonNamesCompoundSystems)
   EXPECT_NE(bytesOf(folder.file("a.geojson")).find("EPSG::28992"), std::string::npos);
 }
 
+TEST(CurveFiles, CoordinatesOfAnUnknownSystemAreNoDegrees)
+{
+  const Folder folder;
+  writeCurves(folder.file("a.gpkg"), example(), utm_shift);
+  const auto dataset = open(folder.file("a.gpkg"));
+  const OGRSpatialReference* system = dataset->GetLayer(0)->GetSpatialRef();
+  ASSERT_NE(system, nullptr);
+  EXPECT_TRUE(system->IsLocal());
+  EXPECT_STREQ(system->GetName(), "Undefined Cartesian SRS");
+}
+
 TEST(CurveFiles, LayersKeepTheirNamesAndKinds)
 {
   const Folder folder;
