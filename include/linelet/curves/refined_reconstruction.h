@@ -41,12 +41,14 @@ describe(RefinedSettings& settings, Visit&& visit)
  * noisy polylines and uniform outliers by expectation maximisation under a bending
  * prior with heavy tails, and the Bayesian information criterion picks the best. All
  * lengths follow from the spacing of the points, so the result moves, turns and scales
- * with the input; it does not depend on the number of threads. \param[in] points any
- * points; those with a coordinate that is not finite are left out \param[in] settings
- * see \ref RefinedSettings \param[in] monitor hears of every part of the cloud that is
- * done; may be null \return curves with the number of points that each vertex explains;
- * none where the cloud holds no curve \throws std::invalid_argument for a negative or
- * NaN cutoff \throws Cancelled when \a monitor says so */
+ * with the input; it does not depend on the number of threads.
+ * \param[in] points any points; those with a coordinate that is not finite are left out
+ * \param[in] settings see \ref RefinedSettings
+ * \param[in] monitor hears of every part of the cloud that is done; may be null
+ * \return curves with the number of points that each vertex explains; none where the
+ * cloud holds no curve
+ * \throws std::invalid_argument for a negative or NaN cutoff
+ * \throws Cancelled when \a monitor says so */
 CurveNetwork
 reconstructRefined(const Points& points,
                    const RefinedSettings& settings = {},
