@@ -60,6 +60,7 @@ LadderEngine::LadderEngine(const Points& surface, double largest_radius, int thr
     edge *= 2;
     sort();
   }
+  groups_ = std::make_unique<PointGroups>(*surface_order_, threads);
 }
 
 void
@@ -74,7 +75,7 @@ LadderEngine::run(const Points& queries,
   if (&queries != &surface_ || chosen != nullptr)
     own = std::make_unique<BlockOrder>(queries, chosen, *frame_, threads_);
   const BlockOrder& order = own != nullptr ? *own : *surface_order_;
-  const LadderJob job{*frame_, *surface_order_, order, settings, radii};
+  const LadderJob job{*frame_, *surface_order_, *groups_, order, settings, radii};
 
   std::vector<LadderPiece> pieces;
   for (std::size_t block = 0; block < order.blocks(); ++block)

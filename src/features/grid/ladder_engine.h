@@ -50,6 +50,7 @@ private:
   int threads_;
   std::unique_ptr<BlockFrame> frame_;
   std::unique_ptr<BlockOrder> surface_order_;
+  std::unique_ptr<PointGroups> groups_; // of these
 };
 
 } // namespace linelet::grid

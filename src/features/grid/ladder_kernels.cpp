@@ -20,11 +20,10 @@ namespace HWY_NAMESPACE {
 LadderKernels
 ladder()
 {
-  return {splitNode,
-          splitLeaf,
-          addMoments,
+  return {splitGroups,
+          placeGroup,
+          openGroups,
           order,
-          sharpen,
           coincident,
           constPairs,
           weightedPairs,

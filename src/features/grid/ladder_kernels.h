@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "point_groups.h"
 #include "point_list.h"
 #include "sweep_kernels.h"
 #include "weight_table.h"
@@ -67,14 +68,21 @@ struct Doubt {
   std::uint16_t queries; ///< a bit each
 };
 
-/** \brief Where the exact coordinates of the points of a list are. */
-struct ExactSource {
-  const double* x;
-  const double* y;
-  const double* z;
-  std::array<double, 3> origin; ///< subtracted first
-  double scale;                 ///< then multiplied by
-  std::array<double, 3> center; ///< and subtracted at last
+/** \brief The points of the groups around a block. */
+struct GroupPlaces {
+  const BlockOrder& order;
+  std::vector<std::uint32_t> begin, size; ///< slots of each group
+  /// Relative to the block in units of the largest radius; so many places for every
+  /// group as one can have, with padding. Without h and id.
+  PointList points;
+};
+
+/** \brief Where the points of groups are seen from. */
+struct GroupView {
+  Float3 center; ///< relative to the block in units of the largest radius
+  Point origin;  ///< the same place as the points came
+  double scale;  ///< from there to these units
+  float sharp;   ///< squared distance up to which coordinates are made from double
 };
 
 /** \brief What a tensor refers to. */
@@ -97,29 +105,32 @@ struct LadderFinish {
 
 /** \brief The inner loops of the ladder, compiled for every instruction set. */
 struct LadderKernels {
-  /** \brief Appends the points of \a in that are neighbours of all queries from a
-   * scale on, and of none before, to the shell of that scale, relative to \a center.
-   * Those that any scale leaves open go to \a out as they are, and so do all within
-   * \a core (squared) of the center. */
-  void (*splitNode)(const PointList& in,
-                    const Float3& center,
-                    float core,
-                    const LadderScale* scales,
-                    std::size_t count,
-                    PointList* shells,
-                    PointList& out);
+  /** \brief Sorts groups, each the ball of \a groups.h around a center, by their
+   * distance from \a center.
+   * \param[in] near, far balls that are nearer than \a near (none where it is not
+   * positive) are certain, what is beyond \a far is left out, and the rest is open
+   * \param[out] certain ids of these balls; room for all and a vector more
+   * \return number of these balls */
+  std::size_t (*splitGroups)(const PointList& groups,
+                             const Float3& center,
+                             float near,
+                             float far,
+                             PointList& open,
+                             std::uint32_t* certain);
 
-  /** \brief Appends the points of a recentred list to \a certain of the first scale at
-   * which all queries have them as neighbours, and to \a open of every smaller one at
-   * which some may. */
-  void (*splitLeaf)(const PointList& in,
-                    const LadderScale* scales,
-                    std::size_t count,
-                    PointList* certain,
-                    PointList* open);
+  /** \brief Puts the points of a group into its places, seen from a block. */
+  void (*placeGroup)(GroupPlaces& places, std::size_t group, const GroupView& view);
 
-  /** \brief Adds the moments of all points of \a list. */
-  void (*addMoments)(const PointList& list, Moments& sums);
+  /** \brief Looks at the points of groups. Those nearer to the center than \a near
+   * (squared) are added to \a certain, those beyond \a far (squared) are left out, and
+   * the rest makes the list \a open, which has room for all. */
+  void (*openGroups)(const PointList& groups,
+                     const GroupPlaces& places,
+                     const GroupView& view,
+                     float near,
+                     float far,
+                     PointList& open,
+                     Moments& certain);
 
   /** \brief Puts a recentred list in the order of the smallest scale that can reach a
    * point. \param[out] ends points that each scale can reach */
@@ -128,15 +139,6 @@ struct LadderKernels {
                 const LadderScale* scales,
                 std::size_t count,
                 std::size_t* ends);
-
-  /** \brief Makes the coordinates of points within \a reach (squared) of the center
-   * anew from those in double. Those within \a core (squared) are appended to \a near.
-   */
-  void (*sharpen)(PointList& list,
-                  float reach,
-                  const ExactSource& source,
-                  float core,
-                  PointList& near);
 
   /** \brief Adds the number of points within \a tolerance (squared) of each query. */
   void (*coincident)(const PointList& list,

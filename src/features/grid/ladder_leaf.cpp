@@ -34,26 +34,19 @@ LadderSweep::countHere(const Part& queries)
 }
 
 void
-LadderSweep::sums(const Part& queries, std::size_t depth)
+LadderSweep::sums(const Part& queries, const Level& level)
 {
-  for (std::size_t k = 0; k < radii_.size(); ++k)
-    certain_[k].size = open_[k].size = 0;
-  kernels_.splitLeaf(
-      leaf_, scales_.data(), scales_.size(), certain_.data(), open_.data());
-  for (std::size_t k = 0; k < radii_.size(); ++k)
-    kernels_.constPairs(
-        open_[k], at_, scales_[k], static_cast<std::uint16_t>(k), sums_[k], doubts_);
-  settle(queries, open_.data(), false, Kernel::Const, sums_);
   const Reference reference =
       job_.settings.centroid == Centroid::Mean ? Reference::Mean : Reference::Query;
-  Moments certain;
   for (std::size_t k = 0; k < radii_.size(); ++k) {
-    if (certain_[k].size > 0)
-      kernels_.addMoments(certain_[k], certain);
-    Moments inside = certain;
-    if (depth > 0)
-      inside += inside_[depth - 1][k].relativeTo(queries.center);
-    finish(queries, k, sums_[k], &inside, reference, scales_[k].relative);
+    Moments certain;
+    open(queries, level.open[k + 1], scales_[k].near, scales_[k].far, leaf_, certain);
+    kernels_.constPairs(
+        leaf_, at_, scales_[k], static_cast<std::uint16_t>(k), sums_[k], doubts_);
+    settle(queries, Kernel::Const, sums_);
+    doubts_.clear();
+    certain += level.inside[k + 1].relativeTo(queries.center);
+    finish(queries, k, sums_[k], &certain, reference, scales_[k].relative);
   }
 }
 
@@ -69,7 +62,7 @@ LadderSweep::weights(const Part& queries)
                          false,
                          sums_.data(),
                          doubts_);
-  settle(queries, &leaf_, true, job_.settings.weighting, sums_);
+  settle(queries, job_.settings.weighting, sums_);
   for (std::size_t k = 0; k < radii_.size(); ++k)
     finish(queries, k, sums_[k], nullptr, Reference::Query, scales_[k].relative);
 }
@@ -88,7 +81,7 @@ LadderSweep::centred(const Part& queries)
                          true,
                          centre_sums_.data(),
                          doubts_);
-  settle(queries, &leaf_, true, centre_weight_.weighting, centre_sums_);
+  settle(queries, centre_weight_.weighting, centre_sums_);
   std::size_t next = 0; // doubts are by scale
   for (std::size_t k = 0; k < radii_.size(); ++k) {
     LadderSums& sums = sums_[k];
@@ -143,19 +136,16 @@ LadderSweep::add(double weight, const Point& v, std::size_t lane, LadderSums& su
 
 void
 LadderSweep::settle(const Part& queries,
-                    const PointList* lists,
-                    bool one_list,
                     const Weighting& weighting,
                     std::vector<LadderSums>& sums)
 {
   if (doubts_.empty())
     return;
   for (Doubt& doubt : doubts_) {
-    const PointList& list = one_list ? *lists : lists[doubt.scale];
     const double radius = job_.radii[doubt.scale];
-    const Point candidate = job_.surface.point(list.id[doubt.place]);
+    const Point candidate = job_.surface.point(leaf_.id[doubt.place]);
     const Point about_center(
-        list.x[doubt.place], list.y[doubt.place], list.z[doubt.place]);
+        leaf_.x[doubt.place], leaf_.y[doubt.place], leaf_.z[doubt.place]);
     for (std::size_t lane = 0; lane < leaf_queries; ++lane) {
       if ((doubt.queries >> lane & 1) == 0)
         continue;
@@ -223,11 +213,16 @@ LadderSweep::inDouble(std::size_t begin, std::size_t lane)
   const Point query = job_.queries.point(first_ + begin + lane);
   const double radius = job_.radii.back();
   sweep_.clear();
-  for (std::size_t i = 0; i < region_.size; ++i) {
-    const Point offset = job_.surface.point(region_.id[i]) - query;
-    const double squared = offset.squaredNorm();
-    if (squared <= radius * radius)
-      sweep_.add(offset, squared);
+  for (std::size_t g = 0; g < region_.size; ++g) {
+    const Point center(region_.x[g], region_.y[g], region_.z[g]);
+    if ((center - queries_[begin + lane]).norm() > 1 + margin + double{region_.h[g]})
+      continue;
+    for (std::uint32_t i = 0; i < places_.size[g]; ++i) {
+      const Point offset = job_.surface.point(places_.begin[g] + i) - query;
+      const double squared = offset.squaredNorm();
+      if (squared <= radius * radius)
+        sweep_.add(offset, squared);
+    }
   }
   sweep_.run();
   shapes_.here[lane] = sweep_.neighbors().back() - sweep_.neighborsBeside().back();

@@ -47,143 +47,80 @@ present(const PointList& list, std::size_t i)
   return hn::FirstN(F(), HWY_MIN(list.size - i, hn::Lanes(F())));
 }
 
-/** \brief Appends entries of \a in to \a out, which grows. */
-template <class Mask>
-HWY_INLINE void
-appendPoints(PointList& out, Mask mask, V x, V y, V z)
-{
-  const F f;
-  out.extend(hn::Lanes(f));
-  put(f, x, mask, out.x + out.size);
-  put(f, y, mask, out.y + out.size);
-  put(f, z, mask, out.z + out.size);
-}
-
-void
-splitNode(const PointList& in,
-          const Float3& center,
-          float core,
-          const LadderScale* scales,
-          std::size_t count,
-          PointList* shells,
-          PointList& out)
+std::size_t
+splitGroups(const PointList& groups,
+            const Float3& center,
+            float near,
+            float far,
+            PointList& open,
+            std::uint32_t* certain)
 {
   const F f;
   const hn::RebindToUnsigned<F> u;
   const V cx = constant(center[0]), cy = constant(center[1]), cz = constant(center[2]);
-  const V inner = constant(core), most = constant(scales[count - 1].far);
-  out.size = 0;
-  for (std::size_t i = 0; i < in.size; i += hn::Lanes(f)) {
-    const V x = hn::Load(f, in.x + i), y = hn::Load(f, in.y + i),
-            z = hn::Load(f, in.z + i);
+  std::size_t size = 0, count = 0;
+  for (std::size_t i = 0; i < groups.size; i += hn::Lanes(f)) {
+    const V x = hn::Load(f, groups.x + i), y = hn::Load(f, groups.y + i),
+            z = hn::Load(f, groups.z + i), radius = hn::Load(f, groups.h + i);
     const V dx = hn::Sub(x, cx), dy = hn::Sub(y, cy), dz = hn::Sub(z, cz);
-    const V h = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-    auto rest = hn::Le(h, most); // padding is beyond
-    if (hn::AllFalse(f, rest))
+    const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+    const V most = hn::Add(constant(far), radius),
+            least = hn::Sub(constant(near), radius);
+    const auto reached =
+        hn::And(present(groups, i), hn::Le(squared, hn::Mul(most, most)));
+    if (hn::AllFalse(f, reached))
       continue;
-    // Points that follow each other lie together: few scales tell them apart.
-    const float least = hn::GetLane(hn::MinOfLanes(f, h));
-    std::size_t k = 0;
-    while (least > scales[k].far)
-      ++k;
-    auto open = hn::Le(h, inner);
-    for (; !hn::AllFalse(f, rest); ++k) {
-      const auto reached = hn::And(rest, hn::Le(h, constant(scales[k].far)));
-      const auto within = hn::Lt(h, constant(scales[k].near));
-      const auto certain = hn::AndNot(open, hn::And(reached, within));
-      if (!hn::AllFalse(f, certain)) {
-        appendPoints(shells[k], certain, dx, dy, dz);
-        shells[k].size += hn::CountTrue(f, certain);
-      }
-      open = hn::Or(open, hn::AndNot(within, reached));
-      rest = hn::AndNot(reached, rest);
-    }
-    open = hn::And(open, hn::Le(h, most));
-    put(f, x, open, out.x + out.size);
-    put(f, y, open, out.y + out.size);
-    put(f, z, open, out.z + out.size);
-    put(u, hn::Load(u, in.id + i), hn::RebindMask(u, open), out.id + out.size);
-    out.size += hn::CountTrue(f, open);
+    const auto within =
+        hn::And(hn::Gt(least, hn::Zero(f)), hn::Lt(squared, hn::Mul(least, least)));
+    const auto whole = hn::And(reached, within), keep = hn::AndNot(within, reached);
+    const auto id = hn::Load(u, groups.id + i);
+    put(u, id, hn::RebindMask(u, whole), certain + count);
+    count += hn::CountTrue(f, whole);
+    put(f, x, keep, open.x + size);
+    put(f, y, keep, open.y + size);
+    put(f, z, keep, open.z + size);
+    put(f, radius, keep, open.h + size);
+    put(u, id, hn::RebindMask(u, keep), open.id + size);
+    size += hn::CountTrue(f, keep);
   }
-  for (std::size_t k = 0; k < count; ++k)
-    shells[k].pad();
-  out.pad();
+  open.size = size;
+  return count;
 }
 
-void
-splitLeaf(const PointList& in,
-          const LadderScale* scales,
-          std::size_t count,
-          PointList* certain,
-          PointList* open)
-{
-  const F f;
-  const hn::RebindToUnsigned<F> u;
-  const V most = constant(scales[count - 1].far);
-  for (std::size_t i = 0; i < in.size; i += hn::Lanes(f)) {
-    const V h = hn::Load(f, in.h + i);
-    auto rest = hn::Le(h, most); // padding is beyond
-    if (hn::AllFalse(f, rest))
-      continue;
-    const V x = hn::Load(f, in.x + i), y = hn::Load(f, in.y + i),
-            z = hn::Load(f, in.z + i);
-    const float least = hn::GetLane(hn::MinOfLanes(f, h));
-    std::size_t k = 0;
-    while (least > scales[k].far)
-      ++k;
-    for (; k < count && !hn::AllFalse(f, rest); ++k) {
-      const auto within = hn::And(rest, hn::Lt(h, constant(scales[k].near)));
-      rest = hn::AndNot(within, rest);
-      const auto reached = hn::And(rest, hn::Le(h, constant(scales[k].far)));
-      if (!hn::AllFalse(f, within)) {
-        appendPoints(certain[k], within, x, y, z);
-        certain[k].size += hn::CountTrue(f, within);
-      }
-      if (!hn::AllFalse(f, reached)) {
-        PointList& list = open[k];
-        appendPoints(list, reached, x, y, z);
-        put(f, h, reached, list.h + list.size);
-        put(u, hn::Load(u, in.id + i), hn::RebindMask(u, reached), list.id + list.size);
-        list.size += hn::CountTrue(f, reached);
-      }
-    }
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    certain[k].pad();
-    open[k].pad();
-  }
-}
+/** \brief Moments of points, lane by lane, in float. */
+struct PointSums {
+  V x, y, z, xx, xy, xz, yy, yz, zz;
+  std::size_t count = 0;
 
-void
-addMoments(const PointList& list, Moments& sums)
-{
-  const F f;
-  const std::size_t lanes = hn::Lanes(f);
-  constexpr std::size_t chunk_vectors = 64; // then the sum goes on in double
-  for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
-    const std::size_t end = HWY_MIN(chunk + chunk_vectors * lanes, list.size);
-    V sx = hn::Zero(f), sy = sx, sz = sx, xx = sx, xy = sx, xz = sx, yy = sx, yz = sx,
-      zz = sx;
-    for (std::size_t i = chunk; i < end; i += lanes) {
-      const auto here = present(list, i);
-      const V x = hn::IfThenElseZero(here, hn::Load(f, list.x + i)),
-              y = hn::IfThenElseZero(here, hn::Load(f, list.y + i)),
-              z = hn::IfThenElseZero(here, hn::Load(f, list.z + i));
-      sx = hn::Add(sx, x);
-      sy = hn::Add(sy, y);
-      sz = hn::Add(sz, z);
-      xx = hn::MulAdd(x, x, xx);
-      xy = hn::MulAdd(x, y, xy);
-      xz = hn::MulAdd(x, z, xz);
-      yy = hn::MulAdd(y, y, yy);
-      yz = hn::MulAdd(y, z, yz);
-      zz = hn::MulAdd(z, z, zz);
-    }
-    const auto sum = [&](V v) HWY_ATTR {
-      return static_cast<double>(hn::GetLane(hn::SumOfLanes(f, v)));
+  HWY_INLINE
+  PointSums() { x = y = z = xx = xy = xz = yy = yz = zz = hn::Zero(F()); }
+
+  template <class Mask>
+  HWY_INLINE void
+  add(Mask mask, V px, V py, V pz)
+  {
+    const V vx = hn::IfThenElseZero(mask, px), vy = hn::IfThenElseZero(mask, py),
+            vz = hn::IfThenElseZero(mask, pz);
+    x = hn::Add(x, vx);
+    y = hn::Add(y, vy);
+    z = hn::Add(z, vz);
+    xx = hn::MulAdd(vx, vx, xx);
+    xy = hn::MulAdd(vx, vy, xy);
+    xz = hn::MulAdd(vx, vz, xz);
+    yy = hn::MulAdd(vy, vy, yy);
+    yz = hn::MulAdd(vy, vz, yz);
+    zz = hn::MulAdd(vz, vz, zz);
+    count += hn::CountTrue(F(), mask);
+  }
+
+  HWY_INLINE void
+  addTo(Moments& sums) const
+  {
+    const auto sum = [](V v) HWY_ATTR {
+      return static_cast<double>(hn::GetLane(hn::SumOfLanes(F(), v)));
     };
-    sums.count += static_cast<double>(end - chunk);
-    sums.first += Point(sum(sx), sum(sy), sum(sz));
+    sums.count += static_cast<double>(count);
+    sums.first += Point(sum(x), sum(y), sum(z));
     sums.xx += sum(xx);
     sums.xy += sum(xy);
     sums.xz += sum(xz);
@@ -191,6 +128,101 @@ addMoments(const PointList& list, Moments& sums)
     sums.yz += sum(yz);
     sums.zz += sum(zz);
   }
+};
+
+/** \brief Coordinates of some points. */
+struct PointVector {
+  V x, y, z;
+};
+
+/** \brief Points from \a slot on, made from double. */
+HWY_INLINE PointVector
+sharpPoints(const BlockOrder& order, std::size_t slot, const GroupView& view)
+{
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<float, hn::ScalableTag<double>> half;
+  const auto scale = hn::Set(d, view.scale);
+  const auto along = [&](int axis) HWY_ATTR {
+    const double* const values = order.coordinate(axis) + slot;
+    const auto origin = hn::Set(d, view.origin[axis]);
+    const auto part = [&](const double* at) HWY_ATTR {
+      return hn::DemoteTo(half, hn::Mul(hn::Sub(hn::LoadU(d, at), origin), scale));
+    };
+#if HWY_TARGET == HWY_SCALAR
+    return part(values);
+#else
+    return hn::Combine(F(), part(values + hn::Lanes(d)), part(values));
+#endif
+  };
+  return {along(0), along(1), along(2)};
+}
+
+void
+placeGroup(GroupPlaces& places, std::size_t group, const GroupView& view)
+{
+  const F f;
+  const V far = constant(PointList::far_away);
+  const std::size_t size = places.size[group];
+  for (std::size_t i = 0; i < PointGroups::most_points; i += hn::Lanes(f)) {
+    const PointVector p = sharpPoints(places.order, places.begin[group] + i, view);
+    const auto here = hn::FirstN(f, size - HWY_MIN(i, size));
+    const std::size_t at = group * PointGroups::most_points + i;
+    hn::Store(hn::IfThenElse(here, p.x, far), f, places.points.x + at);
+    hn::Store(hn::IfThenElse(here, p.y, far), f, places.points.y + at);
+    hn::Store(hn::IfThenElse(here, p.z, far), f, places.points.z + at);
+  }
+}
+
+void
+openGroups(const PointList& groups,
+           const GroupPlaces& places,
+           const GroupView& view,
+           float near,
+           float far,
+           PointList& open,
+           Moments& certain)
+{
+  const F f;
+  const hn::RebindToUnsigned<F> u;
+  const auto lane = hn::Iota(u, 0);
+  const V cx = constant(view.center[0]), cy = constant(view.center[1]),
+          cz = constant(view.center[2]);
+  constexpr std::size_t most_groups = 64; // then the sum goes on in double
+  std::size_t size = 0;
+  for (std::size_t first = 0; first < groups.size; first += most_groups) {
+    PointSums sums;
+    for (std::size_t g = first; g < HWY_MIN(first + most_groups, groups.size); ++g) {
+      const std::uint32_t id = groups.id[g], begin = places.begin[id];
+      for (std::size_t i = 0; i < places.size[id]; i += hn::Lanes(f)) {
+        const std::size_t at = id * PointGroups::most_points + i;
+        PointVector p = {hn::Sub(hn::Load(f, places.points.x + at), cx),
+                         hn::Sub(hn::Load(f, places.points.y + at), cy),
+                         hn::Sub(hn::Load(f, places.points.z + at), cz)};
+        V h = hn::MulAdd(p.x, p.x, hn::MulAdd(p.y, p.y, hn::Mul(p.z, p.z)));
+        auto reached = hn::Le(h, constant(far)); // padding is beyond
+        if (!hn::AllFalse(f, hn::Le(h, constant(view.sharp)))) {
+          p = sharpPoints(places.order, begin + i, view);
+          h = hn::MulAdd(p.x, p.x, hn::MulAdd(p.y, p.y, hn::Mul(p.z, p.z)));
+        }
+        const auto within = hn::And(reached, hn::Lt(h, constant(near)));
+        const auto keep = hn::AndNot(within, reached);
+        if (!hn::AllFalse(f, within))
+          sums.add(within, p.x, p.y, p.z);
+        put(f, p.x, keep, open.x + size);
+        put(f, p.y, keep, open.y + size);
+        put(f, p.z, keep, open.z + size);
+        put(f, h, keep, open.h + size);
+        const auto slot =
+            hn::Add(lane, hn::Set(u, begin + static_cast<std::uint32_t>(i)));
+        put(u, slot, hn::RebindMask(u, keep), open.id + size);
+        size += hn::CountTrue(f, keep);
+      }
+    }
+    if (sums.count > 0)
+      sums.addTo(certain);
+  }
+  open.size = size;
+  open.pad();
 }
 
 void
@@ -245,46 +277,6 @@ order(PointList& list,
     std::memcpy(list.h + near, spare.h, far * sizeof(float));
     std::memcpy(list.id + near, spare.id, far * sizeof(std::uint32_t));
     ends[k] = end = near;
-  }
-}
-
-void
-sharpen(PointList& list,
-        float reach,
-        const ExactSource& source,
-        float core,
-        PointList& near)
-{
-  const F f;
-  const V limit = constant(reach);
-  for (std::size_t i = 0; i < list.size; i += hn::Lanes(f)) {
-    const auto close =
-        hn::And(present(list, i), hn::Le(hn::Load(f, list.h + i), limit));
-    if (hn::AllFalse(f, close))
-      continue;
-    for (std::uint32_t bits = bitsOf(close), lane = 0; bits != 0; bits >>= 1, ++lane) {
-      if ((bits & 1) == 0)
-        continue;
-      const std::size_t at = i + lane;
-      const std::uint32_t id = list.id[at];
-      const auto local = [&](const double* values, std::size_t axis) {
-        return static_cast<float>((values[id] - source.origin[axis]) * source.scale -
-                                  source.center[axis]);
-      };
-      const float x = local(source.x, 0), y = local(source.y, 1),
-                  z = local(source.z, 2);
-      list.x[at] = x;
-      list.y[at] = y;
-      list.z[at] = z;
-      list.h[at] = x * x + y * y + z * z;
-      if (list.h[at] > core)
-        continue;
-      near.extend(1);
-      near.x[near.size] = x;
-      near.y[near.size] = y;
-      near.z[near.size] = z;
-      near.id[near.size++] = id;
-    }
   }
 }
 

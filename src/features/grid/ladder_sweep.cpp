@@ -12,22 +12,20 @@ namespace linelet::grid {
 
 namespace {
 
-// Lists leave out, or sum up, what is certain by more than rounding.
-constexpr double margin = 1e-5;
-
 // Radii below need coordinates with more digits than those relative to the block.
 constexpr double sharp_radius = 0.125;
 
-// Parts of the block, and parts of a part: cut in two so many times.
-constexpr int first_cuts = 4, cuts = 3;
+// Parts of a part: cut in two so many times.
+constexpr int cuts = 2;
+
+constexpr auto no_block = std::numeric_limits<std::size_t>::max();
 
 } // namespace
 
 LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
     : job_(job),
-      lists_(sweepKernels()),
       kernels_(ladderKernels()),
-      gather_(job.frame, job.surface, job.radii.back()),
+      around_(job.frame, job.surface),
       visit_(std::move(visit)),
       method_(sweepMethod(job.settings)),
       weight_(job.settings.weighting),
@@ -35,38 +33,81 @@ LadderSweep::LadderSweep(const LadderJob& job, LeafVisitor visit)
                          ? job.settings.centroid_weighting
                          : Weighting(Kernel::Const)),
       weight_error_(weightError(job.settings.weighting)),
+      reaches_{0},
+      block_(no_block),
+      places_{job.surface, {}, {}, {}},
       scales_(job.radii.size()),
-      certain_(job.radii.size()),
-      open_(job.radii.size()),
       ends_(job.radii.size()),
       sums_(job.radii.size()),
       centre_sums_(job.radii.size()),
       shapes_(job.radii.size()),
       sweep_(job.radii, job.settings)
 {
-  core_.reserve(0);
-  for (std::size_t k = 0; k < job.radii.size(); ++k) {
-    certain_[k].reserve(0);
-    open_[k].reserve(0);
-  }
   for (const double radius : job.radii)
     radii_.push_back(radius / job.radii.back());
+  if (method_ == SweepMethod::Sums)
+    reaches_.insert(reaches_.end(), radii_.begin(), radii_.end());
+  else
+    reaches_.push_back(radii_.back());
 }
 
 void
 LadderSweep::operator()(const LadderPiece& piece)
 {
-  const BlockFrame::Cell cell = job_.frame.cell(job_.queries.key(piece.block));
-  const double unit = job_.radii.back();
-  origin_ = job_.frame.center(cell);
-  reach_ = job_.frame.edge() / unit / 2 + 1;
+  if (piece.block != block_)
+    gather(piece.block);
   first_ = piece.begin;
   const std::size_t count = piece.end - piece.begin;
   queries_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
-    queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / unit);
-  gather_(cell, origin_, queries_, 1 + margin, region_);
-  refine(0, count, region_, 0, first_cuts);
+    queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radii.back());
+  refine(0, count, 0, 0);
+}
+
+void
+LadderSweep::gather(std::size_t block)
+{
+  block_ = block;
+  const BlockFrame::Cell cell = job_.frame.cell(job_.queries.key(block));
+  origin_ = job_.frame.center(cell);
+  reach_ = job_.frame.edge() / 2 / job_.radii.back();
+  const auto runs = around_(cell);
+  std::size_t count = 0;
+  for (const auto& [first, last] : runs)
+    count += job_.groups.begin(last) - job_.groups.begin(first);
+  region_.reserve(count);
+  region_.size = 0;
+  places_.begin.resize(count);
+  places_.size.resize(count);
+  places_.points.reserve(count * PointGroups::most_points);
+  group_sums_.resize(count);
+  certain_.resize(count + PointList::padding);
+  for (const auto& [first, last] : runs)
+    for (std::size_t i = job_.groups.begin(first); i < job_.groups.begin(last); ++i)
+      addGroup(job_.groups[i]);
+}
+
+void
+LadderSweep::addGroup(const PointGroup& group)
+{
+  const double scale = 1 / job_.radii.back();
+  const Point center = (group.center - origin_) * scale;
+  const Float3 rounded = toFloat(center);
+  const std::size_t at = region_.size++;
+  region_.x[at] = rounded[0];
+  region_.y[at] = rounded[1];
+  region_.z[at] = rounded[2];
+  region_.h[at] = static_cast<float>(group.radius * scale);
+  region_.id[at] = static_cast<std::uint32_t>(at);
+  places_.begin[at] = group.begin;
+  places_.size[at] = group.size;
+  kernels_.placeGroup(places_, at, {{}, origin_, scale, 0});
+  if (method_ == SweepMethod::Sums) {
+    Moments about = group.about;
+    about *= scale * scale;
+    about.first *= scale;
+    group_sums_[at] = about.relativeTo(-center);
+  }
 }
 
 LadderSweep::Part
@@ -88,73 +129,89 @@ LadderSweep::part(std::size_t begin, std::size_t end) const
 void
 LadderSweep::refine(std::size_t begin,
                     std::size_t end,
-                    const PointList& list,
                     std::size_t depth,
                     int cuts_left)
 {
-  if (end - begin <= leaf_queries) {
-    solve(part(begin, end), list, depth);
+  const bool leaf = end - begin <= leaf_queries;
+  if (!leaf && cuts_left > 0) {
+    const std::size_t middle = begin + BlockOrder::half(end - begin);
+    refine(begin, middle, depth, cuts_left - 1);
+    refine(middle, end, depth, cuts_left - 1);
     return;
   }
-  if (cuts_left == 0) {
-    const PointList& shrunk = shrink(part(begin, end), list, depth);
-    refine(begin, end, shrunk, depth + 1, cuts);
-    return;
-  }
-  const std::size_t middle = begin + BlockOrder::half(end - begin);
-  refine(begin, middle, list, depth, cuts_left - 1);
-  refine(middle, end, list, depth, cuts_left - 1);
+  const Part queries = part(begin, end);
+  shrink(queries, depth);
+  if (leaf)
+    solve(queries, levels_[depth]);
+  else
+    refine(begin, end, depth + 1, cuts);
 }
 
-const PointList&
-LadderSweep::shrink(const Part& queries, const PointList& list, std::size_t depth)
+void
+LadderSweep::shrink(const Part& queries, std::size_t depth)
 {
   if (levels_.size() <= depth) {
     levels_.emplace_back();
-    inside_.emplace_back(radii_.size());
+    levels_.back().open.resize(reaches_.size());
+    levels_.back().inside.resize(reaches_.size());
   }
-  PointList& kept = levels_[depth];
-  kept.reserve(list.size);
-  if (method_ != SweepMethod::Sums) {
-    const double far = 1 + queries.size + margin;
-    const Ball ball{toFloat(queries.center), -1, static_cast<float>(far * far)};
-    lists_.classify(list, ball, false, kept, nullptr);
-    return kept;
-  }
-  setScales(queries, false);
-  for (PointList& shell : certain_)
-    shell.size = 0;
-  const double core = queries.size + margin;
-  kernels_.splitNode(list,
-                     toFloat(queries.center),
-                     static_cast<float>(core * core),
-                     scales_.data(),
-                     scales_.size(),
-                     certain_.data(),
-                     kept);
-  Moments sum;
-  for (std::size_t k = 0; k < radii_.size(); ++k) {
-    if (certain_[k].size > 0)
-      kernels_.addMoments(certain_[k], sum);
-    inside_[depth][k] = sum.relativeTo(-queries.center);
+  Level& level = levels_[depth];
+  for (std::size_t i = 0; i < reaches_.size(); ++i) {
+    const PointList& groups = depth > 0 ? levels_[depth - 1].open[i] : region_;
+    const double near = reaches_[i] - queries.size - margin,
+                 far = reaches_[i] + queries.size + margin;
+    level.open[i].reserve(groups.size);
+    const std::size_t certain = kernels_.splitGroups(
+        groups,
+        toFloat(queries.center),
+        static_cast<float>(method_ == SweepMethod::Sums ? near : -1.0),
+        static_cast<float>(far),
+        level.open[i],
+        certain_.data());
+    Moments inside;
     if (depth > 0)
-      inside_[depth][k] += inside_[depth - 1][k];
+      inside = levels_[depth - 1].inside[i];
+    for (std::size_t g = 0; g < certain; ++g)
+      inside += group_sums_[certain_[g]];
+    level.inside[i] = inside;
   }
-  return kept;
+}
+
+void
+LadderSweep::open(const Part& queries,
+                  const PointList& groups,
+                  float near,
+                  float far,
+                  PointList& list,
+                  Moments& certain)
+{
+  list.reserve(groups.size * PointGroups::most_points);
+  const double unit = job_.radii.back(),
+               sharp = sharp_radius + queries.size + 2 * margin;
+  kernels_.openGroups(groups,
+                      places_,
+                      {toFloat(queries.center),
+                       origin_ + queries.center * unit,
+                       1 / unit,
+                       static_cast<float>(sharp * sharp)},
+                      near,
+                      far,
+                      list,
+                      certain);
 }
 
 double
 LadderSweep::coordinateError(std::size_t scale, double size) const
 {
   // Candidates and queries are rounded relative to the center of the leaf, candidates
-  // far away relative to the block as well.
+  // of the larger scales relative to the block as well.
   const double far = radii_[scale] + size;
-  return float_rounding * (far + size + radii_[scale] +
-                           (radii_[scale] < sharp_radius ? 0 : reach_ + far));
+  return float_rounding *
+         (far + size + (radii_[scale] < sharp_radius ? 0 : reach_ + far));
 }
 
 void
-LadderSweep::setScales(const Part& queries, bool leaf)
+LadderSweep::setScales(const Part& queries, const Level& level)
 {
   const double size = queries.size;
   for (std::size_t k = 0; k < radii_.size(); ++k) {
@@ -162,10 +219,10 @@ LadderSweep::setScales(const Part& queries, bool leaf)
                  far = radius + size + margin;
     LadderScale& scale = scales_[k];
     scale.radius = static_cast<float>(radius);
-    // A coordinate of a part that is no leaf has no more digits than the block gives.
-    const bool inner = near > 0 && (leaf || radius >= sharp_radius);
-    scale.relative = radius < 1.5 * size;
-    scale.near = inner && !scale.relative ? static_cast<float>(near * near) : -1.0F;
+    // What left the groups as sums is not about the queries.
+    const bool summed = method_ == SweepMethod::Sums && level.inside[k + 1].count > 0;
+    scale.relative = !summed && radius < 1.5 * size;
+    scale.near = near > 0 && !scale.relative ? static_cast<float>(near * near) : -1.0F;
     scale.far = static_cast<float>(far * far);
     // Rounding of coordinates, each of which changes the distance, and of the steps to
     // |p|^2 and from it to |p - q|^2.
@@ -180,7 +237,7 @@ LadderSweep::setScales(const Part& queries, bool leaf)
 }
 
 void
-LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth)
+LadderSweep::solve(const Part& queries, const Level& level)
 {
   const std::size_t count = queries.end - queries.begin;
   shapes_.count = count;
@@ -195,38 +252,21 @@ LadderSweep::solve(const Part& queries, const PointList& list, std::size_t depth
     for (std::size_t axis = 0; axis < 3; ++axis)
       exact_at_[axis][lane] = at[static_cast<Eigen::Index>(axis)];
   }
-  setScales(queries, true);
+  setScales(queries, level);
   redo_ = 0;
   if (method_ == SweepMethod::Double)
     redo_ = (1U << leaf_queries) - 1;
   else {
-    const double far = 1 + queries.size + margin,
-                 sharp = sharp_radius + queries.size + 2 * margin;
-    leaf_.reserve(list.size);
-    lists_.classify(list,
-                    {toFloat(queries.center), -1, static_cast<float>(far * far)},
-                    true,
-                    leaf_,
-                    nullptr);
+    Moments none;
     const double core = queries.size + margin;
-    core_.size = 0;
-    kernels_.sharpen(leaf_,
-                     static_cast<float>(sharp * sharp),
-                     {job_.surface.coordinate(0),
-                      job_.surface.coordinate(1),
-                      job_.surface.coordinate(2),
-                      {origin_.x(), origin_.y(), origin_.z()},
-                      1 / job_.radii.back(),
-                      {queries.center.x(), queries.center.y(), queries.center.z()}},
-                     static_cast<float>(core * core),
-                     core_);
-    core_.pad();
+    open(queries, level.open[0], -1, static_cast<float>(core * core), core_, none);
     countHere(queries);
     doubts_.clear();
     std::fill(sums_.begin(), sums_.end(), LadderSums());
     if (method_ == SweepMethod::Sums)
-      sums(queries, depth);
+      sums(queries, level);
     else {
+      open(queries, level.open[1], -1, scales_.back().far, leaf_, none);
       kernels_.order(leaf_, spare_, scales_.data(), scales_.size(), ends_.data());
       method_ == SweepMethod::Weights ? weights(queries) : centred(queries);
     }

@@ -15,8 +15,8 @@
 
 #include "block_order.h"
 #include "ladder_kernels.h"
+#include "point_groups.h"
 #include "region.h"
-#include "sweep_kernels.h"
 #include "sweep_method.h"
 #include "weight_error.h"
 
@@ -24,6 +24,9 @@ namespace linelet::grid {
 
 /** \brief Half a unit in the last place of a float. */
 constexpr double float_rounding = 0x1p-24;
+
+/** \brief Lists leave out, or sum up, what is certain by more than rounding. */
+constexpr double margin = 1e-5;
 
 /** \brief The shapes of the neighbourhoods of some queries at all scales. Arrays have
  * an entry a scale. */
@@ -53,7 +56,8 @@ using LeafVisitor = std::function<void(const LeafShapes&)>;
 struct LadderJob {
   const BlockFrame& frame; ///< edge at least the largest radius
   const BlockOrder& surface;
-  const BlockOrder& queries; ///< may be the same
+  const PointGroups& groups; ///< of the surface
+  const BlockOrder& queries; ///< may be the same as the surface
   const MultiScaleSettings& settings;
   const std::vector<double>& radii; ///< rising
 };
@@ -66,18 +70,21 @@ struct LadderPiece {
 
 /** \brief Shapes at all radii of the queries of a piece; one a thread.
  *
- * The queries are split into parts, down to leaves of 16 queries that lie
- * together, one a lane of a vector of floats. A leaf has one list of candidates for all
- * scales, in the order of the smallest scale that can reach them: the neighbourhood of
- * every scale is in the first so many of the list, and distances serve all scales. For
- * const weights around the query or the mean, candidates are sorted into shells between
- * the scales; a shell that all queries of a part share is summed once, and what is
- * looked at pair by pair are the surfaces of the balls.
+ * The queries are split into parts, down to leaves of 16 queries that lie together, one
+ * a lane of a vector of floats. What a part can reach is known by the groups of points
+ * that PointGroups makes; only a leaf looks at points.
  *
- * Float coordinates are relative to the leaf, made from double for the smaller scales.
- * As in \ref BlockSweep, pairs within rounding of a radius are decided in double, and a
- * query with a scale whose float sums may be off by more than shape factors allow is
- * computed again in double. */
+ * For const weights around the query or the mean, every scale has its own groups: those
+ * that all queries of a part have as neighbours leave them as sums, and what is left is
+ * the surface of the ball, opened by the leaf and looked at pair by pair. For other
+ * weights a leaf has one list of candidates for all scales, in the order of the
+ * smallest scale that can reach them: the neighbourhood of every scale is in the first
+ * so many of the list, and distances serve all scales.
+ *
+ * Float coordinates are made from double, relative to the leaf. As in \ref BlockSweep,
+ * pairs within rounding of a radius are decided in double, and a query with a scale
+ * whose float sums may be off by more than shape factors allow is computed again in
+ * double. */
 class LadderSweep {
 public:
   LadderSweep(const LadderJob& job, LeafVisitor visit);
@@ -96,28 +103,49 @@ private:
   Part
   part(std::size_t begin, std::size_t end) const;
 
-  void
-  refine(std::size_t begin,
-         std::size_t end,
-         const PointList& list,
-         std::size_t depth,
-         int cuts);
+  /** \brief What a part knows of the groups, an entry a reach. */
+  struct Level {
+    std::vector<PointList> open;
+    std::vector<Moments>
+        inside; // of groups that left the list, about the block's center
+  };
 
-  /** \brief Makes the list and the sums of a part out of those of the part it is in. */
-  const PointList&
-  shrink(const Part& queries, const PointList& list, std::size_t depth);
-
+  /** \brief Fills the region for queries of a block. */
   void
-  setScales(const Part& queries, bool leaf);
+  gather(std::size_t block);
 
   void
-  solve(const Part& queries, const PointList& list, std::size_t depth);
+  addGroup(const PointGroup& group);
+
+  /** \brief Computes the shapes of some queries.
+   * \param[in] depth level of the part that they are in, plus one */
+  void
+  refine(std::size_t begin, std::size_t end, std::size_t depth, int cuts_left);
+
+  /** \brief Makes the level of a part out of the one of the part it is in. */
+  void
+  shrink(const Part& queries, std::size_t depth);
+
+  /** \brief Opens groups, see LadderKernels. */
+  void
+  open(const Part& queries,
+       const PointList& groups,
+       float near,
+       float far,
+       PointList& list,
+       Moments& certain);
+
+  void
+  setScales(const Part& queries, const Level& level);
+
+  void
+  solve(const Part& queries, const Level& level);
 
   void
   countHere(const Part& queries);
 
   void
-  sums(const Part& queries, std::size_t depth);
+  sums(const Part& queries, const Level& level);
 
   void
   weights(const Part& queries);
@@ -129,8 +157,6 @@ private:
    * that are neighbours get the weight of their distance. */
   void
   settle(const Part& queries,
-         const PointList* lists,
-         bool one_list,
          const Weighting& weighting,
          std::vector<LadderSums>& sums);
 
@@ -153,26 +179,34 @@ private:
   coordinateError(std::size_t scale, double size) const;
 
   const LadderJob& job_;
-  SweepKernels lists_;
   LadderKernels kernels_;
-  RegionGatherer gather_;
+  BlocksAround around_;
   LeafVisitor visit_;
   SweepMethod method_;
   SweepWeight weight_, centre_weight_;
   WeightError weight_error_;
   std::vector<double> radii_; // in units of the largest
 
-  std::size_t first_ = 0;      // slot of the first query of the piece
-  Point origin_;               // center of the block
-  double reach_ = 1;           // largest coordinate of a list
-  std::vector<Point> queries_; // relative to the block, in units of the largest radius
-  PointList region_;           // what any query of the block can reach
+  // Distances from queries up to which groups are listed: none, for what lies in the
+  // place of a query, then the radii, or the largest alone where one list serves all.
+  std::vector<double> reaches_;
 
-  std::deque<PointList> levels_;            // one a depth of refinement
-  std::deque<std::vector<Moments>> inside_; // the same, about the block's center
-  std::vector<LadderScale> scales_;         // seen from the part at hand
-  std::vector<PointList> certain_, open_;   // one a scale
-  PointList leaf_, core_, spare_; // core: near enough to be in the place of a query
+  // Groups around the block at hand: the balls around them, their points, and sums over
+  // these about the block's center.
+  std::size_t block_;
+  Point origin_;       // center of the block
+  double reach_ = 0.5; // largest coordinate of a query
+  PointList region_;
+  GroupPlaces places_;
+  std::vector<Moments> group_sums_;
+  std::vector<std::uint32_t> certain_;
+
+  std::size_t first_ = 0;      // slot of the first query of the piece
+  std::vector<Point> queries_; // relative to the block, in units of the largest radius
+  std::deque<Level> levels_;   // one a depth of refinement
+
+  std::vector<LadderScale> scales_; // seen from the leaf at hand
+  PointList leaf_, core_, spare_;   // core: near enough to be in the place of a query
   std::vector<std::size_t> ends_;
 
   LeafQueries at_;                        // relative to the leaf

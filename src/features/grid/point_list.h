@@ -24,6 +24,9 @@ public:
    * last one may be written. */
   static constexpr std::size_t padding = 64;
 
+  /** \brief Coordinates of padding. */
+  static constexpr float far_away = 1e15F;
+
   std::size_t size = 0;
   float *x = nullptr, *y = nullptr, *z = nullptr;
   float* h = nullptr;          ///< squared distance from the origin of the list
@@ -71,7 +74,7 @@ public:
   pad()
   {
     for (std::size_t i = size; i < size + padding; ++i) {
-      x[i] = y[i] = z[i] = 1e15F;
+      x[i] = y[i] = z[i] = far_away;
       h[i] = 1e30F;
       id[i] = 0;
     }

@@ -5,9 +5,28 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 namespace linelet::grid {
+
+std::array<BlocksAround::Run, 9>
+BlocksAround::operator()(const BlockFrame::Cell& cell)
+{
+  std::array<Run, 9> runs{};
+  const std::int64_t x = std::max<std::int64_t>(cell[0] - 1, 0);
+  std::size_t count = 0;
+  for (std::int64_t z = std::max<std::int64_t>(cell[2] - 1, 0); z <= cell[2] + 1; ++z)
+    for (std::int64_t y = std::max<std::int64_t>(cell[1] - 1, 0); y <= cell[1] + 1;
+         ++y) {
+      const std::uint64_t last = frame_.key({cell[0] + 1, y, z});
+      std::size_t block = order_.lowerBound(frame_.key({x, y, z}), cursors_[count]);
+      cursors_[count] = block;
+      const std::size_t begin = block;
+      while (block < order_.blocks() && order_.key(block) <= last)
+        ++block;
+      runs[count++] = {begin, block};
+    }
+  return runs;
+}
 
 void
 RegionGatherer::operator()(const BlockFrame::Cell& cell,
@@ -23,32 +42,19 @@ RegionGatherer::operator()(const BlockFrame::Cell& cell,
   }
   const Box box{toFloat(low), toFloat(high)};
 
-  // Blocks that follow each other along x are one run of points.
-  std::array<std::pair<std::size_t, std::size_t>, 9> runs;
-  std::size_t count = 0, points = 0;
-  for (std::int64_t z = std::max<std::int64_t>(cell[2] - 1, 0); z <= cell[2] + 1; ++z)
-    for (std::int64_t y = std::max<std::int64_t>(cell[1] - 1, 0); y <= cell[1] + 1;
-         ++y) {
-      const std::uint64_t last = frame_.key({cell[0] + 1, y, z});
-      std::size_t block = surface_.lowerBound(
-          frame_.key({std::max<std::int64_t>(cell[0] - 1, 0), y, z}), cursors_[count]);
-      cursors_[count] = block;
-      const std::size_t begin = surface_.begin(block);
-      while (block < surface_.blocks() && surface_.key(block) <= last)
-        ++block;
-      runs[count] = {begin, surface_.begin(block)};
-      points += runs[count].second - begin;
-      ++count;
-    }
+  const auto runs = around_(cell);
+  std::size_t points = 0;
+  for (const auto& [first, last] : runs)
+    points += surface_.begin(last) - surface_.begin(first);
   region.reserve(points);
   region.size = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (runs[i].first < runs[i].second)
+  for (const auto& [first, last] : runs)
+    if (first < last)
       gather_({surface_.coordinate(0),
                surface_.coordinate(1),
                surface_.coordinate(2),
-               runs[i].first,
-               runs[i].second,
+               surface_.begin(first),
+               surface_.begin(last),
                {origin.x(), origin.y(), origin.z()},
                1 / unit_},
               box,

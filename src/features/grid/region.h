@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "block_order.h"
 #include "sweep_kernels.h"
@@ -18,13 +19,38 @@ toFloat(const Point& p)
       static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
+/** \brief Finds the blocks in and beside a cell; one a thread. */
+class BlocksAround {
+public:
+  /** \brief Blocks that follow each other along x: from the first to before the last.
+   */
+  using Run = std::pair<std::size_t, std::size_t>;
+
+  BlocksAround(const BlockFrame& frame, const BlockOrder& order)
+      : frame_(frame), order_(order)
+  {
+  }
+
+  /** \brief The blocks that hold points; runs may be empty. */
+  std::array<Run, 9>
+  operator()(const BlockFrame::Cell& cell);
+
+private:
+  const BlockFrame& frame_;
+  const BlockOrder& order_;
+  std::array<std::size_t, 9> cursors_{}; // where the last cell's runs began
+};
+
 /** \brief Gathers what the queries of a block can reach; one a thread. */
 class RegionGatherer {
 public:
   /** \param[in] frame edge at least the radius of the queries
    * \param[in] unit of the coordinates of a region, their largest radius */
   RegionGatherer(const BlockFrame& frame, const BlockOrder& surface, double unit)
-      : frame_(frame), surface_(surface), gather_(sweepKernels().gather), unit_(unit)
+      : surface_(surface),
+        around_(frame, surface),
+        gather_(sweepKernels().gather),
+        unit_(unit)
   {
   }
 
@@ -41,11 +67,10 @@ public:
              PointList& region);
 
 private:
-  const BlockFrame& frame_;
   const BlockOrder& surface_;
+  BlocksAround around_;
   decltype(SweepKernels::gather) gather_;
   double unit_;
-  std::array<std::size_t, 9> cursors_{}; // where the last block's runs began
 };
 
 } // namespace linelet::grid
