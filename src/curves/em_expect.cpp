@@ -65,7 +65,7 @@ EmFitter::collectPairs()
   pair_density_.resize(count + EdgePoints::padding);
   if (shell_ > 0)
     for (auto* values : {&pair_place_, &pair_residual_, &pair_spread_})
-      values->resize(count);
+      values->resize(count + EdgePoints::padding);
 }
 
 bool

@@ -62,6 +62,7 @@ struct EdgePoints;
 struct EdgeSums;
 struct SlotArrays;
 struct EdgeShape;
+struct ShellMeans;
 
 /** \brief Fits polylines to points by expectation maximisation.
  *
@@ -131,7 +132,9 @@ private:
   void
   measureInformation();
   EdgeSums
-  shellSumsOf(const Edge& edge, bool front, bool back) const;
+  shellSumsOf(const Edge& edge, bool front, bool back);
+  ShellMeans
+  shellMeansOf(const Edge& edge);
   void
   dropHollow(Edge& edge, double hollow);
   EdgeShape
