@@ -228,16 +228,17 @@ private:
       tentative.push_back(x);
       const double arc =
           sign * step_length * static_cast<double>(path.size() + tentative.size() - 1);
-      if (const NodeMap::Node* node =
+      if (const NodeMap::Node* near =
               map_.nearest(x, attach_distance * b, [&](const NodeMap::Node& other) {
                 return !discarded_[other.trace] &&
                        (other.trace != attempt ||
                         std::abs(arc - other.arc) > loop_length);
               })) {
+        const NodeMap::Node node = *near; // the map moves when it grows
         append(path, tentative, sign, attempt);
-        if (node->trace == attempt && std::abs(node->arc - far_end) <= attach_distance)
+        if (node.trace == attempt && std::abs(node.arc - far_end) <= attach_distance)
           return Stop::Loop;
-        met = node->at;
+        met = node.at;
         path.push_back(met);
         return Stop::Meeting;
       }
