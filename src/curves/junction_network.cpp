@@ -253,6 +253,9 @@ Connector::leadTo(std::size_t end, const Point& position)
     std::reverse(curve.points.begin(), curve.points.end());
     std::reverse(curve.support.begin(), curve.support.end());
   }
+  const double spacing =
+      length(curve) /
+      static_cast<double>(std::max<std::size_t>(curve.points.size(), 2) - 1);
   // What lies past the junction, or beside it, goes.
   const double moved = (curve.points.back() - position).norm();
   while (curve.points.size() > 2 &&
@@ -264,7 +267,16 @@ Connector::leadTo(std::size_t end, const Point& position)
       curve.support.back() += count;
     }
   }
-  curve.points.back() = position;
+  // As finely as the rest, so that little more than the junction itself lies on an edge
+  // between two curves.
+  curve.points.pop_back();
+  const Point from = curve.points.back();
+  const double parts = std::max(1.0, std::round((position - from).norm() / spacing));
+  for (double k = 1; k <= parts; ++k)
+    curve.points.emplace_back(from + k / parts * (position - from));
+  if (!curve.support.empty())
+    curve.support.insert(
+        curve.support.end() - 1, static_cast<std::size_t>(parts) - 1, 0);
   if (end % 2 == 0) {
     std::reverse(curve.points.begin(), curve.points.end());
     std::reverse(curve.support.begin(), curve.support.end());

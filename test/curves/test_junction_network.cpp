@@ -61,6 +61,21 @@ TEST(JunctionNetwork, EndInsideAnotherCurveIsAJunctionOnIt)
     EXPECT_EQ(curve.support.size(), curve.points.size());
 }
 
+TEST(JunctionNetwork, TheWayToAJunctionHasVerticesLikeTheRest)
+{
+  // What is led 0.45 to the junction would otherwise be one edge, which belongs to
+  // neither curve for whoever goes by vertices.
+  CurveNetwork network{
+      {straight({0, 0, 0}, {10, 0, 0}), straight({4, 5, 0}, {4, 0.45, 0})}, {}};
+  connect(network);
+  ASSERT_EQ(network.junctions.size(), 1u);
+  const Points& points = network.curves[1].points;
+  ASSERT_EQ(network.curves[1].support.size(), points.size());
+  for (std::size_t k = 1; k < points.size(); ++k)
+    EXPECT_LT((points[k] - points[k - 1]).norm(), 0.15) << k;
+  EXPECT_NEAR(length(network.curves[1]), 5, 1e-9);
+}
+
 TEST(JunctionNetwork, EndsThatMeetAreOneJunctionAtTheirMiddle)
 {
   CurveNetwork network{{straight({5, 0, 0}, {0.1, 0, 0}),
