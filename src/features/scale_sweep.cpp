@@ -64,16 +64,16 @@ ScaleSweep::add(const Point& offset, double squared)
 }
 
 void
-ScaleSweep::run()
+ScaleSweep::run(std::size_t scales)
 {
   sortByScale();
   if (weighting_.kernel() == Kernel::Const &&
       (centroid_ == Centroid::QueryPoint || centroid_ == Centroid::Mean))
-    prefixMoments();
+    prefixMoments(scales);
   else
-    weightedTensors();
+    weightedTensors(scales);
 
-  for (std::size_t k = 0; k < radii_.size(); ++k) {
+  for (std::size_t k = 0; k < scales; ++k) {
     // One neighbour beside the point spans a line whatever the shape of the cloud.
     if (beside_[k] < 2)
       tensors_[k] = undefined_tensor;
@@ -104,12 +104,12 @@ ScaleSweep::sortByScale()
 }
 
 void
-ScaleSweep::prefixMoments()
+ScaleSweep::prefixMoments(std::size_t scales)
 {
   SymmetricTensor second;
   Point first = Point::Zero();
   std::size_t i = 0;
-  for (std::size_t k = 0; k < radii_.size(); ++k) {
+  for (std::size_t k = 0; k < scales; ++k) {
     for (; i < neighbors_[k]; ++i) {
       second.add(1, sorted_[i]);
       first += sorted_[i];
@@ -131,15 +131,15 @@ ScaleSweep::prefixMoments()
 }
 
 void
-ScaleSweep::weightedTensors()
+ScaleSweep::weightedTensors(std::size_t scales)
 {
   // From large to small: a smaller neighbourhood is what is left of the larger one.
   Point centre = Point::Zero();
-  for (std::size_t k = radii_.size(); k-- > 0;) {
+  for (std::size_t k = scales; k-- > 0;) {
     sorted_.resize(neighbors_[k]);
     if (centroid_ != Centroid::QueryPoint) {
       // The median of the larger neighbourhood is near that of the smaller one.
-      const bool near = centroid_ == Centroid::Median && k + 1 < radii_.size();
+      const bool near = centroid_ == Centroid::Median && k + 1 < scales;
       centre =
           near ? medianFrom(sorted_, centre)
                : centroid(

@@ -33,7 +33,14 @@ public:
 
   /** \brief Computes all that follows. */
   void
-  run();
+  run()
+  {
+    run(radii_.size());
+  }
+
+  /** \brief The same for the \a scales smallest radii alone. */
+  void
+  run(std::size_t scales);
 
   /** \brief CL at each scale, NaN where not defined. */
   const std::vector<double>&
@@ -82,10 +89,10 @@ private:
   sortByScale();
 
   void
-  prefixMoments();
+  prefixMoments(std::size_t scales);
 
   void
-  weightedTensors();
+  weightedTensors(std::size_t scales);
 
   std::vector<double> radii_, squared_radii_;
   Weighting weighting_, centroid_weighting_;

@@ -203,19 +203,20 @@ LadderSweep::finish(const Part& queries,
       linearity[lane] = planarity[lane] = sphericity[lane] =
           std::numeric_limits<float>::quiet_NaN();
     else if ((good >> lane & 1) == 0)
-      redo_ |= 1U << lane;
+      redo_[lane] = scale + 1;
   }
 }
 
 void
-LadderSweep::inDouble(std::size_t begin, std::size_t lane)
+LadderSweep::inDouble(std::size_t begin, std::size_t lane, std::size_t scales)
 {
   const Point query = job_.queries.point(first_ + begin + lane);
-  const double radius = job_.radii.back();
+  const double radius = job_.radii[scales - 1];
   sweep_.clear();
   for (std::size_t g = 0; g < region_.size; ++g) {
     const Point center(region_.x[g], region_.y[g], region_.z[g]);
-    if ((center - queries_[begin + lane]).norm() > 1 + margin + double{region_.h[g]})
+    if ((center - queries_[begin + lane]).norm() >
+        radii_[scales - 1] + margin + double{region_.h[g]})
       continue;
     for (std::uint32_t i = 0; i < places_.size[g]; ++i) {
       const Point offset = job_.surface.point(places_.begin[g] + i) - query;
@@ -224,9 +225,9 @@ LadderSweep::inDouble(std::size_t begin, std::size_t lane)
         sweep_.add(offset, squared);
     }
   }
-  sweep_.run();
+  sweep_.run(scales);
   shapes_.here[lane] = sweep_.neighbors().back() - sweep_.neighborsBeside().back();
-  for (std::size_t k = 0; k < radii_.size(); ++k) {
+  for (std::size_t k = 0; k < scales; ++k) {
     shapes_.neighbors[k][lane] = sweep_.neighbors()[k];
     const ShapeFactors& factors = sweep_.factors()[k];
     shapes_.linearity[k][lane] = static_cast<float>(factors.linearity);

@@ -253,10 +253,8 @@ LadderSweep::solve(const Part& queries, const Level& level)
       exact_at_[axis][lane] = at[static_cast<Eigen::Index>(axis)];
   }
   setScales(queries, level);
-  redo_ = 0;
-  if (method_ == SweepMethod::Double)
-    redo_ = (1U << leaf_queries) - 1;
-  else {
+  redo_.fill(method_ == SweepMethod::Double ? radii_.size() : 0);
+  if (method_ != SweepMethod::Double) {
     Moments none;
     const double core = queries.size + margin;
     open(queries, level.open[0], -1, static_cast<float>(core * core), core_, none);
@@ -272,8 +270,8 @@ LadderSweep::solve(const Part& queries, const Level& level)
     }
   }
   for (std::size_t lane = 0; lane < count; ++lane)
-    if ((redo_ >> lane & 1) != 0)
-      inDouble(queries.begin, lane);
+    if (redo_[lane] > 0)
+      inDouble(queries.begin, lane, redo_[lane]);
   visit_(shapes_);
 }
 

@@ -84,7 +84,7 @@ struct LadderPiece {
  * Float coordinates are made from double, relative to the leaf. As in \ref BlockSweep,
  * pairs within rounding of a radius are decided in double, and a query with a scale
  * whose float sums may be off by more than shape factors allow is computed again in
- * double. */
+ * double up to that scale. */
 class LadderSweep {
 public:
   LadderSweep(const LadderJob& job, LeafVisitor visit);
@@ -172,8 +172,9 @@ private:
          Reference reference,
          bool relative);
 
+  /** \brief Computes the first \a scales of a query again. */
   void
-  inDouble(std::size_t begin, std::size_t lane);
+  inDouble(std::size_t begin, std::size_t lane, std::size_t scales);
 
   double
   coordinateError(std::size_t scale, double size) const;
@@ -213,7 +214,7 @@ private:
   std::array<Lanes<double>, 3> exact_at_; // the same in double
   std::vector<LadderSums> sums_, centre_sums_;
   std::vector<Doubt> doubts_;
-  std::uint32_t redo_ = 0; // queries, a bit each
+  std::array<std::size_t, leaf_queries> redo_{}; // scales of each query to do again
   LeafShapes shapes_;
   ScaleSweep sweep_;
 };
