@@ -30,6 +30,42 @@ UniformGrid::UniformGrid(const Points& points, double row_size) : row_size_(row_
 
   layRows(points);
 
+  sortIntoRows(points);
+  points_.reserve(indices_.size());
+  for (const Index i : indices_)
+    points_.push_back(points[i]);
+}
+
+void
+UniformGrid::sortIntoRows(const Points& points)
+{
+  struct Entry {
+    double x;
+    Index index;
+    bool
+    operator<(const Entry& other) const
+    {
+      return x != other.x ? x < other.x : index < other.index;
+    }
+  };
+  const std::size_t count = indices_.size();
+  // First all of them along x, into bins of about one point: those of a row then come
+  // in order but for those of one bin.
+  const double width = max_.x() - min_.x();
+  const double per_point = width / static_cast<double>(count);
+  const auto bin = [&](double x) {
+    const double place = (x - min_.x()) / per_point; // NaN where all have the same x
+    return place < static_cast<double>(count) ? static_cast<std::size_t>(place)
+                                              : count - 1;
+  };
+  std::vector<std::size_t> next(count + 1, 0);
+  for (const Index i : indices_)
+    ++next[bin(points[i].x()) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Entry> along_x(count);
+  for (const Index i : indices_)
+    along_x[next[bin(points[i].x())]++] = {points[i].x(), i};
+
   std::vector<std::size_t> row_of(points.size());
   row_begin_.assign(rows_[0] * rows_[1] + 1, 0);
   for (const Index i : indices_) {
@@ -37,23 +73,19 @@ UniformGrid::UniformGrid(const Points& points, double row_size) : row_size_(row_
     ++row_begin_[row_of[i] + 1];
   }
   std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+  next.assign(row_begin_.begin(), row_begin_.end() - 1);
+  std::vector<Entry> sorted(count);
+  for (const Entry& entry : along_x)
+    sorted[next[row_of[entry.index]]++] = entry;
 
-  Indices sorted(indices_.size());
-  std::vector<std::size_t> next(row_begin_.begin(), row_begin_.end() - 1);
-  for (const Index i : indices_)
-    sorted[next[row_of[i]]++] = i;
-  const auto by_x = [&](Index a, Index b) {
-    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
-  };
-  using Offset = Indices::difference_type;
   for (std::size_t r = 0; r + 1 < row_begin_.size(); ++r)
-    std::sort(sorted.begin() + static_cast<Offset>(row_begin_[r]),
-              sorted.begin() + static_cast<Offset>(row_begin_[r + 1]),
-              by_x);
-  indices_ = std::move(sorted);
-  points_.reserve(indices_.size());
-  for (const Index i : indices_)
-    points_.push_back(points[i]);
+    for (std::size_t i = row_begin_[r], end = i; i < row_begin_[r + 1]; i = end) {
+      while (end < row_begin_[r + 1] && bin(sorted[end].x) == bin(sorted[i].x))
+        ++end;
+      std::sort(sorted.data() + i, sorted.data() + end);
+    }
+  for (std::size_t i = 0; i < count; ++i)
+    indices_[i] = sorted[i].index;
 }
 
 void

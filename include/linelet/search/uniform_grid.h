@@ -124,6 +124,10 @@ private:
   void
   layRows(const Points& points);
 
+  /** \brief Sorts the indices by row, and along x in each. */
+  void
+  sortIntoRows(const Points& points);
+
   std::size_t
   row(double coordinate, int axis) const;
 
