@@ -53,17 +53,17 @@ peak(const Weighting& weighting)
   grid::PointList none;
   none.reserve(0);
   none.pad();
-  const grid::Float3 query = {0.1F, 0.1F, 0.1F};
-  const grid::WeightedLists lists = {none, query, list, query};
+  const grid::BandedQuery query{{0.1F, 0.1F, 0.1F}, {1, 1}};
+  const grid::WeightedLists lists = {none, query, list, query.at};
   double best = 1e9;
   for (int turn = 0; turn < 5; ++turn) {
     const double start = cpuSeconds();
     grid::Moments sums;
     for (std::size_t i = 0; i < repeats; ++i)
       if (weighting.kernel() == Kernel::Const)
-        kernels.constSums(list, query, {1, 1}, sums);
+        kernels.constSums(list, &query, 1, &sums);
       else
-        kernels.weightedSums(lists, {1, 1}, weight, 1, sums);
+        kernels.weightedSums(lists, weight, 1, sums);
     benchmark::DoNotOptimize(sums);
     best = std::min(best, cpuSeconds() - start);
   }

@@ -231,6 +231,31 @@ TEST(GridEngine, WeighsPointsOnTheBallAsTheReferenceDoes)
   }
 }
 
+// Where float arithmetic gives way to double, no point may be counted by both or by
+// neither: thousands of points as near to the ball as rounding can tell.
+TEST(GridEngine, CountsEveryPointNextToTheBallOnce)
+{
+  boost::random::mt19937 random(51);
+  boost::random::uniform_real_distribution<double> unit(-1, 1);
+  const Points queries = uniformPoints(8, {0.4, 0.4, 0.4}, 52);
+  Points surface;
+  for (const Point& query : queries)
+    for (int i = 0; i < 5000; ++i) {
+      const Point direction(unit(random), unit(random), unit(random));
+      const double distance = std::sqrt(1 + 1e-5 * unit(random));
+      surface.emplace_back(query + distance * direction.normalized());
+    }
+  TensorSettings settings;
+  settings.radius = 1;
+  for (const char* weight : {"const", "fermi-dirac-1"}) {
+    SCOPED_TRACE(weight);
+    settings.weighting = Weighting(weight);
+    settings.engine = Engine::Tree;
+    EXPECT_TRUE(agree(estimateTensorsOnGrid(surface, queries, settings),
+                      estimateTensors(surface, queries, settings)));
+  }
+}
+
 TEST(GridEngine, TakesQueriesThatAreNoPointsOfTheSurface)
 {
   const Points surface = uniformPoints(3000, {8, 8, 8}, 21);

@@ -28,48 +28,51 @@ BlockSweep::inDouble(std::size_t query, const PointList& candidates)
 void
 BlockSweep::write()
 {
-  const std::size_t count = queries_.size();
-  EigenBatch batch{};
-  batch.count = count;
-  for (std::size_t entry = 0; entry < 6; ++entry)
-    batch.tensor[entry] = tensors_[entry].data();
-  for (std::vector<double>& entries : eigen_)
-    if (entries.size() < count + PointList::padding)
-      entries.resize(count + PointList::padding);
-  for (std::size_t i = 0; i < 3; ++i) {
-    batch.values[i] = eigen_[i].data();
-    batch.major[i] = eigen_[3 + i].data();
-    batch.normal[i] = eigen_[6 + i].data();
-  }
-  kernels_.eigen(batch);
-
-  const double area = job_.radius * job_.radius;
-  const auto f = [](double value) { return static_cast<float>(value); };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!known_[i])
-      continue;
-    PointDistributionTensor& record = job_.records[job_.queries.index(first_ + i)];
-    const double l1 = eigen_[0][i], l2 = eigen_[1][i], l3 = eigen_[2][i];
-    const double inverse = 1 / (l1 + l2 + l3);
-    record = {f(tensors_[0][i] * area),
-              f(tensors_[1][i] * area),
-              f(tensors_[2][i] * area),
-              f(tensors_[3][i] * area),
-              f(tensors_[4][i] * area),
-              f(tensors_[5][i] * area),
-              f(l1 * area),
-              f(l2 * area),
-              f(l3 * area),
-              f(eigen_[3][i]),
-              f(eigen_[4][i]),
-              f(eigen_[5][i]),
-              f(eigen_[6][i]),
-              f(eigen_[7][i]),
-              f(eigen_[8][i]),
-              f((l3 - l2) * inverse),
-              f(2 * (l2 - l1) * inverse),
-              f(3 * l1 * inverse),
-              found_[i]};
+  QuerySums sums{};
+  sums.count = queries_.size();
+  for (std::size_t m = 0; m < sums_.size(); ++m)
+    sums.moments[m] = sums_[m].data();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    sums.query[axis] = places_[axis].data();
+  sums.found = found_.data();
+  const RecordSettings settings{method_ == SweepMethod::Sums &&
+                                    job_.settings.centroid == Centroid::Mean,
+                                weightError(job_.settings.weighting),
+                                4 * 0x1p-24 * (reach_ + 1),
+                                job_.radius * job_.radius};
+  RecordLanes lanes;
+  for (std::size_t first = 0; first < sums.count; first += RecordLanes::queries) {
+    const std::uint32_t precise = kernels_.records(sums, settings, first, lanes);
+    const std::size_t count = std::min(sums.count - first, RecordLanes::queries);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t query = first + i;
+      PointDistributionTensor& record =
+          job_.records[job_.queries.index(first_ + query)];
+      if ((precise >> i & 1) == 0) {
+        record = inDouble(query, region_);
+        continue;
+      }
+      const auto& e = lanes.entry;
+      record = {e[0][i],
+                e[1][i],
+                e[2][i],
+                e[3][i],
+                e[4][i],
+                e[5][i],
+                e[6][i],
+                e[7][i],
+                e[8][i],
+                e[9][i],
+                e[10][i],
+                e[11][i],
+                e[12][i],
+                e[13][i],
+                e[14][i],
+                e[15][i],
+                e[16][i],
+                e[17][i],
+                static_cast<std::uint32_t>(found_[query])};
+    }
   }
 }
 

@@ -27,9 +27,7 @@ BlockSweep::BlockSweep(const SweepJob& job)
     : job_(job),
       kernels_(sweepKernels()),
       gather_(job.frame, job.surface, job.radius),
-      method_(sweepMethod(job.settings)),
-      sums_(method_ == SweepMethod::Sums),
-      weight_error_(weightError(job.settings.weighting))
+      method_(sweepMethod(job.settings))
 {
 }
 
@@ -52,17 +50,21 @@ BlockSweep::operator()(std::size_t block)
     queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radius);
     radii_[i] = radiusOf(i) / job_.radius;
   }
-  found_.assign(count, 0);
-  known_.assign(count, 0);
-  for (std::vector<double>& entries : tensors_)
-    entries.assign(count + PointList::padding, 0.0);
+  const auto makeRoom = [&](std::vector<double>& entries) {
+    if (entries.size() < count + PointList::padding)
+      entries.resize(count + PointList::padding);
+  };
+  std::for_each(sums_.begin(), sums_.end(), makeRoom);
+  std::for_each(places_.begin(), places_.end(), makeRoom);
+  makeRoom(found_);
 
   const double longest = *std::max_element(radii_.begin(), radii_.end());
   gather_(cell, origin_, queries_, longest + margin, region_);
   certain_.reserve(region_.size);
   certain_.size = 0;
   refine(part(0, count), region_, Moments(), 0);
-  write();
+  if (method_ != SweepMethod::Double)
+    write();
 }
 
 BlockSweep::Part
@@ -109,13 +111,17 @@ BlockSweep::refine(const Part& queries,
   if (method_ == SweepMethod::Weights)
     kernels_.split(list, ball, last, kept, certain_);
   else
-    kernels_.classify(list, ball, last, kept, sums_ ? &here : nullptr);
-  Moments all = here.relativeTo(-queries.center);
-  all += inside;
-  if (last)
-    solve(queries, all);
-  else
+    kernels_.classify(
+        list, ball, last, kept, method_ == SweepMethod::Sums ? &here : nullptr);
+  if (last) {
+    here += inside.relativeTo(queries.center);
+    solve(queries, here);
+  }
+  else {
+    Moments all = here.relativeTo(-queries.center);
+    all += inside;
     refineParts(queries.begin, queries.end, cuts, kept, all, depth + 1);
+  }
   certain_.size = known;
 }
 
@@ -139,107 +145,83 @@ BlockSweep::refineParts(std::size_t begin,
 void
 BlockSweep::solve(const Part& queries, const Moments& inside)
 {
-  for (std::size_t query = queries.begin; query < queries.end; ++query)
-    solveOne(queries, query, inside);
+  switch (method_) {
+  case SweepMethod::Sums:
+    sumConst(queries, inside);
+    break;
+  case SweepMethod::Weights:
+    for (std::size_t query = queries.begin; query < queries.end; ++query)
+      sumWeighted(queries, query);
+    break;
+  case SweepMethod::Centre:
+    for (std::size_t query = queries.begin; query < queries.end; ++query)
+      sumCentred(queries, query);
+    break;
+  case SweepMethod::Double:
+    for (std::size_t query = queries.begin; query < queries.end; ++query)
+      job_.records[job_.queries.index(first_ + query)] = inDouble(query, last_);
+    break;
+  }
 }
 
 void
-BlockSweep::solveOne(const Part& queries, std::size_t query, const Moments& inside)
+BlockSweep::sumConst(const Part& queries, const Moments& inside)
 {
-  Moments t;
-  bool good = false;
-  switch (method_) {
-  case SweepMethod::Sums:
-    good = constTensor(queries, query, inside, t);
-    break;
-  case SweepMethod::Weights:
-    good = weightedTensor(queries, query, t);
-    break;
-  case SweepMethod::Centre:
-    good = centredTensor(queries, query, t);
-    break;
-  case SweepMethod::Double:
-    break;
+  std::array<BandedQuery, BlockOrder::leaf> around{};
+  std::array<Moments, BlockOrder::leaf> sums;
+  sums.fill(inside);
+  const std::size_t count = queries.end - queries.begin;
+  for (std::size_t i = 0; i < count; ++i)
+    around[i] = banded(queries, queries.begin + i);
+  const std::uint32_t doubts =
+      kernels_.constSums(last_, around.data(), count, sums.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t query = queries.begin + i;
+    if ((doubts >> i & 1) != 0)
+      for (const Index place : decide(query, around[i]))
+        sums[i].add(1, {last_.x[place], last_.y[place], last_.z[place]});
+    keep(query, sums[i], queries_[query] - queries.center, sums[i].count);
   }
-  known_[query] = good;
-  if (!good) {
-    job_.records[job_.queries.index(first_ + query)] = inDouble(
-        query,
-        method_ == SweepMethod::Sums || method_ == SweepMethod::Weights ? region_
-                                                                        : last_);
-    return;
-  }
-  const double scale = 1 / t.count;
-  const std::array<double, 6> entries = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
-  for (std::size_t entry = 0; entry < 6; ++entry)
-    tensors_[entry][query] = entries[entry] * scale;
 }
 
-bool
-BlockSweep::constTensor(const Part& queries,
-                        std::size_t query,
-                        const Moments& inside,
-                        Moments& t)
+void
+BlockSweep::sumWeighted(const Part& queries, std::size_t query)
 {
-  const Float3 at = local(query, queries.center);
-  const Band limits = band(queries, query);
-  Moments sums;
-  const Found found = kernels_.constSums(last_, at, limits, sums);
-  if (found.doubtful)
-    for (const Index place : decide(query, at, limits))
-      sums.add(1, {last_.x[place], last_.y[place], last_.z[place]});
-  // From the part to the query, exactly.
-  t = sums.relativeTo(queries_[query] - queries.center);
-  t += inside.relativeTo(queries_[query]);
-  found_[query] = static_cast<std::uint32_t>(t.count);
-  const double spread = t.trace();
-  if (job_.settings.centroid == Centroid::Mean && t.count > 0)
-    t = t.relativeTo(t.first / t.count);
-  return precise(t, spread, found_[query]);
-}
-
-bool
-BlockSweep::weightedTensor(const Part& queries, std::size_t query, Moments& t)
-{
-  const Float3 at = local(query, queries.center);
-  const Band limits = band(queries, query);
+  const BandedQuery around = banded(queries, query);
   const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
+  Moments t;
   const Found found = kernels_.weightedSums(
-      {last_, at, certain_, toFloat(queries_[query])}, limits, job_.weight, scale, t);
-  std::size_t neighbours = found.certain;
+      {last_, around, certain_, toFloat(queries_[query])}, job_.weight, scale, t);
+  auto neighbours = static_cast<double>(found.certain);
   if (found.doubtful)
-    for (const Index place : decide(query, at, limits)) {
-      const Point offset(double{last_.x[place]} - double{at[0]},
-                         double{last_.y[place]} - double{at[1]},
-                         double{last_.z[place]} - double{at[2]});
+    for (const Index place : decide(query, around)) {
+      const Point offset(double{last_.x[place]} - double{around.at[0]},
+                         double{last_.y[place]} - double{around.at[1]},
+                         double{last_.z[place]} - double{around.at[2]});
       // A weight may end in a step on the ball: no other distance will do.
       const double distance = std::sqrt(squaredDistance(query, last_.id[place]));
       t.add(job_.settings.weighting(distance * (1 / radiusOf(query))), offset);
       ++neighbours;
     }
-  found_[query] = static_cast<std::uint32_t>(neighbours);
-  return precise(t, t.trace(), neighbours);
+  keep(query, t, Point::Zero(), neighbours);
 }
 
-bool
-BlockSweep::centredTensor(const Part& queries, std::size_t query, Moments& t)
+void
+BlockSweep::sumCentred(const Part& queries, std::size_t query)
 {
-  const Float3 at = local(query, queries.center);
-  const Band limits = band(queries, query);
+  const BandedQuery around = banded(queries, query);
   dense_.reserve(last_.size);
-  const Found found = kernels_.neighbours(last_, at, limits, dense_);
-  if (found.doubtful) {
-    for (const Index place : decide(query, at, limits)) {
-      dense_.x[dense_.size] = last_.x[place] - at[0];
-      dense_.y[dense_.size] = last_.y[place] - at[1];
-      dense_.z[dense_.size] = last_.z[place] - at[2];
+  if (kernels_.neighbours(last_, around, dense_)) {
+    for (const Index place : decide(query, around)) {
+      dense_.x[dense_.size] = last_.x[place] - around.at[0];
+      dense_.y[dense_.size] = last_.y[place] - around.at[1];
+      dense_.z[dense_.size] = last_.z[place] - around.at[2];
       ++dense_.size;
     }
     dense_.pad();
   }
-  found_[query] = static_cast<std::uint32_t>(dense_.size);
   const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
-  Moments reference;
+  Moments reference, t;
   kernels_.momentsAround(dense_,
                          {0, 0, 0},
                          job_.settings.centroid == Centroid::WeightedMean
@@ -247,11 +229,37 @@ BlockSweep::centredTensor(const Part& queries, std::size_t query, Moments& t)
                              : Weighting(Kernel::Const),
                          scale,
                          reference);
-  if (!(reference.count > 1e-3))
-    return false;
-  const Float3 center = toFloat(reference.first / reference.count);
-  kernels_.momentsAround(dense_, center, job_.settings.weighting, scale, t);
-  return precise(t, t.trace(), dense_.size);
+  // Without weight there is no reference, and sums of 0 are not precise.
+  if (reference.count > 1e-3)
+    kernels_.momentsAround(dense_,
+                           toFloat(reference.first / reference.count),
+                           job_.settings.weighting,
+                           scale,
+                           t);
+  keep(query, t, Point::Zero(), static_cast<double>(dense_.size));
+}
+
+void
+BlockSweep::keep(std::size_t query,
+                 const Moments& sums,
+                 const Point& at,
+                 double neighbours)
+{
+  const std::array<double, 10> values = {sums.count,
+                                         sums.first.x(),
+                                         sums.first.y(),
+                                         sums.first.z(),
+                                         sums.xx,
+                                         sums.xy,
+                                         sums.xz,
+                                         sums.yy,
+                                         sums.yz,
+                                         sums.zz};
+  for (std::size_t m = 0; m < values.size(); ++m)
+    sums_[m][query] = values[m];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    places_[axis][query] = at[static_cast<Eigen::Index>(axis)];
+  found_[query] = neighbours;
 }
 
 double
@@ -275,28 +283,22 @@ BlockSweep::isNeighbour(std::size_t query, std::uint32_t slot) const
 }
 
 const Indices&
-BlockSweep::decide(std::size_t query, const Float3& at, Band band)
+BlockSweep::decide(std::size_t query, const BandedQuery& around)
 {
   doubtful_.clear();
-  kernels_.inBand(last_, at, band, doubtful_);
+  kernels_.inBand(last_, around, method_ == SweepMethod::Sums, doubtful_);
   const auto out = [&](Index place) { return !isNeighbour(query, last_.id[place]); };
   doubtful_.erase(std::remove_if(doubtful_.begin(), doubtful_.end(), out),
                   doubtful_.end());
   return doubtful_;
 }
 
-Float3
-BlockSweep::local(std::size_t query, const Point& center) const
+BandedQuery
+BlockSweep::banded(const Part& queries, std::size_t query) const
 {
   // The steps in which a point of the list came to its coordinates: a query that is a
   // point of the list is at distance 0 from itself.
-  const Float3 q = toFloat(queries_[query]), c = toFloat(center);
-  return {q[0] - c[0], q[1] - c[1], q[2] - c[2]};
-}
-
-Band
-BlockSweep::band(const Part& queries, std::size_t query) const
-{
+  const Float3 q = toFloat(queries_[query]), c = toFloat(queries.center);
   // Rounding of a coordinate of the list and of the query, and of their differences to
   // the center; each changes the distance, which is about the radius.
   const double radius = radii_[query];
@@ -306,22 +308,8 @@ BlockSweep::band(const Part& queries, std::size_t query) const
   const double steps = 3 * far * far + 3 * (far * far + 2 * far * queries.size);
   const double error = float_rounding * 1.25 * (2 * radius * coordinates + steps + 2);
   const double squared = radius * radius;
-  return {static_cast<float>(squared - error), static_cast<float>(squared + error)};
-}
-
-bool
-BlockSweep::precise(const Moments& t, double spread, std::size_t neighbours) const
-{
-  constexpr double wanted = 3e-5;
-  const double trace = t.trace();
-  // Errors of single weights are rounding, and add up as such.
-  const double weights =
-      4 * weight_error_.absolute * std::sqrt(static_cast<double>(neighbours)) +
-      weight_error_.relative * spread;
-  const double sums = 5e-7 * spread;
-  const double coordinates =
-      4 * float_rounding * (reach_ + 1) * std::sqrt(std::max(0.0, t.count * trace));
-  return trace > 0 && t.count > 0 && weights + sums + coordinates <= wanted * trace;
+  return {{q[0] - c[0], q[1] - c[1], q[2] - c[2]},
+          {static_cast<float>(squared - error), static_cast<float>(squared + error)}};
 }
 
 } // namespace linelet::grid

@@ -14,7 +14,6 @@
 #include "region.h"
 #include "sweep_kernels.h"
 #include "sweep_method.h"
-#include "weight_error.h"
 
 namespace linelet::grid {
 
@@ -40,8 +39,8 @@ struct SweepJob {
  *
  * Coordinates of a list are float, relative to the block or, in the last step, to the
  * part, in units of the radius. Pairs whose distance is within rounding of the radius
- * are decided in double; a tensor that is too small for float (see \ref precise) is
- * computed again in double, as Engine::Tree would. */
+ * are decided in double; a tensor that is too small for float (see \ref
+ * SweepKernels::records) is computed again in double, as Engine::Tree would. */
 class BlockSweep {
 public:
   explicit BlockSweep(const SweepJob& job);
@@ -76,23 +75,21 @@ private:
               const Moments& inside,
               std::size_t depth);
 
+  /** \brief Sums for the queries of a leaf from the last list.
+   * \param[in] inside of points that left the lists, relative to the part */
   void
   solve(const Part& queries, const Moments& inside);
-
   void
-  solveOne(const Part& queries, std::size_t query, const Moments& inside);
+  sumConst(const Part& queries, const Moments& inside);
+  void
+  sumWeighted(const Part& queries, std::size_t query);
+  void
+  sumCentred(const Part& queries, std::size_t query);
 
-  /** \brief Tensor times weight, relative to the centroid; or false to start again in
-   * double. */
-  bool
-  constTensor(const Part& queries,
-              std::size_t query,
-              const Moments& inside,
-              Moments& t);
-  bool
-  weightedTensor(const Part& queries, std::size_t query, Moments& t);
-  bool
-  centredTensor(const Part& queries, std::size_t query, Moments& t);
+  /** \brief Keeps the sums of a query for its record.
+   * \param[in] at the query in the coordinates of the sums */
+  void
+  keep(std::size_t query, const Moments& sums, const Point& at, double neighbours);
 
   /** \brief As the points came, not as they are in the lists. */
   double
@@ -104,18 +101,11 @@ private:
 
   /** \brief Places in the last list of the points in the band that are neighbours. */
   const Indices&
-  decide(std::size_t query, const Float3& at, Band band);
+  decide(std::size_t query, const BandedQuery& around);
 
-  Float3
-  local(std::size_t query, const Point& center) const;
-
-  Band
-  band(const Part& queries, std::size_t query) const;
-
-  /** \brief Whether the float sums of \a t are good for shape factors to 1e-4.
-   * \param[in] spread trace of the weighted second moments around the query */
-  bool
-  precise(const Moments& t, double spread, std::size_t neighbours) const;
+  /** \brief In the coordinates of the last list. */
+  BandedQuery
+  banded(const Part& queries, std::size_t query) const;
 
   PointDistributionTensor
   inDouble(std::size_t query, const PointList& candidates);
@@ -127,18 +117,15 @@ private:
   SweepKernels kernels_;
   RegionGatherer gather_;
   SweepMethod method_;
-  bool sums_; ///< certain neighbours leave the lists as sums
-  WeightError weight_error_;
 
   std::size_t first_ = 0;      // slot of the first query of the block
   Point origin_;               // center of the block
   double reach_ = 1;           // largest coordinate of a list
   std::vector<Point> queries_; // relative to the block, in units of the radius
   std::vector<double> radii_;  // in the same unit
-  std::vector<std::uint32_t> found_;
-  std::vector<char> known_; // whether the tensor of the query stands in tensors_
-  std::array<std::vector<double>, 6> tensors_;
-  std::array<std::vector<double>, 9> eigen_;
+  std::array<std::vector<double>, 10> sums_;  // of every query of the block
+  std::array<std::vector<double>, 3> places_; // of the query, as its sums see it
+  std::vector<double> found_;
 
   PointList region_;             // what any query of the block can reach
   std::deque<PointList> levels_; // one a depth of refinement

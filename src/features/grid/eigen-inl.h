@@ -13,15 +13,12 @@
 
 #include <hwy/highway.h>
 
+#include "lane_moments-inl.h"
 #include "sweep_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::ScalableTag<double>;
-using VD = hn::Vec<D>;
 
 /** \brief A vector in space a lane. */
 struct Column {
@@ -88,43 +85,103 @@ orient(Column& c)
 }
 
 /** \brief Cyclic Jacobi: keeps the small eigenvalues of wire-like tensors to their last
- * digits, which closed forms lose. */
-void
-eigen(const EigenBatch& batch)
-{
-  const D d;
-  const VD zero = hn::Zero(d), one = hn::Set(d, 1);
-  for (std::size_t i = 0; i < batch.count; i += hn::Lanes(d)) {
-    VD xx = hn::LoadU(d, batch.tensor[0] + i), xy = hn::LoadU(d, batch.tensor[1] + i),
-       xz = hn::LoadU(d, batch.tensor[2] + i), yy = hn::LoadU(d, batch.tensor[3] + i),
-       yz = hn::LoadU(d, batch.tensor[4] + i), zz = hn::LoadU(d, batch.tensor[5] + i);
-    Column u{one, zero, zero}, v{zero, one, zero}, w{zero, zero, one};
-    // Convergence is quadratic; the sixth turn is never needed for what rounding shows.
-    constexpr int most_turns = 6;
-    const VD scale = hn::Add(xx, hn::Add(yy, zz));
-    const VD negligible = hn::Mul(scale, hn::Set(d, 1e-17));
-    for (int turn = 0; turn < most_turns; ++turn) {
-      jacobiRotation(xx, yy, xy, xz, yz, u, v);
-      jacobiRotation(xx, zz, xz, xy, yz, u, w);
-      jacobiRotation(yy, zz, yz, xy, xz, v, w);
-      const VD rest = hn::Add(hn::Abs(xy), hn::Add(hn::Abs(xz), hn::Abs(yz)));
-      if (hn::AllFalse(d, hn::Gt(rest, negligible)))
-        break;
-    }
+ * digits, which closed forms lose. In the end xx <= yy <= zz are the eigenvalues over
+ * the trace, not negative, u and w the eigenvectors of the first and the last. */
+struct EigenLanes {
+  VD xx, xy, xz, yy, yz, zz;
+  VD trace;
+  Column u, v, w;
+
+  HWY_INLINE void
+  begin()
+  {
+    const VD zero = hn::Zero(D()), one = hn::Set(D(), 1);
+    trace = hn::Add(xx, hn::Add(yy, zz));
+    const VD inverse = hn::IfThenElseZero(hn::Gt(trace, zero), hn::Div(one, trace));
+    for (VD* entry : {&xx, &xy, &xz, &yy, &yz, &zz})
+      *entry = hn::Mul(*entry, inverse);
+    u = {one, zero, zero};
+    v = {zero, one, zero};
+    w = {zero, zero, one};
+  }
+
+  /** \brief Rotates about all axes. \return whether more is left beside the diagonal
+   * than counts: eigenvalues are off by its square */
+  HWY_INLINE bool
+  turn()
+  {
+    const D d;
+    jacobiRotation(xx, yy, xy, xz, yz, u, v);
+    jacobiRotation(xx, zz, xz, xy, yz, u, w);
+    jacobiRotation(yy, zz, yz, xy, xz, v, w);
+    const VD rest = hn::Add(hn::Abs(xy), hn::Add(hn::Abs(xz), hn::Abs(yz)));
+    return !hn::AllFalse(d, hn::Gt(rest, hn::Set(d, 1e-15)));
+  }
+
+  HWY_INLINE void
+  end()
+  {
     order(xx, yy, u, v);
     order(yy, zz, v, w);
     order(xx, yy, u, v);
     orient(u);
     orient(w);
-    hn::StoreU(hn::Max(xx, zero), d, batch.values[0] + i);
-    hn::StoreU(hn::Max(yy, zero), d, batch.values[1] + i);
-    hn::StoreU(hn::Max(zz, zero), d, batch.values[2] + i);
-    hn::StoreU(w.x, d, batch.major[0] + i);
-    hn::StoreU(w.y, d, batch.major[1] + i);
-    hn::StoreU(w.z, d, batch.major[2] + i);
-    hn::StoreU(u.x, d, batch.normal[0] + i);
-    hn::StoreU(u.y, d, batch.normal[1] + i);
-    hn::StoreU(u.z, d, batch.normal[2] + i);
+    const VD zero = hn::Zero(D());
+    xx = hn::Max(xx, zero);
+    yy = hn::Max(yy, zero);
+  }
+};
+
+/** \brief Two vectors at once: the steps of one fill the waits of the other. */
+HWY_INLINE void
+analyse(EigenLanes& a, EigenLanes& b)
+{
+  // Convergence is quadratic; the sixth turn is never needed for what rounding shows.
+  constexpr int most_turns = 6;
+  a.begin();
+  b.begin();
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const bool more = a.turn();
+    if (!(b.turn() || more))
+      break;
+  }
+  a.end();
+  b.end();
+}
+
+void
+eigen(const EigenBatch& batch)
+{
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t i = 0; i < batch.count; i += 2 * lanes) {
+    EigenLanes pair[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto entry = [&](std::size_t e) HWY_ATTR {
+        return hn::LoadU(d, batch.tensor[e] + i + k * lanes);
+      };
+      pair[k].xx = entry(0);
+      pair[k].xy = entry(1);
+      pair[k].xz = entry(2);
+      pair[k].yy = entry(3);
+      pair[k].yz = entry(4);
+      pair[k].zz = entry(5);
+    }
+    analyse(pair[0], pair[1]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const EigenLanes& e = pair[k];
+      const auto put = [&](VD value, double* to)
+                           HWY_ATTR { hn::StoreU(value, d, to + i + k * lanes); };
+      put(hn::Mul(e.xx, e.trace), batch.values[0]);
+      put(hn::Mul(e.yy, e.trace), batch.values[1]);
+      put(hn::Mul(e.zz, e.trace), batch.values[2]);
+      put(e.w.x, batch.major[0]);
+      put(e.w.y, batch.major[1]);
+      put(e.w.z, batch.major[2]);
+      put(e.u.x, batch.normal[0]);
+      put(e.u.y, batch.normal[1]);
+      put(e.u.z, batch.normal[2]);
+    }
   }
 }
 

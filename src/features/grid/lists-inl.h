@@ -88,10 +88,10 @@ classifyAs(const PointList& in, const Ball& ball, PointList& out, Moments* insid
       const V x = hn::Load(f, in.x + i), y = hn::Load(f, in.y + i),
               z = hn::Load(f, in.z + i);
       const V dx = hn::Sub(x, cx), dy = hn::Sub(y, cy), dz = hn::Sub(z, cz);
-      const V h = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-      auto keep = hn::Le(h, most);
+      const V squared = squareOf(dx, dy, dz);
+      auto keep = hn::Le(squared, most);
       if constexpr (sum) {
-        const auto within = hn::Lt(h, certain);
+        const auto within = hn::Lt(squared, certain);
         part.addMasked(within, dx, dy, dz);
         keep = hn::AndNot(within, keep);
       }
@@ -99,7 +99,7 @@ classifyAs(const PointList& in, const Ball& ball, PointList& out, Moments* insid
       append(f, recentre ? dy : y, keep, out.y + size);
       append(f, recentre ? dz : z, keep, out.z + size);
       if constexpr (recentre)
-        append(f, h, keep, out.h + size);
+        append(f, squared, keep, out.h + size);
       append(u, hn::Load(u, in.id + i), hn::RebindMask(u, keep), out.id + size);
       size += hn::CountTrue(f, keep);
     }
@@ -145,9 +145,9 @@ splitAs(const PointList& in, const Ball& ball, PointList& out, PointList& certai
     const V x = hn::Load(f, in.x + i), y = hn::Load(f, in.y + i),
             z = hn::Load(f, in.z + i);
     const V dx = hn::Sub(x, cx), dy = hn::Sub(y, cy), dz = hn::Sub(z, cz);
-    const V h = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-    const auto within = hn::And(hn::Lt(h, inside), hn::Ge(h, near));
-    const auto keep = hn::AndNot(within, hn::Le(h, most));
+    const V squared = squareOf(dx, dy, dz);
+    const auto within = hn::And(hn::Lt(squared, inside), hn::Ge(squared, near));
+    const auto keep = hn::AndNot(within, hn::Le(squared, most));
     if (!hn::AllFalse(f, within)) {
       append(f, x, within, certain.x + certain_size);
       append(f, y, within, certain.y + certain_size);
@@ -193,17 +193,18 @@ seen(const PointList& list, std::size_t i, V qx, V qy, V qz)
   s.dx = hn::Sub(hn::Load(f, list.x + i), qx);
   s.dy = hn::Sub(hn::Load(f, list.y + i), qy);
   s.dz = hn::Sub(hn::Load(f, list.z + i), qz);
-  s.squared = hn::MulAdd(s.dx, s.dx, hn::MulAdd(s.dy, s.dy, hn::Mul(s.dz, s.dz)));
+  s.squared = squareOf(s.dx, s.dy, s.dz);
   return s;
 }
 
-Found
-neighbours(const PointList& list, const Float3& query, Band band, PointList& out)
+bool
+neighbours(const PointList& list, const BandedQuery& query, PointList& out)
 {
   const F f;
   const hn::RebindToUnsigned<F> u;
-  const V qx = constant(query[0]), qy = constant(query[1]), qz = constant(query[2]);
-  const V low = constant(band.low), high = constant(band.high);
+  const V qx = constant(query.at[0]), qy = constant(query.at[1]),
+          qz = constant(query.at[2]);
+  const V low = constant(query.band.low), high = constant(query.band.high);
   std::size_t size = 0;
   auto doubtful = hn::FirstN(f, 0);
   for (std::size_t i = 0; i < list.size; i += hn::Lanes(f)) {
@@ -218,18 +219,18 @@ neighbours(const PointList& list, const Float3& query, Band band, PointList& out
   }
   out.size = size;
   out.pad();
-  return {size, !hn::AllFalse(f, doubtful)};
+  return !hn::AllFalse(f, doubtful);
 }
 
-void
-inBand(const PointList& list, const Float3& query, Band band, Indices& places)
+template <class Distance>
+HWY_INLINE void
+inBandBy(
+    const PointList& list, V low, V high, const Distance& distance, Indices& places)
 {
   const F f;
-  const V qx = constant(query[0]), qy = constant(query[1]), qz = constant(query[2]);
-  const V low = constant(band.low), high = constant(band.high);
   for (std::size_t i = 0; i < list.size; i += hn::Lanes(f)) {
-    const Seen s = seen(list, i, qx, qy, qz);
-    const auto between = hn::And(hn::Gt(s.squared, low), hn::Le(s.squared, high));
+    const V s = distance(i);
+    const auto between = hn::AndNot(hn::Le(s, low), hn::Le(s, high));
     if (hn::AllFalse(f, between))
       continue;
     std::uint8_t bits[8 * 8] = {};
@@ -238,6 +239,38 @@ inBand(const PointList& list, const Float3& query, Band band, Indices& places)
       if ((bits[lane / 8] >> (lane % 8) & 1) != 0)
         places.push_back(static_cast<Index>(i + lane));
   }
+}
+
+void
+inBand(const PointList& list,
+       const BandedQuery& query,
+       bool constant_weights,
+       Indices& places)
+{
+  const F f;
+  // In the very steps in which the sums looked: no point is in neither or in both.
+  if (constant_weights) {
+    const BandAround around(query);
+    inBandBy(
+        list,
+        around.low,
+        around.high,
+        [&](std::size_t i) HWY_ATTR {
+          const V x = hn::Load(f, list.x + i), y = hn::Load(f, list.y + i),
+                  z = hn::Load(f, list.z + i);
+          return around(x, y, z, hn::Load(f, list.h + i));
+        },
+        places);
+    return;
+  }
+  const V qx = constant(query.at[0]), qy = constant(query.at[1]),
+          qz = constant(query.at[2]);
+  inBandBy(
+      list,
+      constant(query.band.low),
+      constant(query.band.high),
+      [&](std::size_t i) HWY_ATTR { return seen(list, i, qx, qy, qz).squared; },
+      places);
 }
 
 } // namespace HWY_NAMESPACE

@@ -105,16 +105,43 @@ struct Sums {
   }
 };
 
-Found
-constSums(const PointList& list, const Float3& query, Band band, Moments& sums)
+HWY_INLINE V
+squareOf(V x, V y, V z)
+{
+  return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+}
+
+/** \brief |p - q|^2 <= r^2 as |p|^2 - 2 p.q <= r^2 - |q|^2: three steps from |p|^2. */
+struct BandAround {
+  V x, y, z, low, high;
+
+  HWY_INLINE
+  BandAround() = default;
+
+  HWY_INLINE explicit BandAround(const BandedQuery& query)
+  {
+    const auto [qx, qy, qz] = query.at;
+    const float square = qx * qx + qy * qy + qz * qz;
+    x = constant(2 * qx);
+    y = constant(2 * qy);
+    z = constant(2 * qz);
+    low = constant(query.band.low - square);
+    high = constant(query.band.high - square);
+  }
+
+  /** \brief What lies between low and high in the band. */
+  HWY_INLINE V
+  operator()(V px, V py, V pz, V square) const
+  {
+    return hn::NegMulAdd(z, pz, hn::NegMulAdd(y, py, hn::NegMulAdd(x, px, square)));
+  }
+};
+
+HWY_INLINE bool
+constSumsOf(const PointList& list, const BandAround& around, Moments& sums)
 {
   const F f;
   const std::size_t lanes = hn::Lanes(f);
-  // |p - q|^2 <= r^2 as |p|^2 - 2 p.q <= r^2 - |q|^2.
-  const float square = query[0] * query[0] + query[1] * query[1] + query[2] * query[2];
-  const V qx = constant(2 * query[0]), qy = constant(2 * query[1]),
-          qz = constant(2 * query[2]);
-  const V low = constant(band.low - square), high = constant(band.high - square);
   Sums<true> total;
   auto doubtful = hn::FirstN(f, 0);
   for (std::size_t chunk = 0; chunk < list.size; chunk += chunk_vectors * lanes) {
@@ -123,17 +150,27 @@ constSums(const PointList& list, const Float3& query, Band band, Moments& sums)
     for (std::size_t i = chunk; i < end; i += lanes) {
       const V x = hn::Load(f, list.x + i), y = hn::Load(f, list.y + i),
               z = hn::Load(f, list.z + i);
-      V s = hn::NegMulAdd(qx, x, hn::Load(f, list.h + i));
-      s = hn::NegMulAdd(qy, y, s);
-      s = hn::NegMulAdd(qz, z, s);
-      const auto within = hn::Le(s, low);
+      const V s = around(x, y, z, hn::Load(f, list.h + i));
+      const auto within = hn::Le(s, around.low);
       part.addMasked(within, x, y, z);
-      doubtful = hn::Or(doubtful, hn::AndNot(within, hn::Le(s, high)));
+      doubtful = hn::Or(doubtful, hn::AndNot(within, hn::Le(s, around.high)));
     }
     total.add(part);
   }
   total.addTo(sums);
-  return {static_cast<std::size_t>(total.total.count), !hn::AllFalse(f, doubtful)};
+  return !hn::AllFalse(f, doubtful);
+}
+
+std::uint32_t
+constSums(const PointList& list,
+          const BandedQuery* queries,
+          std::size_t count,
+          Moments* sums)
+{
+  std::uint32_t doubts = 0;
+  for (std::size_t q = 0; q < count; ++q)
+    doubts |= (constSumsOf(list, BandAround(queries[q]), sums[q]) ? 1U : 0U) << q;
+  return doubts;
 }
 
 /** \brief A vector of points relative to a query, and their weights. */
@@ -167,13 +204,10 @@ sumAhead(std::size_t end, const At& at, ChunkSums<false>& part, Sums<false>& tot
 
 template <class W>
 HWY_INLINE Found
-weightedSumsOf(const W& weight, const WeightedLists& lists, Band band, Moments& sums)
+weightedSumsOf(const W& weight, const WeightedLists& lists, Moments& sums)
 {
   const F f;
   const std::size_t lanes = hn::Lanes(f);
-  const auto squareOf = [](V x, V y, V z) HWY_ATTR {
-    return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-  };
   Sums<false> total;
   ChunkSums<false> part;
 
@@ -207,8 +241,8 @@ weightedSumsOf(const W& weight, const WeightedLists& lists, Band band, Moments& 
   }
 
   const PointList& list = lists.doubtful;
-  const V qx = constant(lists.query[0]), qy = constant(lists.query[1]),
-          qz = constant(lists.query[2]);
+  const auto& [at, band] = lists.query;
+  const V qx = constant(at[0]), qy = constant(at[1]), qz = constant(at[2]);
   const V low = constant(band.low), high = constant(band.high);
   std::size_t found = certain.size;
   auto doubtful = hn::FirstN(f, 0);
@@ -235,14 +269,13 @@ weightedSumsOf(const W& weight, const WeightedLists& lists, Band band, Moments& 
 
 Found
 weightedSums(const WeightedLists& lists,
-             Band band,
              const SweepWeight& weight,
              float scale,
              Moments& sums)
 {
   Found found{};
   withTable(weight, scale, [&](const auto& w) HWY_ATTR {
-    found = weightedSumsOf(w, lists, band, sums);
+    found = weightedSumsOf(w, lists, sums);
   });
   return found;
 }
@@ -267,7 +300,7 @@ momentsAroundOf(const W& weight,
       const V dx = hn::Sub(hn::Load(f, list.x + i), cx);
       const V dy = hn::Sub(hn::Load(f, list.y + i), cy);
       const V dz = hn::Sub(hn::Load(f, list.z + i), cz);
-      const V squared = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+      const V squared = squareOf(dx, dy, dz);
       // Padding is far outside; what lies there has no weight.
       const auto real = hn::Lt(squared, constant(1e20F));
       part.addWeighted(

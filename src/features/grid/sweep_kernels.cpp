@@ -11,6 +11,7 @@
 
 #include "eigen-inl.h"
 #include "lists-inl.h"
+#include "records-inl.h"
 #include "sums-inl.h"
 #include "table-inl.h"
 #include "weights-inl.h"
@@ -51,6 +52,7 @@ kernels()
           neighbours,
           inBand,
           weights,
+          records,
           eigen};
 }
 

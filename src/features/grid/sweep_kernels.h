@@ -10,6 +10,7 @@
 #include <linelet/tensor/weighting.h>
 
 #include "point_list.h"
+#include "weight_error.h"
 #include "weight_table.h"
 
 namespace linelet::grid {
@@ -20,6 +21,12 @@ using Float3 = std::array<float, 3>;
  * neighbour, above \a high it is none, between them the distance in double decides. */
 struct Band {
   float low, high;
+};
+
+/** \brief A query in the coordinates of a list, and the band of its radius. */
+struct BandedQuery {
+  Float3 at;
+  Band band;
 };
 
 /** \brief A part of a BlockOrder, to be seen from \a origin in units of 1/\a scale. */
@@ -51,9 +58,33 @@ struct Ball {
  * of each list. */
 struct WeightedLists {
   const PointList& doubtful;
-  Float3 query;
+  BandedQuery query;
   const PointList& certain; ///< neighbours, and none of them near; may lack padding
   Float3 certain_query;
+};
+
+/** \brief Sums over the neighbours of many queries: arrays with an entry a query, and
+ * room for \ref PointList::padding more. */
+struct QuerySums {
+  std::size_t count;
+  std::array<const double*, 10> moments; ///< weight x y z xx xy xz yy yz zz
+  std::array<const double*, 3> query;    ///< in the coordinates of the sums
+  const double* found;                   ///< number of neighbours
+};
+
+/** \brief What makes records of sums. */
+struct RecordSettings {
+  bool mean; ///< tensors are about the mean of the neighbours, not the query
+  WeightError weight_error;
+  double coordinate_error; ///< rounding of a coordinate, in its unit
+  double area;             ///< that unit, squared
+};
+
+/** \brief Records of some queries: the floats of PointDistributionTensor in its order,
+ * an array each. */
+struct RecordLanes {
+  static constexpr std::size_t queries = 16;
+  std::array<std::array<float, queries>, 18> entry;
 };
 
 /** \brief How many points lie in a ball for certain, and whether any do in its band. */
@@ -100,18 +131,18 @@ struct SweepKernels {
                 PointList& out,
                 PointList& certain);
 
-  /** \brief Moments of the points of a recentred list within the ball around \a query;
-   * points of the band are left out. */
-  Found (*constSums)(const PointList& list,
-                     const Float3& query,
-                     Band band,
-                     Moments& sums);
+  /** \brief Adds to the sums of each query the moments of the points of a recentred
+   * list within its ball; points of the band are left out.
+   * \return which of the queries, at most 32, have points in the band, a bit each */
+  std::uint32_t (*constSums)(const PointList& list,
+                             const BandedQuery* queries,
+                             std::size_t count,
+                             Moments* sums);
 
   /** \brief Weighted moments relative to a query of its neighbours, by a kernel; the
    * weight's argument is squared distance times \a scale. Points of the band are left
    * out. The first moments are not summed. */
   Found (*weightedSums)(const WeightedLists& lists,
-                        Band band,
                         const SweepWeight& weight,
                         float scale,
                         Moments& sums);
@@ -124,16 +155,14 @@ struct SweepKernels {
                         Moments& sums);
 
   /** \brief The points of \a list within the ball around \a query, relative to it,
-   * those of the band left out. */
-  Found (*neighbours)(const PointList& list,
-                      const Float3& query,
-                      Band band,
-                      PointList& out);
+   * those of the band left out. \return whether there are any */
+  bool (*neighbours)(const PointList& list, const BandedQuery& query, PointList& out);
 
-  /** \brief Places in \a list of the points in the band around \a query. */
+  /** \brief Places in \a list of the points in the band around \a query.
+   * \param[in] constant_weights as \ref constSums sees them, else as the others do */
   void (*inBand)(const PointList& list,
-                 const Float3& query,
-                 Band band,
+                 const BandedQuery& query,
+                 bool constant_weights,
                  Indices& places);
 
   /** \brief w(sqrt(u)) for \a count values of u, a multiple of \ref lanes. With \a
@@ -143,6 +172,13 @@ struct SweepKernels {
                   const float* squared,
                   float* values,
                   std::size_t count);
+
+  /** \brief Records of \ref RecordLanes::queries queries from \a first on.
+   * \return those whose float sums are good for shape factors to 1e-4, a bit each */
+  std::uint32_t (*records)(const QuerySums& sums,
+                           const RecordSettings& settings,
+                           std::size_t first,
+                           RecordLanes& out);
 
   /** \brief Eigenvalues and the outer eigenvectors. */
   void (*eigen)(const EigenBatch& batch);
