@@ -130,6 +130,45 @@ oneLine(std::string text)
   return text;
 }
 
+/** Appends the world coordinates of point \a i. */
+void
+appendPlace(std::string& text,
+            const Cloud& cloud,
+            std::size_t i,
+            const CoordinateForm& form,
+            char gap)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0)
+      text += gap;
+    appendCoordinate(text, cloud.shift[axis] + cloud.points[i][axis], form);
+  }
+}
+
+/** Writes a file of \a header and a line for each point, to which \a append_row gives
+ * its words. */
+template <class AppendRow>
+void
+writeRows(const Target& target,
+          const std::string& header,
+          std::size_t points,
+          AppendRow append_row)
+{
+  OutputFile file(target.name);
+  std::string text = header;
+  for (std::size_t i = 0; i < points; ++i) {
+    append_row(text, i);
+    text += '\n';
+    if (i % block_points == block_points - 1) {
+      file.write(text);
+      text.clear();
+      target.advance(block_points);
+    }
+  }
+  file.write(text);
+  file.commit();
+}
+
 } // namespace
 
 void
@@ -228,7 +267,6 @@ writeText(const Target& target, const Cloud& cloud)
   if (!cloud.wkt.empty())
     target.warn("text cannot hold the reference system");
   const CoordinateForm form = formOf(cloud);
-  OutputFile file(target.name);
   WordNames names;
   std::string text = csv ? "x,y,z" : "# x y z";
   for (const Column& column : cloud.columns)
@@ -236,25 +274,13 @@ writeText(const Target& target, const Cloud& cloud)
   text += '\n';
   if (!csv && cloud.columns.empty())
     text.clear();
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axis > 0)
-        text += gap;
-      appendCoordinate(text, cloud.shift[axis] + cloud.points[i][axis], form);
-    }
+  writeRows(target, text, cloud.points.size(), [&](std::string& row, std::size_t i) {
+    appendPlace(row, cloud, i, form, gap);
     for (const Column& column : cloud.columns) {
-      text += gap;
-      appendValue(text, column, i);
+      row += gap;
+      appendValue(row, column, i);
     }
-    text += '\n';
-    if (i % block_points == block_points - 1) {
-      file.write(text);
-      text.clear();
-      target.advance(block_points);
-    }
-  }
-  file.write(text);
-  file.commit();
+  });
 }
 
 void
@@ -264,23 +290,11 @@ writeObjVertices(const Target& target, const Cloud& cloud)
     target.warn("OBJ holds vertices only; " + std::to_string(cloud.columns.size()) +
                 " attributes are left out");
   const CoordinateForm form = formOf(cloud);
-  OutputFile file(target.name);
-  std::string text = "# points, written by linelet\n";
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    text += 'v';
-    for (int axis = 0; axis < 3; ++axis) {
-      text += ' ';
-      appendCoordinate(text, cloud.shift[axis] + cloud.points[i][axis], form);
-    }
-    text += '\n';
-    if (i % block_points == block_points - 1) {
-      file.write(text);
-      text.clear();
-      target.advance(block_points);
-    }
-  }
-  file.write(text);
-  file.commit();
+  const std::string header = "# points, written by linelet\n";
+  writeRows(target, header, cloud.points.size(), [&](std::string& row, std::size_t i) {
+    row += "v ";
+    appendPlace(row, cloud, i, form, ' ');
+  });
 }
 
 } // namespace linelet::io
