@@ -144,6 +144,27 @@ TEST_P(CurveReconstructionInPcl, ParametersOutOfRangeGiveAnEmptyResult)
   EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
 }
 
+TEST(CurveReconstructionSetters, SetWhatTheyName)
+{
+  Reconstruction reconstruction;
+  reconstruction.setStartPoints(3);
+  reconstruction.setMaxIterations(7);
+  reconstruction.setDistanceCutoff(0.5);
+  reconstruction.setPreset(Preset::Published);
+  reconstruction.setNumberOfThreads(2);
+  const ReconstructionSettings& settings = reconstruction.getSettings();
+  EXPECT_EQ(settings.start_points, 3u);
+  EXPECT_EQ(settings.max_iterations, 7u);
+  EXPECT_EQ(settings.distance_cutoff, 0.5);
+  EXPECT_EQ(settings.preset, Preset::Published);
+  EXPECT_EQ(settings.threads, 2u);
+  EXPECT_EQ(reconstruction.getStartPoints(), 3u);
+  EXPECT_EQ(reconstruction.getMaxIterations(), 7u);
+  EXPECT_EQ(reconstruction.getDistanceCutoff(), 0.5);
+  EXPECT_EQ(reconstruction.getPreset(), Preset::Published);
+  EXPECT_EQ(reconstruction.getNumberOfThreads(), 2u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Presets,
                          CurveReconstructionInPcl,
                          ::testing::Values(Preset::Refined, Preset::Published),

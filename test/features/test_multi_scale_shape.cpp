@@ -246,6 +246,25 @@ TEST_F(MultiScaleShapeFeatureTest, NoIndicesNoRecords)
   EXPECT_TRUE(out.empty());
 }
 
+TEST_F(MultiScaleShapeFeatureTest, RadiiGrowAsTheyAreTold)
+{
+  MultiScaleShapeFeature<pcl::PointXYZ> feature;
+  feature.setInputCloud(wire<pcl::PointXYZ>());
+  Records out;
+  feature.compute(out);
+  const double unit = feature.scaleUnit();
+  ASSERT_GT(unit, 0);
+  EXPECT_NEAR(feature.radii()[1], 1.5 * unit, 1e-9 * unit);
+  feature.setGrowth(RadiusGrowth::Linear);
+  feature.setMaxRadius(10.5 * unit);
+  EXPECT_EQ(feature.getGrowth(), RadiusGrowth::Linear);
+  EXPECT_EQ(feature.getMaxRadius(), 10.5 * unit);
+  feature.compute(out);
+  ASSERT_EQ(feature.radii().size(), 10u);
+  for (std::size_t k = 0; k < 10; ++k)
+    EXPECT_NEAR(feature.radii()[k], static_cast<double>(k + 1) * unit, 1e-9 * unit);
+}
+
 TEST_F(MultiScaleShapeFeatureTest, RecordsAreAPointTypeOfPcl)
 {
   MultiScaleShapeFeature<pcl::PointXYZ> feature;
