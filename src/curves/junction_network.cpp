@@ -272,8 +272,9 @@ Connector::leadTo(std::size_t end, const Point& position)
   curve.points.pop_back();
   const Point from = curve.points.back();
   const double parts = std::max(1.0, std::round((position - from).norm() / spacing));
-  for (double k = 1; k <= parts; ++k)
+  for (double k = 1; k < parts; ++k)
     curve.points.emplace_back(from + k / parts * (position - from));
+  curve.points.push_back(position); // to the last bit
   if (!curve.support.empty())
     curve.support.insert(
         curve.support.end() - 1, static_cast<std::size_t>(parts) - 1, 0);
