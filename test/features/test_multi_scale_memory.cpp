@@ -12,6 +12,14 @@
 
 #include "multi_scale_clouds.h"
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED
+#elif defined(__has_feature) // clang
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SANITIZED
+#endif
+#endif
+
 namespace {
 
 using linelet::MultiScaleSettings;
@@ -71,7 +79,7 @@ peaksOf(const Points& cloud, const MultiScaleSettings& settings)
 
 TEST(MultiScaleMemory, GraphsAreNotKept)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef SANITIZED
   GTEST_SKIP() << "a sanitizer's own memory counts in the peak of the process";
 #endif
   if (peak() <= 0 || !forgetPeak())
