@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <linelet/curves/model_score.h>
 #include <linelet/support/monitor.h>
 
 #include "slot_kernels.h"
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double first_outlier_share = 0.1;
 constexpr double least_points = 2;
+// A fit is given up whose score per point is above that of its rival by more than this,
+// divided by the iterations so far.
+constexpr double most_behind = 1.5;
 
 } // namespace
 
@@ -32,7 +36,7 @@ EmFitter::EmFitter(const Points& points,
 }
 
 EmFit
-EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
+EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double rival)
 {
   states_.clear();
   for (const ModelCurve& curve : curves)
@@ -56,6 +60,8 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
       throw Cancelled();
     if (i > 0 && i % settings.resample_every == 0) {
       expect();
+      if (trailsBehind(rival, i))
+        return result();
       prune();
       extendEnds(spacing(), settings.scales);
       resampleCurves(spacing(), settings.scales);
@@ -75,25 +81,47 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings)
     expect();
   }
 
-  EmFit result;
-  result.noise = noise_;
-  result.shell = shell_;
-  result.peakedness = peakedness();
-  result.outlier_share = outlier_share_;
-  result.log_likelihood = log_likelihood_;
-  result.freedom = freedom_;
+  return result();
+}
+
+bool
+EmFitter::trailsBehind(double rival, int iterations) const
+{
+  const double lead = most_behind * static_cast<double>(points_.size()) / iterations;
+  return rival < std::numeric_limits<double>::infinity() &&
+         scoreOf(scored(), points_.size()) > rival + lead;
+}
+
+EmFit
+EmFitter::scored() const
+{
+  EmFit fit;
+  fit.log_likelihood = log_likelihood_;
+  fit.freedom = freedom_;
+  for (const CurveState& state : states_)
+    fit.curves.push_back(state.curve);
+  return fit;
+}
+
+EmFit
+EmFitter::result() const
+{
+  EmFit fit = scored();
+  fit.noise = noise_;
+  fit.shell = shell_;
+  fit.peakedness = peakedness();
+  fit.outlier_share = outlier_share_;
   const double background = outlier_share_ / frame_.volume;
-  result.outlier.resize(points_.size());
+  fit.outlier.resize(points_.size());
   for (std::size_t slot = 0; slot < grid_.size(); ++slot)
-    result.outlier[grid_.slotIndices()[slot]] = background * density_[slot];
+    fit.outlier[grid_.slotIndices()[slot]] = background * density_[slot];
   for (const CurveState& state : states_) {
-    result.curves.push_back(state.curve);
     const auto begin =
         edge_count_.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
-    result.counts.emplace_back(
-        begin, begin + static_cast<std::ptrdiff_t>(state.curve.edges()));
+    fit.counts.emplace_back(begin,
+                            begin + static_cast<std::ptrdiff_t>(state.curve.edges()));
   }
-  return result;
+  return fit;
 }
 
 void

@@ -18,6 +18,9 @@ constexpr double density_prior = 0.5;
 constexpr double tail = 3; // degrees of freedom of the bending prior
 // Bends that the first guess of the prior's scale counts for.
 constexpr double bending_prior = 3;
+// Expectation maximisation creeps where most of what a point says of a vertex is
+// unknown: the steps of the vertices and of the noise are made this much longer.
+constexpr double stride = 1.5;
 
 } // namespace
 
@@ -43,8 +46,8 @@ EmFitter::measureNoise(const EmSettings& settings)
   if (!(share_ > 0))
     return;
   const double spare = std::max(0.3 * share_, share_ - freedom_);
-  noise_ = std::max(std::sqrt(square_ / (spare * (frame_.dimensions - 1))),
-                    settings.least_noise);
+  const double measured = std::sqrt(square_ / (spare * (frame_.dimensions - 1)));
+  noise_ = std::max(noise_ * std::pow(measured / noise_, stride), settings.least_noise);
 }
 
 void
@@ -123,7 +126,8 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
     state.node_freedom[i] = (frame_.dimensions - 1) * freedom;
     freedom_ += freedom;
   }
-  curve.nodes = solution_;
+  for (std::size_t i = 0; i < n; ++i)
+    curve.nodes[i] += stride * (solution_[i] - curve.nodes[i]);
 
   // The scale of the prior, by expectation maximisation over the posterior of the
   // bends.

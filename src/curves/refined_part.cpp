@@ -123,9 +123,11 @@ public:
   }
 
   EmFit
-  fit(const ModelCurves& start, const EmSettings& settings)
+  fit(const ModelCurves& start,
+      const EmSettings& settings,
+      double rival = std::numeric_limits<double>::infinity())
   {
-    return fitter_.fit(start, settings);
+    return fitter_.fit(start, settings, rival);
   }
 
   /** \brief Lets bandwidth, spacing and noise vary by \a scales from here on. */
@@ -168,7 +170,7 @@ public:
     settings.noise = 0.5 * b;
     settings.least_noise = 0.1 * unit;
     settings.bending = 1 / frame_.diagonal;
-    EmFit fit = fitter_.fit(start, settings);
+    EmFit fit = fitter_.fit(start, settings, best_.score);
     const double score = scoreOf(fit, points_.size());
     take(std::move(fit), settings);
     return score;
@@ -226,7 +228,8 @@ rejoin(Part& part)
         continue;
       EmSettings settings = part.best().settings;
       settings.noise = best.noise;
-      if (part.take(part.fit(start, settings), part.best().settings, least_gain))
+      const double rival = part.best().score;
+      if (part.take(part.fit(start, settings, rival), part.best().settings, least_gain))
         better = true;
     }
   return better;

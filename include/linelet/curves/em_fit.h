@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -84,9 +85,13 @@ public:
            const CloudFrame& frame,
            std::function<bool()> stop = {});
 
-  /** \brief Fits \a curves, which give the topology and the start. */
+  /** \brief Fits \a curves, which give the topology and the start.
+   * \param[in] rival score (\ref scoreOf) of the best model so far: what falls far
+   * behind it is given up, and the fit is as it was then */
   EmFit
-  fit(const ModelCurves& curves, const EmSettings& settings);
+  fit(const ModelCurves& curves,
+      const EmSettings& settings,
+      double rival = std::numeric_limits<double>::infinity());
 
 private:
   struct Edge {
@@ -104,6 +109,13 @@ private:
     std::vector<double> node_freedom; // effective parameters of each node
   };
 
+  bool
+  trailsBehind(double rival, int iterations) const;
+  /** \brief What the score of the fit depends on. */
+  EmFit
+  scored() const;
+  EmFit
+  result() const;
   void
   resampleCurves(double spacing, const ScaleField* scales);
   /** \brief The length of a curve, each edge beside its scale. */
