@@ -17,7 +17,8 @@ namespace {
 VectorLayer
 layerOf(const CurveNetwork& network, const Point& shift)
 {
-  VectorLayer layer{"curves", VectorLayer::Kind::Lines, {}};
+  VectorLayer layer;
+  layer.name = "curves";
   for (std::size_t i = 0; i < network.curves.size(); ++i) {
     const Curve& curve = network.curves[i];
     if (curve.points.size() < 2)

@@ -14,7 +14,7 @@ namespace {
 constexpr double largest_rms = 0.16;  // metres
 constexpr double bundle_radius = 0.5; // metres, of a bundle in one vector
 constexpr double bundle_rms = 0.35;   // metres
-constexpr double bundle_density = 6;  // points a metre, else its moat says nothing
+constexpr double bundle_density = 3;  // points a metre, else its moat says nothing
 constexpr double steepest_end = 0.6;
 constexpr double least_height = 4;   // metres, mean
 constexpr double hump = 0.10;        // metres of negative sag that noise may cause

@@ -128,6 +128,8 @@ extractPowerLines(const Points& points,
     dropUnlikely(hanging, growth, underside, settings);
     addStubs(hanging, growth, seeds, underside, settings);
     matchEnds(hanging);
+    if (mendBreaks(hanging, growth, settings))
+      matchEnds(hanging);
     std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);
     if (dropMisled(hanging, growth)) {
       matchEnds(hanging);

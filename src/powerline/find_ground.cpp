@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "powerline/plan_extent.h"
+
 namespace linelet::powerline {
 
 namespace {
@@ -35,33 +37,20 @@ struct Raster {
 };
 
 Raster
-emptyRaster(const Points& points)
+emptyRaster(const PlanExtent& extent)
 {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  std::size_t count = 0;
-  for (const Point& p : points)
-    if (p.allFinite()) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-      ++count;
-    }
   Raster raster;
-  if (count == 0)
+  if (extent.points == 0)
     return raster;
   Ground& g = raster.ground;
-  // A stray point far away must not blow the raster up.
-  const double most = 4.0 * static_cast<double>(count) + 1e6;
-  for (g.cell = cell_size;; g.cell *= 2) {
-    const double columns = std::floor((high.x() - low.x()) / g.cell) + 1;
-    const double rows = std::floor((high.y() - low.y()) / g.cell) + 1;
-    if (columns * rows > most)
-      continue;
-    g.columns = static_cast<int>(columns);
-    g.rows = static_cast<int>(rows);
-    break;
+  const double most = 4.0 * static_cast<double>(extent.points) + 1e6;
+  for (g.cell = cell_size; extent.cells(g.cell) > most; g.cell *= 2) {
   }
-  g.x = low.x() + g.cell / 2;
-  g.y = low.y() + g.cell / 2;
+  const Eigen::Vector2d size = extent.high - extent.low;
+  g.columns = static_cast<int>(size.x() / g.cell) + 1;
+  g.rows = static_cast<int>(size.y() / g.cell) + 1;
+  g.x = extent.low.x() + g.cell / 2;
+  g.y = extent.low.y() + g.cell / 2;
   g.heights.assign(
       static_cast<std::size_t>(g.columns) * static_cast<std::size_t>(g.rows), unknown);
   return raster;
@@ -132,13 +121,13 @@ filtered(
 // The mean height of the points beside the surface: cells' minima lie too low on
 // slopes.
 void
-refine(Raster& raster, const Points& points)
+refine(Raster& raster, const PlanExtent& extent, const Points& points)
 {
   Ground& g = raster.ground;
   std::vector<float> sum(g.heights.size(), 0.0F);
   std::vector<std::uint32_t> count(g.heights.size(), 0);
   for (const Point& p : points) {
-    if (!p.allFinite())
+    if (!p.allFinite() || !extent.contains(p))
       continue;
     const double dx = std::abs(g.heightAt(p.x() + g.cell / 2, p.y()) -
                                g.heightAt(p.x() - g.cell / 2, p.y()));
@@ -209,7 +198,8 @@ findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
            bool use_classes)
 {
-  Raster raster = emptyRaster(points);
+  const PlanExtent extent = planExtent(points, cell_size);
+  Raster raster = emptyRaster(extent);
   Ground& g = raster.ground;
   if (g.heights.empty())
     return g;
@@ -217,19 +207,19 @@ findGround(const Points& points,
   if (use_classes && std::count(classes.begin(), classes.end(), 2) >= 3) {
     Points terrain;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (classes[i] == 2 && points[i].allFinite())
+      if (classes[i] == 2 && points[i].allFinite() && extent.contains(points[i]))
         terrain.push_back(points[i]);
     for (const Point& p : terrain) {
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
     fillHoles(g.heights, g.columns, g.rows);
-    refine(raster, terrain);
+    refine(raster, extent, terrain);
     return g;
   }
 
   for (const Point& p : points)
-    if (p.allFinite()) {
+    if (p.allFinite() && extent.contains(p)) {
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
@@ -250,7 +240,7 @@ findGround(const Points& points,
     surface = opened;
   }
   fillHoles(g.heights, g.columns, g.rows);
-  refine(raster, points);
+  refine(raster, extent, points);
   return g;
 }
 

@@ -111,6 +111,22 @@ dropUnlikely(std::vector<Hanging>& wires,
 bool
 dropMisled(std::vector<Hanging>& wires, Growth& growth);
 
+/** \brief Whether more wires of a line run past a place without an end than the \a
+ * ending that end there: then no support stands there. */
+bool
+isPassedBy(const std::vector<Hanging>& wires,
+           const Point& place,
+           const Eigen::Vector2d& along,
+           std::size_t ending);
+
+/** \brief Joins partners that meet where the rest of their line runs past: no support
+ * breaks them, but too few points, or a bundle of which each took another conductor.
+ * Ends must have been matched, and have to be again. \return whether there were any */
+bool
+mendBreaks(std::vector<Hanging>& wires,
+           Growth& growth,
+           const PowerLineSettings& settings);
+
 /** \brief Makes partners of ends that face each other across a support, best first. */
 void
 matchEnds(std::vector<Hanging>& wires);

@@ -277,7 +277,10 @@ buildTowers(std::vector<Hanging>& wires,
     const bool joined = std::any_of(tower.ends.begin(), tower.ends.end(), [&](auto id) {
       return endOf(wires, id).partner >= 0;
     });
-    if (!joined && !tower.seen)
+    const Point arm(tower.arm.centre.x(), tower.arm.centre.y(), tower.lowest_arm);
+    const bool pole = tower.pole && tower.seen; // others may pass above it
+    if ((!joined && !tower.seen) ||
+        (!pole && isPassedBy(wires, arm, tower.arm.along, tower.ends.size())))
       continue;
     if (tower.arm.spread < 0)
       tower.arm.spread = tower.pole ? 0.5 : 1;

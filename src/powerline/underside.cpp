@@ -7,33 +7,26 @@
 #include <cmath>
 #include <limits>
 
+#include "powerline/plan_extent.h"
+
 namespace linelet::powerline {
 
 Underside::Underside(const Points& points)
 {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  std::size_t count = 0;
-  for (const Point& p : points)
-    if (p.allFinite()) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-      ++count;
-    }
-  if (count == 0)
+  const PlanExtent extent = planExtent(points, cell_);
+  if (extent.points == 0)
     return;
-  // A stray point far away must not blow the raster up.
-  const double most = 4.0 * static_cast<double>(count) + 1e6;
-  const Point extent = high - low;
-  while ((extent.x() / cell_ + 1) * (extent.y() / cell_ + 1) > most)
+  const double most = 4.0 * static_cast<double>(extent.points) + 1e6;
+  while (extent.cells(cell_) > most)
     cell_ *= 2;
-  x_ = low.x();
-  y_ = low.y();
-  columns_ = static_cast<std::ptrdiff_t>(extent.x() / cell_) + 1;
-  rows_ = static_cast<std::ptrdiff_t>(extent.y() / cell_) + 1;
+  x_ = extent.low.x();
+  y_ = extent.low.y();
+  columns_ = static_cast<std::ptrdiff_t>((extent.high.x() - x_) / cell_) + 1;
+  rows_ = static_cast<std::ptrdiff_t>((extent.high.y() - y_) / cell_) + 1;
   lowest_.assign(static_cast<std::size_t>(columns_ * rows_),
                  std::numeric_limits<float>::quiet_NaN());
   for (const Point& p : points)
-    if (p.allFinite()) {
+    if (p.allFinite() && extent.contains(p)) {
       const auto c = static_cast<std::ptrdiff_t>((p.x() - x_) / cell_);
       const auto r = static_cast<std::ptrdiff_t>((p.y() - y_) / cell_);
       float& lowest = lowest_[static_cast<std::size_t>(r * columns_ + c)];
