@@ -271,7 +271,8 @@ Connector::leadTo(std::size_t end, const Point& position)
   // between two curves.
   curve.points.pop_back();
   const Point from = curve.points.back();
-  const double parts = std::max(1.0, std::round((position - from).norm() / spacing));
+  const double parts =
+      spacing > 0 ? std::max(1.0, std::round((position - from).norm() / spacing)) : 1;
   for (double k = 1; k < parts; ++k)
     curve.points.emplace_back(from + k / parts * (position - from));
   curve.points.push_back(position); // to the last bit

@@ -76,6 +76,17 @@ TEST(JunctionNetwork, TheWayToAJunctionHasVerticesLikeTheRest)
   EXPECT_NEAR(length(network.curves[1]), 5, 1e-9);
 }
 
+TEST(JunctionNetwork, ACurveWithoutLengthEndsTheWork)
+{
+  Curve spot;
+  spot.points.assign(3, Point(4, 0.3, 0));
+  CurveNetwork network{{straight({0, 0, 0}, {10, 0, 0}), spot}, {}};
+  connect(network);
+  EXPECT_LE(network.curves[1].points.size(), 3u);
+  for (const Point& p : network.curves[1].points)
+    EXPECT_TRUE(p.allFinite());
+}
+
 TEST(JunctionNetwork, EndsThatMeetAreOneJunctionAtTheirMiddle)
 {
   CurveNetwork network{{straight({5, 0, 0}, {0.1, 0, 0}),
