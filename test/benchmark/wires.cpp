@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // How well and how fast wires come out of classified tiles (the classes are the truth
-// and are not shown to the extraction): benchmark_wires TILE.las ... One line a tile:
-// precision, recall and F1 of wire points, their F1 farther than 6 m (in plan) from
-// pylon points, F1 of pylon points, vectors, supports, seconds.
+// and are not shown to the extraction):
+//
+//   benchmark_wires [--thin N [SEED]] TILE.las ...
+//
+// One line a tile: precision, recall and F1 of wire points, their F1 farther than 6 m
+// (in plan) from pylon points, F1 of pylon points, vectors, supports, seconds, and how
+// many vectors are false: most of their points are neither wire nor pylon. --thin takes
+// one point of N, drawn by SEED (1).
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -13,6 +19,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <boost/random/mersenne_twister.hpp>
 
 #include <linelet/io/point_file.h>
 #include <linelet/powerline/extract_power_lines.h>
@@ -74,21 +83,57 @@ private:
   std::map<std::pair<int, int>, Points> cells_;
 };
 
-void
-measure(const char* path)
+struct Tile {
+  Points points;
+  std::vector<double> classes;
+};
+
+/** One point of \a thin on average, drawn by \a seed. */
+Tile
+read(const std::string& path, unsigned thin, unsigned seed)
 {
   const linelet::io::Cloud cloud = linelet::io::readCloud(path);
   const linelet::io::Column* classes = cloud.find("classification");
   if (classes == nullptr)
-    throw std::runtime_error(std::string(path) + ": has no classes to compare with");
+    throw std::runtime_error(path + ": has no classes to compare with");
+  Tile tile;
+  boost::random::mt19937 random(seed);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (thin <= 1 || random() % thin == 0) {
+      tile.points.push_back(cloud.points[i]);
+      tile.classes.push_back(linelet::io::valueAt(*classes, i));
+    }
+  return tile;
+}
+
+std::size_t
+countFalse(const Tile& tile, const linelet::powerline::PowerLineNetwork& network)
+{
+  std::vector<Score> wires(network.wires.size() + 1);
+  for (std::size_t i = 0; i < tile.points.size(); ++i)
+    if (const int id = network.wire_id[i]; id > 0)
+      wires[static_cast<std::size_t>(id)].add(
+          tile.classes[i] == linelet::powerline::wire_class ||
+              tile.classes[i] == linelet::powerline::pylon_class,
+          true);
+  return static_cast<std::size_t>(
+      std::count_if(wires.begin(), wires.end(), [](const Score& wire) {
+        return wire.extra > wire.hit;
+      }));
+}
+
+void
+measure(const std::string& path, unsigned thin, unsigned seed)
+{
+  const Tile cloud = read(path, thin, seed);
   const auto network = linelet::powerline::extractPowerLines(cloud.points);
   Pylons pylons;
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
-    if (linelet::io::valueAt(*classes, i) == linelet::powerline::pylon_class)
+    if (cloud.classes[i] == linelet::powerline::pylon_class)
       pylons.add(cloud.points[i]);
   Score wire, away, pylon;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const double truth = linelet::io::valueAt(*classes, i);
+    const double truth = cloud.classes[i];
     const bool is = truth == linelet::powerline::wire_class;
     const bool found = network.classes[i] == linelet::powerline::wire_class;
     wire.add(is, found);
@@ -100,7 +145,7 @@ measure(const char* path)
   double seconds = 0;
   for (const auto& stage : network.stages)
     seconds += stage.seconds;
-  std::printf("%6.4f %6.4f %6.4f %6.4f %6.4f %6zu %6zu %7.3f  %s\n",
+  std::printf("%6.4f %6.4f %6.4f %6.4f %6.4f %6zu %6zu %7.3f %6zu  %s\n",
               wire.hit / (wire.hit + wire.extra),
               wire.hit / (wire.hit + wire.missed),
               wire.f1(),
@@ -109,7 +154,8 @@ measure(const char* path)
               network.wires.size(),
               network.supports.size(),
               seconds,
-              path);
+              countFalse(cloud, network),
+              path.c_str());
 }
 
 } // namespace
@@ -117,7 +163,7 @@ measure(const char* path)
 int
 main(int count, char** arguments)
 {
-  std::printf("%6s %6s %6s %6s %6s %6s %6s %7s\n",
+  std::printf("%6s %6s %6s %6s %6s %6s %6s %7s %6s\n",
               "P",
               "R",
               "F1",
@@ -125,10 +171,27 @@ main(int count, char** arguments)
               "pylon",
               "wires",
               "supp.",
-              "s");
+              "s",
+              "false");
   try {
-    for (int i = 1; i < count; ++i)
-      measure(arguments[i]);
+    std::vector<std::string> words(arguments + 1, arguments + count);
+    unsigned thin = 1, seed = 1;
+    const auto takeNumber = [&](std::size_t at, unsigned& number) {
+      if (words.size() <= at ||
+          words[at].find_first_not_of("0123456789") != std::string::npos)
+        return false;
+      number = static_cast<unsigned>(std::stoul(words[at]));
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+      return true;
+    };
+    if (!words.empty() && words[0] == "--thin") {
+      if (!takeNumber(1, thin))
+        throw std::invalid_argument("--thin needs a number");
+      takeNumber(1, seed);
+      words.erase(words.begin());
+    }
+    for (const std::string& path : words)
+      measure(path, thin, seed);
   }
   catch (const std::exception& error) {
     std::fprintf(stderr, "benchmark_wires: %s\n", error.what());
