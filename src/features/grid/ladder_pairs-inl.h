@@ -67,7 +67,7 @@ constPairs(const PointList& list,
   const F f;
   for (std::size_t begin = 0; begin < list.size; begin += chunk_points) {
     const std::size_t end = HWY_MIN(begin + chunk_points, list.size);
-    const Chunk chunk(list, begin, end, !scale.relative);
+    const Chunk chunk(list, begin, end, false);
     for (std::size_t q = 0; q < leaf_queries; q += hn::Lanes(f)) {
       const QueryVector query(queries, q);
       const V low = constant(scale.band.low), high = constant(scale.band.high);

@@ -115,19 +115,24 @@ struct PairSums {
   HWY_INLINE void
   addMasked(Mask mask, const Chunk& chunk, std::size_t c)
   {
-    const auto sum = [&](V& s, float value) HWY_ATTR {
-      s = hn::IfThenElse(mask, hn::Add(s, constant(value)), s);
+    const V px = constant(chunk.x[c]), py = constant(chunk.y[c]),
+            pz = constant(chunk.z[c]);
+    const auto add = [&](V& s, V a)
+                         HWY_ATTR { s = hn::IfThenElse(mask, hn::Add(s, a), s); };
+    // Products are cheaper than loads of them.
+    const auto addProduct = [&](V& s, V a, V b) HWY_ATTR {
+      s = hn::IfThenElse(mask, hn::MulAdd(a, b, s), s);
     };
-    sum(total, 1);
-    sum(x, chunk.x[c]);
-    sum(y, chunk.y[c]);
-    sum(z, chunk.z[c]);
-    sum(xx, chunk.xx[c]);
-    sum(xy, chunk.xy[c]);
-    sum(xz, chunk.xz[c]);
-    sum(yy, chunk.yy[c]);
-    sum(yz, chunk.yz[c]);
-    sum(zz, chunk.zz[c]);
+    add(total, constant(1));
+    add(x, px);
+    add(y, py);
+    add(z, pz);
+    addProduct(xx, px, px);
+    addProduct(xy, px, py);
+    addProduct(xz, px, pz);
+    addProduct(yy, py, py);
+    addProduct(yz, py, pz);
+    addProduct(zz, pz, pz);
   }
 
   /** \brief Point \a c about positions \a from. */
