@@ -154,7 +154,13 @@ fourthOrderTensors(const Points& surface,
                    Monitor* monitor)
 {
   const std::vector<double> radii = multiScaleRadii(surface, settings, monitor).radii;
-  std::vector<FourthOrderTensor> tensors(queries.size());
+  std::vector<FourthOrderTensor> tensors;
+  if (chosenScaleEngine(surface, queries, radii.back(), settings) ==
+          ScaleEngine::Grid &&
+      fourthOrderTensorsOnGrid(
+          surface, queries, radii, settings, weight, monitor, tensors))
+    return tensors;
+  tensors.resize(queries.size());
   if (monitor != nullptr)
     monitor->begin("fourth order", queries.size());
   sweepQueries(gridFor(surface, radii.back()),

@@ -256,4 +256,52 @@ multiScaleShapesOnGrid(const Points& surface,
   return true;
 }
 
+bool
+fourthOrderTensorsOnGrid(const Points& surface,
+                         const Points& queries,
+                         const std::vector<double>& radii,
+                         const MultiScaleSettings& settings,
+                         ScaleWeight weight,
+                         Monitor* monitor,
+                         std::vector<FourthOrderTensor>& tensors)
+{
+  const grid::LadderEngine engine(
+      surface, radii.back(), usefulThreads(settings.threads, queries.size()));
+  if (!engine.usable())
+    return false;
+  // Of queries that reach nothing no scale is defined.
+  tensors.assign(queries.size(), fourthOrderTensor({}, weight));
+  if (monitor != nullptr)
+    monitor->begin("fourth order", queries.size());
+  const double unit = radii.back() * radii.back();
+  engine.run(
+      queries,
+      nullptr,
+      radii,
+      settings,
+      [&] {
+        return [&, scales = std::vector<SymmetricTensor>()](
+                   const LeafShapes& leaf) mutable {
+          for (std::size_t lane = 0; lane < leaf.count; ++lane) {
+            scales.clear();
+            for (std::size_t k = 0; k < radii.size(); ++k) {
+              if (std::isnan(leaf.linearity[k][lane]))
+                continue;
+              const auto& t = leaf.tensors[k];
+              scales.push_back({t[0][lane],
+                                t[1][lane],
+                                t[2][lane],
+                                t[3][lane],
+                                t[4][lane],
+                                t[5][lane]});
+              scales.back() *= unit;
+            }
+            tensors[leaf.query[lane]] = fourthOrderTensor(scales, weight);
+          }
+        };
+      },
+      monitor);
+  return true;
+}
+
 } // namespace linelet

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
+#include <linelet/features/fourth_order.h>
 #include <linelet/features/multi_scale.h>
 
 namespace linelet {
@@ -26,5 +28,17 @@ multiScaleShapesOnGrid(const Points& surface,
                        const ShapeGraphSink& sink,
                        Monitor* monitor,
                        MultiScaleShapes& result);
+
+/** \brief Fourth-order tensors of all queries, by the same sweep.
+ * \param[in,out] tensors one a query
+ * \return as \ref multiScaleShapesOnGrid */
+bool
+fourthOrderTensorsOnGrid(const Points& surface,
+                         const Points& queries,
+                         const std::vector<double>& radii,
+                         const MultiScaleSettings& settings,
+                         ScaleWeight weight,
+                         Monitor* monitor,
+                         std::vector<FourthOrderTensor>& tensors);
 
 } // namespace linelet

@@ -15,6 +15,8 @@
 
 #include <linelet/features/fourth_order.h>
 
+#include "multi_scale_clouds.h"
+
 namespace {
 
 using linelet::FourthOrderTensor;
@@ -253,6 +255,40 @@ TEST(FourthOrder, OfTheNeighbourhoodsOfACloud)
     EXPECT_LT((tensor.eigenTensors().major() - d * d.transpose()).norm(), 1e-9);
   const auto alone = linelet::fourthOrderTensors(line, {linelet::Point(99, 0, 0)});
   EXPECT_TRUE(std::isnan(alone[0](0, 0, 0, 0)));
+}
+
+/// A wire over ground, and a query far from both: relative to its largest component, a
+/// tensor of the grid engine is that of the sweep in double.
+TEST(FourthOrder, SameOnBothEngines)
+{
+  linelet::Points cloud = linelet_test::randomPoints(3000, seed, {30, 20, 0.1});
+  linelet_test::addSegment(cloud, {0, 5, 8}, {30, 12, 8}, 0.05);
+  linelet::Points queries = cloud;
+  queries.push_back({0, 0, 1000});
+  linelet::MultiScaleSettings settings;
+  settings.max_radius = 5;
+  for (const linelet::Kernel kernel :
+       {linelet::Kernel::Const, linelet::Kernel::FermiDirac1}) {
+    settings.weighting = kernel;
+    const auto of = [&](linelet::ScaleEngine engine) {
+      settings.engine = engine;
+      return linelet::fourthOrderTensors(
+          cloud, queries, settings, linelet::ScaleWeight::Linearity);
+    };
+    const auto sweep = of(linelet::ScaleEngine::Sweep),
+               grid = of(linelet::ScaleEngine::Grid);
+    ASSERT_EQ(sweep.size(), grid.size());
+    EXPECT_FALSE(grid.back().mandelMatrix().allFinite());
+    EXPECT_FALSE(sweep.back().mandelMatrix().allFinite());
+    for (std::size_t i = 0; i + 1 < queries.size(); ++i) {
+      const double size = sweep[i].mandelMatrix().cwiseAbs().maxCoeff();
+      ASSERT_GT(size, 0) << i;
+      ASSERT_LT(
+          (grid[i].mandelMatrix() - sweep[i].mandelMatrix()).cwiseAbs().maxCoeff(),
+          1e-4 * size)
+          << i << ' ' << nameOf(kernel);
+    }
+  }
 }
 
 } // namespace

@@ -233,7 +233,8 @@ LadderSweep::inDouble(std::size_t begin, std::size_t lane, std::size_t scales)
     shapes_.linearity[k][lane] = static_cast<float>(factors.linearity);
     shapes_.planarity[k][lane] = static_cast<float>(factors.planarity);
     shapes_.sphericity[k][lane] = static_cast<float>(factors.sphericity);
-    const SymmetricTensor& t = sweep_.tensors()[k];
+    SymmetricTensor t = sweep_.tensors()[k];
+    t *= 1 / (job_.radii.back() * job_.radii.back());
     const std::array<double, 6> entries = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
     for (std::size_t entry = 0; entry < 6; ++entry)
       shapes_.tensors[k][entry][lane] = entries[entry];

@@ -37,7 +37,8 @@ struct LeafShapes {
   std::vector<Lanes<std::uint32_t>> neighbors;
   /// NaN where a scale is not defined.
   std::vector<Lanes<float>> linearity, planarity, sphericity;
-  std::vector<std::array<Lanes<double>, 6>> tensors; ///< xx xy xz yy yz zz, any unit
+  /// xx xy xz yy yz zz, in units of the largest radius squared.
+  std::vector<std::array<Lanes<double>, 6>> tensors;
 
   explicit LeafShapes(std::size_t scales)
       : neighbors(scales),
