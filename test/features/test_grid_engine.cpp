@@ -174,6 +174,8 @@ TEST(GridEngine, AgreesForThousandsOfNeighbours)
                                "fermi-dirac:2,5",
                                "sph-4",
                                "quadratic-inverse",
+                               "quadratic",
+                               "epanechnikov",
                                "const"}) {
       SCOPED_TRACE(std::string(name) + ", " + weight);
       TensorSettings settings;
@@ -181,11 +183,12 @@ TEST(GridEngine, AgreesForThousandsOfNeighbours)
       settings.weighting = Weighting(weight);
       EXPECT_TRUE(gridAgrees(*points, settings, {}, 25));
     }
-  // Radii of its own for every point: the tables are scaled.
+  // Radii of its own for every point: tables and polynomials are scaled.
   NeighbourhoodSizes sizes;
   for (std::size_t i = 0; i < flat.size(); ++i)
     sizes.radii.push_back(1 + 0.1 * static_cast<double>(i % 9));
-  for (const char* weight : {"fermi-dirac-1", "fermi-dirac-2", "fermi-dirac-3"}) {
+  for (const char* weight :
+       {"fermi-dirac-1", "fermi-dirac-2", "fermi-dirac-3", "epanechnikov"}) {
     SCOPED_TRACE(weight);
     TensorSettings settings;
     settings.weighting = Weighting(weight);

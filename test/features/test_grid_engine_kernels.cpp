@@ -132,6 +132,39 @@ TEST(GridKernels, EveryInstructionSetAgrees)
   });
 }
 
+// The higher moments of points tell their weighted moments around any query.
+TEST(GridKernels, QuadraticMomentsHoldForEveryQuery)
+{
+  for (const std::size_t count : {1, 7, 16, 1500}) {
+    const Points points = uniformPoints(count, {1.5, 1, 0.2}, 31);
+    grid::PointList list;
+    list.reserve(count + 3);
+    for (const Point& p : points) {
+      list.x[list.size + 3] = static_cast<float>(p.x());
+      list.y[list.size + 3] = static_cast<float>(p.y());
+      list.z[list.size + 3] = static_cast<float>(p.z());
+      ++list.size;
+    }
+    list.size += 3;
+    onEveryInstructionSet([&] {
+      grid::QuadraticMoments sums;
+      const Point center(0.25, -0.125, 0.5);
+      grid::sweepKernels().quadraticMoments(list, 3, {0.25F, -0.125F, 0.5F}, sums);
+      const grid::QuadraticMoments moved = sums.relativeTo(-center);
+      for (const Point& q : uniformPoints(5, {2, 2, 2}, 32)) {
+        grid::Moments expected;
+        for (const Point& p : points)
+          expected.add(0.75 - 0.6 * (p - q).squaredNorm(), p - q);
+        const grid::Moments found = moved.weighted(0.75, -0.6, q).relativeTo(q);
+        const double bound = 2e-6 * static_cast<double>(count);
+        EXPECT_NEAR(found.count, expected.count, bound);
+        EXPECT_LE((found.first - expected.first).norm(), bound);
+        EXPECT_LE((found.matrix() - expected.matrix()).norm(), bound);
+      }
+    });
+  }
+}
+
 TEST(GridKernels, EigenAnalysisKeepsSmallEigenvalues)
 {
   constexpr std::size_t count = 1000;

@@ -19,6 +19,10 @@ constexpr int cuts = 3;
 // Lists leave out, or sum up, what is certain by more than rounding.
 constexpr double margin = 1e-5;
 
+// Fewer points are weighted for each query of a leaf in less time than all of their
+// moments take.
+constexpr std::size_t worth_moments = 64;
+
 constexpr double float_rounding = 0x1p-24;
 
 } // namespace
@@ -27,7 +31,8 @@ BlockSweep::BlockSweep(const SweepJob& job)
     : job_(job),
       kernels_(sweepKernels()),
       gather_(job.frame, job.surface, job.radius),
-      method_(sweepMethod(job.settings))
+      method_(sweepMethod(job.settings)),
+      quadratic_(quadraticWeight(job.settings.weighting))
 {
 }
 
@@ -62,7 +67,7 @@ BlockSweep::operator()(std::size_t block)
   gather_(cell, origin_, queries_, longest + margin, region_);
   certain_.reserve(region_.size);
   certain_.size = 0;
-  refine(part(0, count), region_, Moments(), 0);
+  refine(part(0, count), region_, QuadraticMoments(), 0);
   if (method_ != SweepMethod::Double)
     write();
 }
@@ -90,12 +95,13 @@ BlockSweep::part(std::size_t begin, std::size_t end) const
 void
 BlockSweep::refine(const Part& queries,
                    const PointList& list,
-                   const Moments& inside,
+                   const QuadraticMoments& inside,
                    std::size_t depth)
 {
   const double near = queries.shortest - queries.size - margin;
-  const double tabled = std::sqrt(double{job_.weight.table.from}) * queries.longest +
-                        queries.size + margin;
+  const double from = job_.weight.table.from;
+  const double tabled =
+      from > 0 ? std::sqrt(from) * queries.longest + queries.size + margin : 0;
   const double far = queries.longest + queries.size + margin;
   const Ball ball{toFloat(queries.center),
                   static_cast<float>(near > 0 ? near * near : -1.0),
@@ -107,21 +113,26 @@ BlockSweep::refine(const Part& queries,
   PointList& kept = last ? last_ : levels_[depth];
   kept.reserve(list.size);
   const std::size_t known = certain_.size;
-  Moments here;
-  if (method_ == SweepMethod::Weights)
+  QuadraticMoments all;
+  if (method_ == SweepMethod::Weights) {
     kernels_.split(list, ball, last, kept, certain_);
-  else
-    kernels_.classify(
-        list, ball, last, kept, method_ == SweepMethod::Sums ? &here : nullptr);
-  if (last) {
-    here += inside.relativeTo(queries.center);
-    solve(queries, here);
+    if (quadratic_ && certain_.size >= known + worth_moments) {
+      kernels_.quadraticMoments(certain_, known, ball.center, all);
+      all = all.relativeTo(-queries.center);
+      certain_.size = known;
+    }
+    all += inside;
   }
   else {
-    Moments all = here.relativeTo(-queries.center);
-    all += inside;
-    refineParts(queries.begin, queries.end, cuts, kept, all, depth + 1);
+    const bool sums = method_ == SweepMethod::Sums;
+    kernels_.classify(list, ball, last, kept, sums ? &all.one : nullptr);
+    all.one = all.one.relativeTo(-queries.center);
+    all.one += inside.one;
   }
+  if (last)
+    solve(queries, all);
+  else
+    refineParts(queries.begin, queries.end, cuts, kept, all, depth + 1);
   certain_.size = known;
 }
 
@@ -130,7 +141,7 @@ BlockSweep::refineParts(std::size_t begin,
                         std::size_t end,
                         int cuts_left,
                         const PointList& list,
-                        const Moments& inside,
+                        const QuadraticMoments& inside,
                         std::size_t depth)
 {
   if (cuts_left == 0 || end - begin <= BlockOrder::leaf) {
@@ -143,15 +154,15 @@ BlockSweep::refineParts(std::size_t begin,
 }
 
 void
-BlockSweep::solve(const Part& queries, const Moments& inside)
+BlockSweep::solve(const Part& queries, const QuadraticMoments& inside)
 {
   switch (method_) {
   case SweepMethod::Sums:
-    sumConst(queries, inside);
+    sumConst(queries, inside.one.relativeTo(queries.center));
     break;
   case SweepMethod::Weights:
     for (std::size_t query = queries.begin; query < queries.end; ++query)
-      sumWeighted(queries, query);
+      sumWeighted(queries, query, inside);
     break;
   case SweepMethod::Centre:
     for (std::size_t query = queries.begin; query < queries.end; ++query)
@@ -185,7 +196,9 @@ BlockSweep::sumConst(const Part& queries, const Moments& inside)
 }
 
 void
-BlockSweep::sumWeighted(const Part& queries, std::size_t query)
+BlockSweep::sumWeighted(const Part& queries,
+                        std::size_t query,
+                        const QuadraticMoments& inside)
 {
   const BandedQuery around = banded(queries, query);
   const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
@@ -203,6 +216,11 @@ BlockSweep::sumWeighted(const Part& queries, std::size_t query)
       t.add(job_.settings.weighting(distance * (1 / radiusOf(query))), offset);
       ++neighbours;
     }
+  if (quadratic_) {
+    const Point& at = queries_[query];
+    t += inside.weighted(quadratic_->a, quadratic_->b * scale, at).relativeTo(at);
+    neighbours += inside.one.count;
+  }
   keep(query, t, Point::Zero(), neighbours);
 }
 

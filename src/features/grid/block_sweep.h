@@ -5,12 +5,14 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
 
 #include "block_order.h"
+#include "quadratic_moments.h"
 #include "region.h"
 #include "sweep_kernels.h"
 #include "sweep_method.h"
@@ -35,7 +37,8 @@ struct SweepJob {
  * again, down to a few queries; for each part the list of candidates shrinks to what
  * its ball of queries can reach. For the const weighting, points that all queries of a
  * part have as neighbours are summed once and leave the list: what is left is the
- * surface of the ball, not its volume.
+ * surface of the ball, not its volume. So they are, with higher moments, for weights
+ * that are polynomials of the squared distance.
  *
  * Coordinates of a list are float, relative to the block or, in the last step, to the
  * part, in units of the radius. Pairs whose distance is within rounding of the radius
@@ -63,7 +66,7 @@ private:
   void
   refine(const Part& queries,
          const PointList& list,
-         const Moments& inside,
+         const QuadraticMoments& inside,
          std::size_t depth);
 
   /** \brief Refines the parts into which cutting the queries makes them. */
@@ -72,17 +75,17 @@ private:
               std::size_t end,
               int cuts_left,
               const PointList& list,
-              const Moments& inside,
+              const QuadraticMoments& inside,
               std::size_t depth);
 
   /** \brief Sums for the queries of a leaf from the last list.
-   * \param[in] inside of points that left the lists, relative to the part */
+   * \param[in] inside of points that left the lists, relative to the block */
   void
-  solve(const Part& queries, const Moments& inside);
+  solve(const Part& queries, const QuadraticMoments& inside);
   void
   sumConst(const Part& queries, const Moments& inside);
   void
-  sumWeighted(const Part& queries, std::size_t query);
+  sumWeighted(const Part& queries, std::size_t query, const QuadraticMoments& inside);
   void
   sumCentred(const Part& queries, std::size_t query);
 
@@ -117,6 +120,7 @@ private:
   SweepKernels kernels_;
   RegionGatherer gather_;
   SweepMethod method_;
+  std::optional<QuadraticWeight> quadratic_; // for SweepMethod::Weights
 
   std::size_t first_ = 0;      // slot of the first query of the block
   Point origin_;               // center of the block

@@ -108,6 +108,17 @@ struct Moments : SymmetricTensor {
     return *this;
   }
 
+  /** \brief The same sums with weights \a factor times as large. */
+  Moments
+  times(double factor) const
+  {
+    Moments m = *this;
+    m.count *= factor;
+    m.first *= factor;
+    m *= factor;
+    return m;
+  }
+
   /** \brief The same sums of p - \a origin. */
   Moments
   relativeTo(const Point& origin) const

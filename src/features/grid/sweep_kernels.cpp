@@ -11,6 +11,7 @@
 
 #include "eigen-inl.h"
 #include "lists-inl.h"
+#include "quadratic-inl.h"
 #include "records-inl.h"
 #include "sums-inl.h"
 #include "table-inl.h"
@@ -48,6 +49,7 @@ kernels()
           split,
           constSums,
           weightedSums,
+          quadraticMoments,
           momentsAround,
           neighbours,
           inBand,

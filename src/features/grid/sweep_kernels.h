@@ -10,6 +10,7 @@
 #include <linelet/tensor/weighting.h>
 
 #include "point_list.h"
+#include "quadratic_moments.h"
 #include "weight_error.h"
 #include "weight_table.h"
 
@@ -146,6 +147,13 @@ struct SweepKernels {
                         const SweepWeight& weight,
                         float scale,
                         Moments& sums);
+
+  /** \brief Adds the sums of the points of \a list from \a begin on, relative to \a
+   * center. */
+  void (*quadraticMoments)(const PointList& list,
+                           std::size_t begin,
+                           const Float3& center,
+                           QuadraticMoments& sums);
 
   /** \brief Weighted moments relative to \a center of all points of \a list. */
   void (*momentsAround)(const PointList& list,
