@@ -19,10 +19,10 @@ void
 addOpenClBenchmarks();
 
 /** \brief Registers the benchmarks of what the scales of the multi-scale feature cost.
- * Counters: x_one_pass_sweep (the default ladder up to 60 D in passes at its largest
- * radius, both in the core that works in double), x_one_pass_grid (the ladder of
- * ScaleEngine::Grid in passes of estimateTensorsOnGrid), x_sweep (how many times as
- * fast the ladder is with ScaleEngine::Grid), neighbours at the largest radius. CPU
+ * Counters: x_one_pass (the default ladder up to 60 D, D measured, in passes of
+ * estimateTensorsOnGrid at its largest radius), x_one_pass_D_given, x_one_scale (in
+ * ladders of the largest radius alone), x_sweep (how many times as fast
+ * ScaleEngine::Grid is as ScaleEngine::Sweep), neighbours at the largest radius. CPU
  * time, the best of three. */
 void
 addMultiScaleBenchmarks();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
@@ -21,6 +22,9 @@ namespace linelet::benchmarking {
 namespace {
 
 constexpr std::size_t point_count = 20000;
+
+/// So many are a surface several largest radii wide, not cut off by its border.
+constexpr std::size_t wide_count = 200000;
 
 /// Medians are slow: they are measured at some points only.
 constexpr std::ptrdiff_t line_medians = 3000, plane_medians = 60;
@@ -52,6 +56,19 @@ timed(double& best, const Work& work)
   return seconds;
 }
 
+/** \brief A cloud of the benchmark. */
+enum class Cloud { Line, Plane, WidePlane };
+
+Points
+made(Cloud cloud)
+{
+  if (cloud == Cloud::Line)
+    return line();
+  return scene(Scene::Surface,
+               cloud == Cloud::Plane ? point_count : wide_count,
+               Order::Shuffled);
+}
+
 /** \brief The whole ladder, D measured, beside one pass at its largest radius.
  *
  * x_one_pass: times the cost of that pass on the grid engine, as `linelet multiscale`
@@ -59,14 +76,14 @@ timed(double& best, const Work& work)
  * radius alone, that is of a pass which looks at every pair and sums nothing by blocks.
  * x_sweep: the engine in double takes so many times the grid's time. */
 void
-cost(benchmark::State& state, bool is_line, const char* kernel, Centroid centroid)
+cost(benchmark::State& state, Cloud cloud, const char* kernel, Centroid centroid)
 {
   const bool median =
       centroid == Centroid::Median || centroid == Centroid::WeightedMedian;
-  const Points points =
-      is_line ? line() : scene(Scene::Surface, point_count, Order::Shuffled);
+  const Points points = made(cloud);
   const Points some(points.begin(),
-                    points.begin() + (is_line ? line_medians : plane_medians));
+                    points.begin() +
+                        (cloud == Cloud::Line ? line_medians : plane_medians));
   const Points& queries = median ? some : points;
   MultiScaleSettings ladder;
   ladder.weighting = Weighting(kernel);
@@ -105,7 +122,8 @@ cost(benchmark::State& state, bool is_line, const char* kernel, Centroid centroi
       for (const auto& record : estimateTensorsOnGrid(points, queries, pass))
         neighbours += record.neighbors;
     });
-    if (first) // slow, and no ratio hangs on its last digit
+    // Slow, and no ratio hangs on its last digit.
+    if (first && cloud != Cloud::WidePlane)
       timed(all_sweep, shapes(sweep));
     first = false;
   }
@@ -114,7 +132,8 @@ cost(benchmark::State& state, bool is_line, const char* kernel, Centroid centroi
   state.counters["x_one_pass"] = all / one_pass;
   state.counters["x_one_pass_D_given"] = all_given / one_pass;
   state.counters["x_one_scale"] = all_given / one_scale;
-  state.counters["x_sweep"] = all_sweep / all;
+  if (cloud != Cloud::WidePlane)
+    state.counters["x_sweep"] = all_sweep / all;
 }
 
 } // namespace
@@ -122,16 +141,17 @@ cost(benchmark::State& state, bool is_line, const char* kernel, Centroid centroi
 void
 addMultiScaleBenchmarks()
 {
-  for (const bool is_line : {true, false})
+  const std::pair<Cloud, const char*> clouds[] = {
+      {Cloud::Line, "line"}, {Cloud::Plane, "plane"}, {Cloud::WidePlane, "wide-plane"}};
+  for (const auto& [cloud, cloud_name] : clouds)
     for (const char* kernel : {"const", "fermi-dirac-1", "linear"})
       for (const auto& [centroid, name] : Names<Centroid>::table) {
-        const std::string title = std::string("multiscale-cost/") +
-                                  (is_line ? "line/" : "plane/") + kernel + "/" +
-                                  std::string(name);
+        const std::string title = std::string("multiscale-cost/") + cloud_name + "/" +
+                                  kernel + "/" + std::string(name);
         benchmark::RegisterBenchmark(
             title.c_str(),
-            [is_line, kernel, type = centroid](benchmark::State& state) {
-              cost(state, is_line, kernel, type);
+            [made_of = cloud, kernel, type = centroid](benchmark::State& state) {
+              cost(state, made_of, kernel, type);
             })
             ->UseManualTime()
             ->Unit(benchmark::kMillisecond)
