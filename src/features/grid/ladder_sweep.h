@@ -82,10 +82,10 @@ struct LadderPiece {
  * smallest scale that can reach them: the neighbourhood of every scale is in the first
  * so many of the list, and distances serve all scales.
  *
- * Float coordinates are made from double, relative to the leaf. As in \ref BlockSweep,
- * pairs within rounding of a radius are decided in double, and a query with a scale
- * whose float sums may be off by more than shape factors allow is computed again in
- * double up to that scale. */
+ * Float coordinates are relative to the leaf, made from double for the smaller scales.
+ * As in \ref BlockSweep, pairs within rounding of a radius are decided in double, and a
+ * query with a scale whose float sums may be off by more than shape factors allow is
+ * computed again in double up to that scale. */
 class LadderSweep {
 public:
   LadderSweep(const LadderJob& job, LeafVisitor visit);
@@ -107,8 +107,7 @@ private:
   /** \brief What a part knows of the groups, an entry a reach. */
   struct Level {
     std::vector<PointList> open;
-    std::vector<Moments>
-        inside; // of groups that left the list, about the block's center
+    std::vector<Moments> inside; // of groups that left, about the block's center
   };
 
   /** \brief Fills the region for queries of a block. */
