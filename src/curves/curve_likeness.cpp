@@ -13,6 +13,7 @@ namespace linelet {
 namespace {
 
 constexpr std::size_t looked_at = 200;
+constexpr std::size_t neighbours_looked_at = 2000; // of each, spread over all of them
 constexpr double least_linearity = 0.3;
 
 } // namespace
@@ -28,11 +29,23 @@ looksLinear(const Points& points, const UniformGrid& grid, double size)
       Point first = Point::Zero();
       Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
       double count = 0;
-      grid.forEachWithin(points[i], radius, [&](Index k, double) {
-        const Point v = points[k] - points[i];
-        first += v;
-        second += v * v.transpose();
-        count += 1;
+      std::size_t near = 0;
+      grid.forEachRun(points[i], radius, [&](std::size_t begin, std::size_t end) {
+        near += end - begin;
+      });
+      const std::size_t step = near / neighbours_looked_at + 1;
+      std::size_t skipped = 0; // slots of the next run
+      grid.forEachRun(points[i], radius, [&](std::size_t begin, std::size_t end) {
+        std::size_t slot = begin + skipped;
+        for (; slot < end; slot += step) {
+          const Point v = grid.slots()[slot] - points[i];
+          if (v.squaredNorm() > radius * radius)
+            continue;
+          first += v;
+          second += v * v.transpose();
+          count += 1;
+        }
+        skipped = slot - end;
       });
       first /= count;
       linearity =

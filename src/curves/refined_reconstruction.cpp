@@ -18,6 +18,8 @@
 #include <linelet/search/scale_unit.h>
 #include <linelet/support/threads.h>
 
+#include "occupied_cells.h"
+
 namespace linelet {
 
 namespace {
@@ -135,27 +137,14 @@ coincide(const Points& points)
 Indices
 thinned(const Points& points, double size)
 {
+  const OccupiedCells cells = occupiedCells(points, size);
   Indices kept;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      kept.push_back(static_cast<Index>(i));
-  const auto cell = [&](Index i) {
-    const Point c = (points[i] / size).array().floor();
-    return std::array<double, 3>{c.x(), c.y(), c.z()};
-  };
-  std::vector<std::pair<std::array<double, 3>, Index>> order;
-  order.reserve(kept.size());
-  for (const Index i : kept)
-    order.emplace_back(cell(i), i);
-  std::sort(order.begin(), order.end());
-  kept.clear();
-  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    while (end < order.size() && order[end].first == order[begin].first)
-      ++end;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
     // Spread evenly over the order of the input.
-    const std::size_t count = end - begin, most = std::min(count, most_in_cell);
+    const std::size_t begin = cells.begin[c], count = cells.begin[c + 1] - begin;
+    const std::size_t most = std::min(count, most_in_cell);
     for (std::size_t k = 0; k < most; ++k)
-      kept.push_back(order[begin + k * count / most].second);
+      kept.push_back(cells.indices[begin + k * count / most]);
   }
   std::sort(kept.begin(), kept.end());
   return kept;
