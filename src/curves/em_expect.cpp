@@ -77,8 +77,8 @@ EmFitter::pairsAreStale() const
 void
 EmFitter::densitiesOf(const Edge& edge)
 {
-  const double across =
-      std::pow(2 * M_PI * noise_ * noise_, -0.5 * (frame_.dimensions - 1));
+  const double spread = 2 * M_PI * noise_ * noise_;
+  const double across = 1 / (frame_.dimensions == 3 ? spread : std::sqrt(spread));
   EdgeShape shape = shapeOf(edge);
   shape.factor =
       edge.weight * across *
