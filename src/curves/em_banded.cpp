@@ -3,6 +3,8 @@
 
 #include <linelet/curves/em_banded.h>
 
+#include <cmath>
+
 #include <Eigen/LU>
 
 namespace linelet {
@@ -102,6 +104,15 @@ BandedSystem::solve(Points& x)
     x[i] -= edge.transpose() * border_[i];
   x[n - 2] = edge.row(0).transpose();
   x[n - 1] = edge.row(1).transpose();
+}
+
+double
+BandedSystem::logDeterminant() const
+{
+  double sum = closed_ ? -std::log(corner_inverse_.determinant()) : 0;
+  for (const double pivot : pivot_)
+    sum += std::log(pivot);
+  return sum;
 }
 
 void

@@ -40,6 +40,11 @@ EmFitter::prune()
                 count);
       nodes.erase(nodes.end() - static_cast<std::ptrdiff_t>(cut[1]), nodes.end());
       nodes.erase(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(cut[0]));
+      if (!state.width.empty()) {
+        auto& width = state.width;
+        width.erase(width.end() - static_cast<std::ptrdiff_t>(cut[1]), width.end());
+        width.erase(width.begin(), width.begin() + static_cast<std::ptrdiff_t>(cut[0]));
+      }
     }
     if (kept != c)
       states_[kept] = std::move(state);

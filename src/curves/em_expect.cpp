@@ -15,20 +15,21 @@ namespace {
 
 // Pairs of a point and an edge count up to this many standard deviations.
 constexpr double pair_reach = 3.5;
-// The pairs are collected anew when the noise has shrunk to this share.
+constexpr double pair_margin = 0.3;
+// The pairs are collected anew when the noise has changed by these factors.
 constexpr double stale_share = 0.6;
+constexpr double grown_share = 1.2;
 
 } // namespace
 
 void
 EmFitter::collectPairs()
 {
-  reach_ = pair_reach * noise_;
-  const double margin = 0.3 * noise_;
   std::vector<SlotRun> runs;
   std::size_t count = 0;
   for (Edge& edge : edges_) {
-    const double reach = (shell_ + reach_ + margin) * edge.scale;
+    edge.paired_noise = edge.noise;
+    const double band = (pair_reach + pair_margin) * edge.noise, reach = shell_ + band;
     const Point middle = edge.from + 0.5 * edge.length * edge.direction;
     std::size_t most = count + SlotArrays::padding;
     runs.clear();
@@ -57,8 +58,8 @@ EmFitter::collectPairs()
                                      pair_at_[1].data() + count,
                                      pair_at_[2].data() + count});
     edge.pairs_end = count;
-    if (shell_ > reach_ + margin) {
-      dropHollow(edge, shell_ - reach_ - margin);
+    if (shell_ > band) {
+      dropHollow(edge, shell_ - band);
       count = edge.pairs_end;
     }
   }
@@ -71,15 +72,23 @@ EmFitter::collectPairs()
 bool
 EmFitter::pairsAreStale() const
 {
-  return pair_reach * noise_ < stale_share * reach_;
+  double now = 0, then = 0;
+  bool grown = false;
+  for (const Edge& edge : edges_) {
+    now += edge.noise;
+    then += edge.paired_noise;
+    grown = grown || edge.noise > grown_share * edge.paired_noise;
+  }
+  // Noise of one width shrinks while the fit settles; widths that vary grow as well.
+  return now < stale_share * then || (varied_ && grown);
 }
 
 void
 EmFitter::densitiesOf(const Edge& edge)
 {
-  const double spread = 2 * M_PI * noise_ * noise_;
-  const double across = 1 / (frame_.dimensions == 3 ? spread : std::sqrt(spread));
   EdgeShape shape = shapeOf(edge);
+  const double spread = 2 * M_PI * shape.variance;
+  const double across = 1 / (frame_.dimensions == 3 ? spread : std::sqrt(spread));
   shape.factor =
       edge.weight * across *
       (shape.is_short
@@ -131,11 +140,11 @@ EmFitter::shapeOf(const Edge& edge) const
     shape.direction[axis] = edge.direction[axis];
   }
   shape.length = edge.length;
-  shape.variance = noise_ * noise_ * edge.scale * edge.scale;
+  shape.variance = edge.noise * edge.noise;
   shape.factor = 0;
   // Where the edge is short beside the noise, the integral of the normal density along
   // it is a normal density of its own.
-  shape.is_short = edge.length < 1.2 * noise_ * edge.scale;
+  shape.is_short = edge.length < 1.2 * edge.noise;
   return shape;
 }
 

@@ -4,6 +4,7 @@
 #include <linelet/curves/em_fit.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <linelet/curves/model_score.h>
@@ -20,6 +21,24 @@ constexpr double least_points = 2;
 // A fit is given up whose score per point is above that of its rival by more than this,
 // divided by the iterations so far.
 constexpr double most_behind = 1.5;
+
+/** \brief Values at equal steps along a curve, at \a count equal steps. */
+std::vector<double>
+stretched(const std::vector<double>& values, std::size_t count, bool closed)
+{
+  const std::size_t n = values.size();
+  const double step = static_cast<double>(closed ? n : n - 1) /
+                      static_cast<double>(closed ? count : count - 1);
+  std::vector<double> result;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double place = step * static_cast<double>(k);
+    const auto i = std::min(static_cast<std::size_t>(place), n - 1);
+    const double t = place - static_cast<double>(i);
+    const std::size_t next = i + 1 < n ? i + 1 : closed ? 0 : n - 1;
+    result.push_back((1 - t) * values[i] + t * values[next]);
+  }
+  return result;
+}
 
 } // namespace
 
@@ -44,7 +63,11 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
       states_.emplace_back();
       states_.back().curve = curve;
       states_.back().bending = states_.back().first_bending = settings.bending;
+      if (settings.varied_noise)
+        states_.back().width.assign(curve.nodes.size(), 0);
     }
+  least_noise_ = settings.least_noise;
+  varied_ = settings.varied_noise;
   noise_ = std::max(settings.noise, settings.least_noise);
   shell_ = settings.shell;
   outlier_share_ = first_outlier_share;
@@ -52,7 +75,12 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
   edge_count_.clear();
   // Nodes much closer than the noise say nothing.
   const auto spacing = [&] {
-    return std::max(settings.spacing, settings.least_spacing * noise_);
+    double least = 0;
+    for (const CurveState& state : states_)
+      for (const double width : state.width)
+        least = std::min(least, width);
+    return std::max(settings.spacing,
+                    settings.least_spacing * noise_ * std::exp(least));
   };
   resampleCurves(spacing(), settings.scales);
   for (int i = 0; i < settings.iterations; ++i) {
@@ -98,6 +126,8 @@ EmFitter::scored() const
   EmFit fit;
   fit.log_likelihood = log_likelihood_;
   fit.freedom = freedom_;
+  fit.width_cost = width_cost_;
+  fit.outlier_share = outlier_share_;
   for (const CurveState& state : states_)
     fit.curves.push_back(state.curve);
   return fit;
@@ -110,12 +140,14 @@ EmFitter::result() const
   fit.noise = noise_;
   fit.shell = shell_;
   fit.peakedness = peakedness();
-  fit.outlier_share = outlier_share_;
   const double background = outlier_share_ / frame_.volume;
   fit.outlier.resize(points_.size());
   for (std::size_t slot = 0; slot < grid_.size(); ++slot)
     fit.outlier[grid_.slotIndices()[slot]] = background * density_[slot];
   for (const CurveState& state : states_) {
+    fit.noises.emplace_back();
+    for (const double width : state.width)
+      fit.noises.back().push_back(noise_ * std::exp(width));
     const auto begin =
         edge_count_.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
     fit.counts.emplace_back(begin,
@@ -159,6 +191,9 @@ EmFitter::resampleCurves(double spacing, const ScaleField* scales)
     else
       state.curve =
           resampled(state.curve, std::min(spacing, length(state.curve) / least_edges));
+    if (!state.width.empty())
+      state.width =
+          stretched(state.width, state.curve.nodes.size(), state.curve.closed);
     state.first_edge = edges_.size();
     state.bend_variance.clear();
     Edge edge;
@@ -194,6 +229,8 @@ EmFitter::updateEdges()
       const Point chord = state.curve.to(e) - edge.from;
       edge.length = std::max(chord.norm(), 1e-12 * frame_.diagonal);
       edge.direction = chord / edge.length;
+      edge.noise =
+          std::max(noise_ * std::exp(widthAt(state, e)), least_noise_) * edge.scale;
     }
 }
 

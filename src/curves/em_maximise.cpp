@@ -19,7 +19,7 @@ constexpr double tail = 3; // degrees of freedom of the bending prior
 // Bends that the first guess of the prior's scale counts for.
 constexpr double bending_prior = 3;
 // Expectation maximisation creeps where most of what a point says of a vertex is
-// unknown: the steps of the vertices and of the noise are made this much longer.
+// unknown: the steps of the vertices are made this much longer.
 constexpr double stride = 1.5;
 
 } // namespace
@@ -27,7 +27,7 @@ constexpr double stride = 1.5;
 void
 EmFitter::maximise(const EmSettings& settings)
 {
-  freedom_ = square_ = share_ = 0;
+  freedom_ = square_ = share_ = width_cost_ = 0;
   for (CurveState& state : states_)
     maximiseCurve(state, settings);
 
@@ -36,18 +36,11 @@ EmFitter::maximise(const EmSettings& settings)
   else
     measureNoise(settings);
   freedom_ *= frame_.dimensions - 1;
+  if (settings.varied_noise)
+    for (CurveState& state : states_)
+      measureWidths(state);
   updateWeights();
   updateEdges();
-}
-
-void
-EmFitter::measureNoise(const EmSettings& settings)
-{
-  if (!(share_ > 0))
-    return;
-  const double spare = std::max(0.3 * share_, share_ - freedom_);
-  const double measured = std::sqrt(square_ / (spare * (frame_.dimensions - 1)));
-  noise_ = std::max(noise_ * std::pow(measured / noise_, stride), settings.least_noise);
 }
 
 void
@@ -62,7 +55,7 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   const double variance = noise_ * noise_;
   const EmKernels& kernels = emKernels();
   for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Edge& edge = edges_[state.first_edge + e];
+    Edge& edge = edges_[state.first_edge + e];
     const std::size_t a = e, b = e + 1 == n ? 0 : e + 1;
     const bool front = !curve.closed && e == 0;
     const bool back = !curve.closed && e + 1 == curve.edges();
@@ -73,8 +66,10 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
                                              pair_density_.data() + edge.pairs_begin,
                                              front,
                                              back);
-    // Everything in units of the place's scale.
-    const double unit = 1 / (edge.scale * edge.scale);
+    // Everything in units of the place's noise.
+    const double unit = variance / (edge.noise * edge.noise);
+    edge.share = sums.share;
+    edge.square = sums.square;
     share_ += sums.share;
     square_ += unit * sums.square;
     data_diagonal_[a] += unit * sums.aa;

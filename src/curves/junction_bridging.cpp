@@ -12,13 +12,15 @@ namespace {
 
 constexpr double widest_share = 0.15;
 constexpr double wide_angle = 35 * M_PI / 180;
-constexpr double near_angle = 60 * M_PI / 180;
+// Ends that turn farther from each other are joined by a straight bridge.
+constexpr double facing_angle = 60 * M_PI / 180;
 // Beyond so many ends every pair is not looked at any more.
 constexpr std::size_t most_ends = 4000;
 
 struct Bridge {
   double cost;
   std::size_t a, b; // curve * 2 + end
+  double bend;      // 1: in the directions of the ends, 0: straight
 };
 
 Point
@@ -47,7 +49,8 @@ cubic(const Point& a, const Point& da, const Point& b, const Point& db, double s
 /** \brief One round over all ends, by the lengths before it. \return \a result is
  * changed where this is true */
 bool
-bridgeOnce(ModelCurves& result, double near, double widest, double reach)
+bridgeOnce(
+    ModelCurves& result, double near, double widest, double reach, double near_angle)
 {
   std::vector<double> lengths;
   std::vector<std::size_t> ends;
@@ -84,7 +87,10 @@ bridgeOnce(ModelCurves& result, double near, double widest, double reach)
           worst = std::max(worst, angle);
         }
       if (worst <= (is_near ? near_angle : wide_angle))
-        bridges.push_back({width * (1 + angles), ends[i], ends[j]});
+        bridges.push_back({width * (1 + angles),
+                           ends[i],
+                           ends[j],
+                           worst <= facing_angle ? 1.0 : 0.0});
     }
   std::sort(bridges.begin(), bridges.end(), [](const Bridge& p, const Bridge& q) {
     return p.cost != q.cost ? p.cost < q.cost : p.a != q.a ? p.a < q.a : p.b < q.b;
@@ -104,9 +110,9 @@ bridgeOnce(ModelCurves& result, double near, double widest, double reach)
     const double spacing = length(first) / static_cast<double>(first.edges());
     const Points between =
         cubic(tip(first, a % 2),
-              outwardDirection(first, static_cast<int>(a % 2), reach),
+              bridge.bend * outwardDirection(first, static_cast<int>(a % 2), reach),
               tip(second, b % 2),
-              outwardDirection(second, static_cast<int>(b % 2), reach),
+              bridge.bend * outwardDirection(second, static_cast<int>(b % 2), reach),
               spacing);
     now[bridge.a] = now[bridge.b] = used;
     const bool counted = !first.counts.empty() && !second.counts.empty();
@@ -165,11 +171,15 @@ bridgeOnce(ModelCurves& result, double near, double widest, double reach)
 } // namespace
 
 ModelCurves
-bridgeGaps(const ModelCurves& curves, double near, double widest, double reach)
+bridgeGaps(const ModelCurves& curves,
+           double near,
+           double widest,
+           double reach,
+           double near_angle)
 {
   // What has grown longer reaches farther.
   ModelCurves result = curves;
-  while (bridgeOnce(result, near, widest, reach)) {
+  while (bridgeOnce(result, near, widest, reach, near_angle)) {
   }
   return result;
 }

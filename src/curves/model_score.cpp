@@ -10,6 +10,8 @@ namespace linelet {
 namespace {
 
 constexpr double parameters_per_curve = 4;
+// A fit of at most this share of outliers does without them.
+constexpr double no_outliers = 1.1e-3;
 
 } // namespace
 
@@ -17,8 +19,10 @@ double
 scoreOf(const EmFit& fit, std::size_t points)
 {
   const double parameters =
-      parameters_per_curve * static_cast<double>(fit.curves.size()) + fit.freedom;
-  return -2 * fit.log_likelihood + parameters * std::log(static_cast<double>(points));
+      parameters_per_curve * static_cast<double>(fit.curves.size()) + fit.freedom +
+      (fit.outlier_share > no_outliers ? 1 : 0);
+  return -2 * fit.log_likelihood + fit.width_cost +
+         parameters * std::log(static_cast<double>(points));
 }
 
 double

@@ -15,6 +15,7 @@
 #include <linelet/curves/junction_revision.h>
 #include <linelet/curves/model_score.h>
 #include <linelet/curves/ridge_trace.h>
+#include <linelet/curves/simpler_networks.h>
 #include <linelet/search/scale_unit.h>
 
 namespace linelet {
@@ -35,6 +36,9 @@ constexpr std::size_t sampled_part = 60000;
 constexpr std::size_t sample_size = 8000;
 constexpr std::size_t samples = 3;
 constexpr int most_rounds = 3;
+// Networks with fewer ends or curves are tried in parts up to this size.
+constexpr std::size_t simplified_part = 5000;
+constexpr int most_simplifications = 8;
 // Curves may be joined wrongly where they pass within so many standard deviations, or
 // D.
 constexpr double doubt_noise = 2;
@@ -51,6 +55,14 @@ constexpr std::size_t least_rest = 8;
 // of sampled points is linear, it is a surface or a volume.
 constexpr std::size_t large_part = 5000;
 constexpr std::size_t least_thinned = 1000;
+
+/** \brief The peakedness of normal noise (\ref EmFit): fourth moment over squared
+ * second of the distance from a line. */
+double
+normalPeakedness(int dimensions)
+{
+  return dimensions == 3 ? 2 : 3;
+}
 
 /** \brief A fit and what it was made with. */
 struct Fitted {
@@ -130,11 +142,13 @@ public:
     return fitter_.fit(start, settings, rival);
   }
 
-  /** \brief Lets bandwidth, spacing and noise vary by \a scales from here on. */
+  /** \brief From here on lets bandwidth, spacing and noise vary by \a scales, and the
+   * noise by itself. */
   void
-  vary(const ScaleField* scales)
+  vary(const ScaleField* scales, bool noise)
   {
     scales_ = scales;
+    varied_noise_ = noise;
   }
 
   /** \brief Traces and fits with bandwidth number \a k.
@@ -157,7 +171,8 @@ public:
     pairing.cut = 1.25 * local;
     pairing.reach = 3 * local;
     ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
-    const bool alike = best_.settings.scales == scales_;
+    const bool alike = best_.settings.scales == scales_ &&
+                       best_.settings.varied_noise == varied_noise_;
     if (start.empty() ||
         (alike && !best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
       return best_.score;
@@ -170,6 +185,7 @@ public:
     settings.noise = 0.5 * b;
     settings.least_noise = 0.1 * unit;
     settings.bending = 1 / frame_.diagonal;
+    settings.varied_noise = varied_noise_;
     EmFit fit = fitter_.fit(start, settings, best_.score);
     const double score = scoreOf(fit, points_.size());
     take(std::move(fit), settings);
@@ -184,6 +200,7 @@ private:
   EmFitter fitter_;
   const RefinedSettings& user_;
   const ScaleField* scales_ = nullptr;
+  bool varied_noise_ = false;
   Fitted best_;
 };
 
@@ -233,6 +250,48 @@ rejoin(Part& part)
         better = true;
     }
   return better;
+}
+
+/** \brief Where the noise seems to vary along the curves, lets it, and chooses among
+ * the bandwidths once more. */
+void
+followNoise(Part& part, const ScaleField* scales)
+{
+  const EmFit& best = part.best().fit;
+  if (best.curves.empty() || best.peakedness <= normalPeakedness(part.dimensions()))
+    return;
+  EmSettings settings = part.best().settings;
+  settings.varied_noise = true;
+  settings.noise = best.noise;
+  if (!part.take(part.fit(best.curves, settings), settings))
+    return;
+  part.vary(nullptr, true);
+  for (std::size_t k = 0; k < bandwidths.size(); ++k)
+    part.tryBandwidth(k);
+  if (!scales)
+    return;
+  part.vary(scales, true);
+  for (const std::size_t k : varied_bandwidths)
+    part.tryBandwidth(k);
+}
+
+/** \brief Tries networks with fewer free ends or curves where spacing or noise vary, so
+ * that no bandwidth follows the curves all along. */
+void
+simplify(Part& part)
+{
+  bool better = true;
+  for (int round = 0; round < most_simplifications && better; ++round) {
+    const EmFit best = part.best().fit;
+    EmSettings settings = part.best().settings;
+    if (!settings.varied_noise && !settings.scales)
+      return;
+    settings.noise = best.noise;
+    better = false;
+    for (const ModelCurves& start : simplerNetworks(best.curves, part.scaleUnit()))
+      if (part.take(part.fit(start, settings), part.best().settings, least_gain))
+        better = true;
+  }
 }
 
 /** \brief Fits noise of one length where the distances of the points may be such, to
@@ -317,10 +376,14 @@ refinePart(const Points& points,
     }
   }
   if (scales && points.size() <= sampled_part) {
-    part.vary(scales);
+    part.vary(scales, false);
     for (const std::size_t k : varied_bandwidths)
       part.tryBandwidth(k);
   }
+  if (points.size() <= sampled_part)
+    followNoise(part, scales);
+  if (points.size() <= simplified_part)
+    simplify(part);
   // Close parallel curves are traced as one.
   EmFit other;
   EmFit& best = part.best().fit;
@@ -360,6 +423,8 @@ refinePart(const Points& points,
     if (!part.take(part.fit(start, settings), part.best().settings))
       break;
   }
+  if (points.size() <= simplified_part)
+    simplify(part);
   if (points.size() <= sampled_part) // integrals of every pair: no work for millions
     fitShell(part, other);
   return std::move(best);

@@ -3,6 +3,7 @@
 
 #include <linelet/curves/em_banded.h>
 
+#include <cmath>
 #include <string>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -67,6 +68,8 @@ TEST(EmBanded, SolvesAndInvertsAsADenseSystemDoes)
       both.banded.solve(solution);
       const Eigen::MatrixXd expected = both.dense.fullPivLu().solve(right);
       const Eigen::MatrixXd inverse = both.dense.inverse();
+      EXPECT_NEAR(
+          both.banded.logDeterminant(), std::log(both.dense.determinant()), 1e-10);
       std::vector<double> diagonal, next, after_next;
       both.banded.inverseBand(diagonal, next, after_next);
       for (std::size_t i = 0; i < nodes; ++i) {

@@ -45,6 +45,10 @@ public:
   void
   solve(Points& right_hand_sides);
 
+  /** \brief Logarithm of the determinant; after \ref solve. */
+  double
+  logDeterminant() const;
+
   /** \brief Entries (i, i), (i, i + 1) and (i, i + 2) of the inverse; after \ref solve.
    */
   void

@@ -38,6 +38,7 @@ struct EmSettings {
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
   double shell = 0; ///< radius of noise of one length to begin with; 0: normal noise
+  bool varied_noise = false;          ///< whether the noise varies along the curves
   const ScaleField* scales = nullptr; ///< by which spacing and noise grow from place to
                                       ///< place; null: nowhere
   int iterations = 15;
@@ -50,13 +51,18 @@ struct EmFit {
   double noise = 0; ///< standard deviation per coordinate
   double shell = 0; ///< radius of the noise; 0: normal noise
   /// Fourth moment of the distances of the points from the curves over the square of
-  /// the second: 2 for normal noise, 1.2 for noise of one length.
+  /// the second: 2 for normal noise (3 in a plane), 1.2 for noise of one length.
   double peakedness = 0;
-  double outlier_share = 0;    ///< of the points
-  double log_likelihood = 0;   ///< of the points under the mixture
-  double freedom = 0;          ///< effective parameters of the curves' geometry
+  double outlier_share = 0;  ///< of the points
+  double log_likelihood = 0; ///< of the points under the mixture
+  double freedom = 0;        ///< effective parameters of the curves' geometry
+  /// Where the noise varies: -2 log of the prior density of its widths over their
+  /// posterior one (Laplace), which the criterion adds as it adds parameters.
+  double width_cost = 0;
   std::vector<double> outlier; ///< per point the probability that no curve made it
   std::vector<std::vector<double>> counts; ///< points explained by each edge
+  /// Standard deviation at each node of each curve, or empty where it does not vary.
+  std::vector<std::vector<double>> noises;
 };
 
 struct EdgePoints;
@@ -69,7 +75,8 @@ struct ShellMeans;
  *
  * The model: a point is uniform in the frame's volume with probability eps, else it
  * lies at a place of a curve, distributed with a density smooth along the curve, plus
- * normal noise. The prior on a curve is a
+ * normal noise, whose logarithm may vary along the curve as a random walk (its step is
+ * estimated, too). The prior on a curve is a
  * Student distribution with 3 degrees of freedom of its second differences, whose scale
  * (q spacing^3) is estimated per curve over the posterior of the bends: smooth curves
  * stay round, corners survive. Every few iterations open ends are grown by one edge and
@@ -97,8 +104,11 @@ private:
   struct Edge {
     Point from, direction;
     double length = 0;
-    double scale = 1;  // by which the noise is greater here
-    double weight = 0; // probability of this edge in the mixture
+    double scale = 1;             // by which everything is greater here
+    double noise = 0;             // standard deviation here
+    double paired_noise = 0;      // when its pairs were collected
+    double weight = 0;            // probability of this edge in the mixture
+    double share = 0, square = 0; // of the distances of its points, by shares
     std::size_t pairs_begin = 0, pairs_end = 0;
   };
   struct CurveState {
@@ -107,6 +117,10 @@ private:
     double bending = 1, first_bending = 1;
     std::vector<double> bend_variance;
     std::vector<double> node_freedom; // effective parameters of each node
+    // Per node the logarithm of the noise beside that of all (empty: the same), and the
+    // variance of its change over the whole curve.
+    std::vector<double> width;
+    double width_change = 0;
   };
 
   bool
@@ -160,6 +174,10 @@ private:
   void
   measureNoise(const EmSettings& settings);
   void
+  measureWidths(CurveState& state);
+  double
+  widthAt(const CurveState& state, std::size_t e) const;
+  void
   measureShell(const EmSettings& settings);
   void
   maximiseCurve(CurveState& state, const EmSettings& settings);
@@ -187,8 +205,9 @@ private:
   std::vector<double> density_; // per slot; after expect() its inverse
   std::vector<double> edge_count_;
   double shell_ = 0, noise_ = 0, outlier_share_ = 0, log_likelihood_ = 0, freedom_ = 0;
+  double least_noise_ = 0, width_cost_ = 0;
+  bool varied_ = false;           // the noise
   double square_ = 0, share_ = 0; // of the distances from the curves, by shares
-  double reach_ = 0;              // of the pairs collected, beside the shell
   BandedSystem system_;
   Points solution_;
   std::vector<double> inverse_after_next_, bend_weight_;

@@ -13,7 +13,8 @@ namespace linelet {
  * better.
  *
  * k is 4 for every curve (its two ends, its share, its being there) plus the effective
- * degrees of freedom of its shape. \a points: n */
+ * degrees of freedom of its shape, and 1 for outliers where there are any. What varied
+ * noise costs is added (\ref EmFit::width_cost). \a points: n */
 double
 scoreOf(const EmFit& fit, std::size_t points);
 

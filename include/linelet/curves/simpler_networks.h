@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/curves/model_curve.h>
+
+namespace linelet {
+
+/** \brief Networks that may explain the same points as \a curves with fewer free ends
+ * or curves, for a fit to decide.
+ *
+ * Free ends near each other are joined whatever their directions, over gaps of 3, 6 and
+ * 12 \a unit; with the ends as they are, and with ends cut back as far as the gap, as
+ * those that scattered points have led astray. And each short curve is left out. */
+std::vector<ModelCurves>
+simplerNetworks(const ModelCurves& curves, double unit);
+
+} // namespace linelet
