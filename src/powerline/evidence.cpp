@@ -14,7 +14,9 @@ namespace {
 constexpr double largest_rms = 0.16;  // metres
 constexpr double bundle_radius = 0.5; // metres, of a bundle in one vector
 constexpr double bundle_rms = 0.35;   // metres
-constexpr double bundle_density = 3;  // points a metre, else its moat says nothing
+// Points a metre of a bundle, else its moat says nothing: beside single wires that may
+// be told apart, and where these have been found.
+constexpr double bundle_density = 6, last_density = 3;
 constexpr double steepest_end = 0.6;
 constexpr double least_height = 4;   // metres, mean
 constexpr double hump = 0.10;        // metres of negative sag that noise may cause
@@ -69,10 +71,13 @@ namespace {
 // Whether a piece is a bundle whose conductors the points do not tell apart: then it
 // fills a wider tube, and the moat lies around that.
 bool
-isBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings)
+isBundle(const Growth& growth,
+         Piece& piece,
+         double least_density,
+         const PowerLineSettings& settings)
 {
   if (piece.model.length() < settings.min_length || piece.model.tolerance < 0.2 ||
-      static_cast<double>(piece.members.size()) < bundle_density * piece.model.length())
+      static_cast<double>(piece.members.size()) < least_density * piece.model.length())
     return false;
   Piece bundle = piece;
   bundle.thickness = bundle_radius;
@@ -110,7 +115,7 @@ growAll(Growth& growth,
       tried[seeds[k].candidate] = 1;
       for (Piece& piece : growth.grow(seeds[k])) {
         if (weigh(growth, piece, settings).accepted ||
-            isBundle(growth, piece, settings)) {
+            isBundle(growth, piece, bundle_density, settings)) {
           growth.claim(piece, static_cast<int>(wires.size()));
           wires.push_back(std::move(piece));
         }
@@ -123,6 +128,28 @@ growAll(Growth& growth,
       break;
   }
   return wires;
+}
+
+void
+addBundles(Growth& growth,
+           const std::vector<Seed>& seeds,
+           std::vector<Piece>& pieces,
+           const PowerLineSettings& settings)
+{
+  std::vector<char> tried(growth.candidates().points.size(), 0);
+  for (const Seed& seed : seeds) {
+    if (tried[seed.candidate] != 0)
+      continue;
+    tried[seed.candidate] = 1;
+    for (Piece& piece : growth.grow(seed)) {
+      for (const Index i : piece.members)
+        tried[i] = 1;
+      if (!isBundle(growth, piece, last_density, settings))
+        continue;
+      growth.claim(piece, static_cast<int>(pieces.size()));
+      pieces.push_back(std::move(piece));
+    }
+  }
 }
 
 } // namespace linelet::powerline

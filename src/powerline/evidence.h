@@ -33,4 +33,13 @@ growAll(Growth& growth,
         const PowerLineSettings& settings,
         Monitor* monitor);
 
+/** \brief Adds to \a pieces what is left of thin bundles, or of wires that strips which
+ * do not fit show twice: their conductors are too near each other to be found one by
+ * one. */
+void
+addBundles(Growth& growth,
+           const std::vector<Seed>& seeds,
+           std::vector<Piece>& pieces,
+           const PowerLineSettings& settings);
+
 } // namespace linelet::powerline

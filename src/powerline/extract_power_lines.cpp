@@ -116,6 +116,7 @@ extractPowerLines(const Points& points,
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
     addSiblings(growth, pieces, settings);
+    addBundles(growth, seeds, pieces, settings);
     mergePieces(growth, pieces, settings);
     std::vector<Hanging> hanging;
     for (Strand& strand : sortBundles(growth, std::move(pieces), settings))

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include <linelet/io/output_check.h>
+#include <linelet/io/output_file.h>
 #include <linelet/io/point_file.h>
 #include <linelet/powerline/output_files.h>
 
@@ -20,12 +20,9 @@ namespace {
 void
 writeText(const std::string& path, const std::string& text)
 {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file)
-    throw io::FileError("cannot write " + path +
-                        ": is the folder writable and the disk not full?");
+  io::OutputFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 } // namespace
@@ -61,7 +58,8 @@ makeOutputFolder(const std::string& folder)
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
     throw io::FileError("cannot make the folder " + folder + ": " +
-                        (error ? error.message() : "there is a file of that name"));
+                        (error ? error.message() : "there is a file of that name") +
+                        "; name a folder that can be made or written to");
   io::checkCloudOutput((std::filesystem::path(folder) / "classified.las").string());
 }
 
