@@ -21,18 +21,6 @@ struct RefinedSettings {
   unsigned threads = 0; ///< threads; 0: all
 };
 
-template <class Visit>
-void
-describe(RefinedSettings& settings, Visit&& visit)
-{
-  visit("max-iterations", settings.max_iterations, "steps of one trace; 0: no limit");
-  visit("start-points", settings.start_points, "traces begun; 0: as many as needed");
-  visit("distance-cutoff",
-        settings.distance_cutoff,
-        "widest gap that is bridged, in the unit of the points; 0: chosen");
-  visit("threads", settings.threads, "threads; 0: all");
-}
-
 /** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the
  * geometry.
  *

@@ -16,7 +16,7 @@ namespace linelet::evaluation {
 struct RunSummary {
   std::size_t runs = 0;
   double success = 0;                            ///< part of the runs, 0 to 1
-  double e_v = 0, e_h = 0, e_len = 0, e_com = 0; ///< measures of SPEC 4
+  double e_v = 0, e_h = 0, e_len = 0, e_com = 0; ///< see measures.h
   double milliseconds = 0;                       ///< of a run
 
   /** \brief Standard error of \ref success; NaN below two runs. */

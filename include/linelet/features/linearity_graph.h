@@ -82,8 +82,8 @@ struct GraphMaximum {
   double score;         ///< O_m
 };
 
-/** \brief What the linearity graph of one point tells (SPEC of the method: Ritter,
- * Schiffner, Harders 2021, section 5). */
+/** \brief What the linearity graph of one point tells (Ritter, Schiffner and
+ * Harders 2021, section 5). */
 struct LinearityGraph {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 

@@ -105,7 +105,7 @@ recordOf(const SymmetricTensor& tensor, double extent, std::uint32_t neighbors);
 PointDistributionTensor
 unknownTensor(std::uint32_t neighbors);
 
-/** \brief The neighbourhood tensor of every query point (SPEC: Ritter et al. 2012).
+/** \brief The neighbourhood tensor of every query point (Ritter et al. 2012).
  * \param[in] surface the points that neighbourhoods are made of
  * \param[in] queries points around which they are made; a query that is not finite gets
  * NaN

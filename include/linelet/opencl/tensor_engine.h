@@ -22,7 +22,7 @@ struct StageTimes {
   double download = 0; ///< the way back
 };
 
-/** \brief The neighbourhood tensor on an OpenCL 1.2 device (SPEC: Grasso et al. 2015).
+/** \brief The neighbourhood tensor on an OpenCL 1.2 device (Grasso et al. 2015).
  *
  * Keys of cells, a bitonic sort, neighbours, centroids, tensors and their
  * eigen-analysis are computed on the device, in float relative to each query point.
