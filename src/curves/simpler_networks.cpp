@@ -59,8 +59,11 @@ simplerNetworks(const ModelCurves& curves, double unit)
   const std::size_t ends = freeEnds(curves);
   for (const double gap : gaps)
     for (const double cut : {0.0, gap}) {
-      ModelCurves joined = bridgeGaps(
-          shortened(curves, cut * unit), gap * unit, 0, end_reach * gap * unit, M_PI);
+      ModelCurves joined = bridgeGaps(shortened(curves, cut * unit),
+                                      (gap + cut) * unit,
+                                      0,
+                                      end_reach * gap * unit,
+                                      M_PI);
       if (freeEnds(joined) < ends)
         result.push_back(std::move(joined));
     }
