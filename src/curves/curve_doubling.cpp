@@ -12,8 +12,6 @@ namespace linelet {
 
 namespace {
 
-// A curve is doubled where the variances of its points' offsets differ this much.
-constexpr double doubled_spread = 2;
 constexpr double least_doubled = 12;
 
 } // namespace
@@ -22,7 +20,8 @@ ModelCurves
 doubled(const ModelCurves& curves,
         const Points& points,
         const UniformGrid& grid,
-        double reach)
+        double reach,
+        double least_spread)
 {
   ModelCurves result;
   bool any = false;
@@ -52,7 +51,7 @@ doubled(const ModelCurves& curves,
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(spread);
     const Eigen::Vector2d values = eigen.eigenvalues();
-    if (count < least_doubled || values.y() < doubled_spread * values.x()) {
+    if (count < least_doubled || values.y() < least_spread * values.x()) {
       result.push_back(curve);
       continue;
     }

@@ -32,6 +32,16 @@ EmFitter::prune()
     if (cut[0] + cut[1] > 0) {
       changed = true;
       Points& nodes = state.curve.nodes;
+      std::vector<std::size_t>& hinges = state.curve.hinges;
+      hinges.erase(std::remove_if(hinges.begin(),
+                                  hinges.end(),
+                                  [&](std::size_t k) {
+                                    return k <= cut[0] ||
+                                           k + cut[1] + 1 >= nodes.size();
+                                  }),
+                   hinges.end());
+      for (std::size_t& k : hinges)
+        k -= cut[0];
       const auto count =
           edge_count_.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
       // The counts of the edges that stay move to where the first ones were.

@@ -98,8 +98,14 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   const bool known = state.bend_variance.size() == bends;
   const double across = frame_.dimensions - 1;
   bend_weight_.resize(bends);
+  std::size_t free = 0; // hinges
   for (std::size_t i = 0; i < bends; ++i) {
     const std::size_t j = ring(i + 1), k = ring(i + 2);
+    if (std::binary_search(curve.hinges.begin(), curve.hinges.end(), j)) {
+      bend_weight_[i] = 0;
+      ++free;
+      continue;
+    }
     double bend = (curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k]).squaredNorm();
     if (known)
       bend += across * state.bend_variance[i];
@@ -140,7 +146,7 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
                                 4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
     sum += bend_weight_[i] * (bend + across * state.bend_variance[i]) * unit(i);
   }
-  state.bending = sum / ((bending_prior + static_cast<double>(bends)) * across *
+  state.bending = sum / ((bending_prior + static_cast<double>(bends - free)) * across *
                          spacing * spacing * spacing);
 }
 

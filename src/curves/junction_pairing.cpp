@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include <linelet/curves/line_meeting.h>
 #include <linelet/search/uniform_grid.h>
 
 namespace linelet {
@@ -190,27 +191,6 @@ Joiner::connect(End a, End b, const Points& via)
   links_[b].via.assign(via.rbegin(), via.rend());
 }
 
-/** \brief Where two lines pass each other, if that is ahead of both and not far. */
-bool
-corner(const Point& p,
-       const Point& d,
-       const Point& q,
-       const Point& e,
-       double far,
-       Point& at)
-{
-  const Point w = q - p;
-  const double c = d.dot(e), denominator = 1 - c * c;
-  if (denominator < 0.03)
-    return false;
-  const double s = (w.dot(d) - c * w.dot(e)) / denominator;
-  const double t = (c * w.dot(d) - w.dot(e)) / denominator;
-  if (s < 0 || t < 0 || s > far || t > far)
-    return false;
-  at = 0.5 * (p + s * d + q + t * e);
-  return true;
-}
-
 void
 Joiner::pairAt(std::size_t c)
 {
@@ -224,10 +204,10 @@ Joiner::pairAt(std::size_t c)
     directions.push_back(direction(arm));
   const double far = 2 * centres_[c].radius;
   if (arms.size() == 2) {
-    Point at;
     Points via;
-    if (corner(tip(arms[0]), directions[0], tip(arms[1]), directions[1], far, at))
-      via.push_back(at);
+    if (const auto at =
+            meetingAhead(tip(arms[0]), directions[0], tip(arms[1]), directions[1], far))
+      via.push_back(*at);
     connect(arms[0], arms[1], via);
     return;
   }

@@ -28,9 +28,44 @@ length(const ModelCurves& curves)
   return sum;
 }
 
+namespace {
+
+/** \brief \a curve with each of its pieces between hinges (or ends) treated by
+ * \a resample; the ring begins at a hinge. */
+template <class Resample>
+ModelCurve
+piecewise(const ModelCurve& curve, Resample&& resample)
+{
+  const std::size_t n = curve.nodes.size();
+  ModelCurve result = curve;
+  result.nodes.clear();
+  result.hinges.clear();
+  std::vector<std::size_t> stops = curve.hinges;
+  stops.push_back(curve.closed ? curve.hinges.front() + n : n - 1);
+  if (!curve.closed)
+    stops.insert(stops.begin(), 0);
+  for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+    ModelCurve piece;
+    for (std::size_t i = stops[k]; i <= stops[k + 1]; ++i)
+      piece.nodes.push_back(curve.nodes[i % n]);
+    piece = resample(piece);
+    if (curve.closed || k > 0)
+      result.hinges.push_back(result.nodes.size());
+    result.nodes.insert(result.nodes.end(), piece.nodes.begin(), piece.nodes.end() - 1);
+  }
+  if (!curve.closed)
+    result.nodes.push_back(curve.nodes.back());
+  return result;
+}
+
+} // namespace
+
 ModelCurve
 resampled(const ModelCurve& curve, double spacing)
 {
+  if (!curve.hinges.empty())
+    return piecewise(
+        curve, [&](const ModelCurve& piece) { return resampled(piece, spacing); });
   ModelCurve result = curve;
   const double total = length(curve);
   if (curve.edges() == 0 || !(total > 0))
@@ -68,6 +103,10 @@ resampled(const ModelCurve& curve,
           const ScaleField& scales,
           double least_edges)
 {
+  if (!curve.hinges.empty())
+    return piecewise(curve, [&](const ModelCurve& piece) {
+      return resampled(piece, spacing, scales, 1);
+    });
   // A fine polyline first, whose edges are measured by the scale of their places.
   const double fine_spacing = std::max(0.1 * spacing, length(curve) / 1e6);
   const ModelCurve fine =

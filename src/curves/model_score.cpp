@@ -10,6 +10,7 @@ namespace linelet {
 namespace {
 
 constexpr double parameters_per_curve = 4;
+constexpr double parameters_per_hinge = 1; // beside its coordinates: its place
 // A fit of at most this share of outliers does without them.
 constexpr double no_outliers = 1.1e-3;
 
@@ -18,9 +19,10 @@ constexpr double no_outliers = 1.1e-3;
 double
 scoreOf(const EmFit& fit, std::size_t points)
 {
-  const double parameters =
-      parameters_per_curve * static_cast<double>(fit.curves.size()) + fit.freedom +
-      (fit.outlier_share > no_outliers ? 1 : 0);
+  double parameters = fit.freedom + (fit.outlier_share > no_outliers ? 1 : 0);
+  for (const ModelCurve& curve : fit.curves)
+    parameters += parameters_per_curve +
+                  parameters_per_hinge * static_cast<double>(curve.hinges.size());
   return -2 * fit.log_likelihood + fit.width_cost +
          parameters * std::log(static_cast<double>(points));
 }

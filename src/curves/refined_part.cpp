@@ -7,8 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
+#include <linelet/curves/corners.h>
 #include <linelet/curves/curve_doubling.h>
 #include <linelet/curves/curve_likeness.h>
 #include <linelet/curves/junction_pairing.h>
@@ -16,6 +15,7 @@
 #include <linelet/curves/model_score.h>
 #include <linelet/curves/ridge_trace.h>
 #include <linelet/curves/simpler_networks.h>
+#include <linelet/curves/thinned_part.h>
 #include <linelet/search/scale_unit.h>
 
 namespace linelet {
@@ -44,17 +44,25 @@ constexpr int most_simplifications = 8;
 constexpr double doubt_noise = 2;
 constexpr double doubt_unit = 0.6;
 constexpr double least_gain = 1; // of the score, by which another topology is better
+// Bends within so many standard deviations, or D, may be corners.
+constexpr std::array<double, 2> bend_noise = {1, 2};
+constexpr double bend_unit = 0.5;
+constexpr int corner_iterations = 8; // the start is near
+// A curve is doubled where the variance of its points one way is this many times that
+// the other way; for noise of one length it is smaller beside the distance of a pair.
+constexpr double doubled_spread = 2;
+constexpr double doubled_shell_spread = 1.3;
 // Noise of one length is tried where the noise is that much wider than the least, with
 // a width of this share of its length. The peakedness is 2 for normal noise.
 constexpr double least_shell = 1.2;
 constexpr double shell_width = 0.2;
+constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
 constexpr double most_peakedness = 2.2;
 constexpr std::size_t least_rest = 8;
 
 // A part this large is looked at before it is worked on: where hardly any neighbourhood
 // of sampled points is linear, it is a surface or a volume.
 constexpr std::size_t large_part = 5000;
-constexpr std::size_t least_thinned = 1000;
 
 /** \brief The peakedness of normal noise (\ref EmFit): fourth moment over squared
  * second of the distance from a line. */
@@ -116,6 +124,11 @@ public:
   scaleUnit() const
   {
     return scale_unit_;
+  }
+  const Points&
+  points() const
+  {
+    return points_;
   }
   int
   dimensions() const
@@ -252,6 +265,26 @@ rejoin(Part& part)
   return better;
 }
 
+/** \brief Tries sharp corners where the curves of the best fit bend strongly. */
+void
+sharpen(Part& part)
+{
+  const EmFit& best = part.best().fit;
+  for (const double factor : bend_noise) {
+    const double size =
+        factor * std::max(best.deviation(), bend_unit * part.scaleUnit());
+    const ModelCurves start = sharpened(best.curves, size);
+    if (start.empty())
+      continue;
+    EmSettings settings = part.best().settings;
+    settings.noise = best.noise;
+    settings.shell = best.shell;
+    settings.iterations = corner_iterations;
+    const double rival = part.best().score;
+    part.take(part.fit(start, settings, rival), part.best().settings, least_gain);
+  }
+}
+
 /** \brief Where the noise seems to vary along the curves, lets it, and chooses among
  * the bandwidths once more. */
 void
@@ -312,31 +345,17 @@ fitShell(Part& part, const EmFit& other)
     shell.noise = shell_width * shell.shell;
     part.take(part.fit(start->curves, shell), shell);
   }
-}
-
-/** \brief Fits a share of the points, so few that their spacing is about \a size times
- * as wide. */
-EmFit
-refineThinned(const Points& points,
-              double size,
-              const RefinedSettings& user,
-              const std::function<bool()>& stop,
-              const std::function<void(double)>& progress)
-{
-  const double share =
-      std::max(1 / (size * size * size),
-               static_cast<double>(least_thinned) / static_cast<double>(points.size()));
-  boost::random::mt19937 random(1);
-  boost::random::uniform_01<double> uniform;
-  Points some;
-  for (const Point& p : points)
-    if (uniform(random) < share)
-      some.push_back(p);
-  EmFit fit = refinePart(some, user, nullptr, stop, progress);
-  for (auto& counts : fit.counts)
-    for (double& count : counts)
-      count /= share;
-  return fit;
+  // What normal noise hides: a curve whose points lie beside it rather than around it.
+  const EmFit& best = part.best().fit;
+  const double noise = best.deviation();
+  const ModelCurves pairs =
+      doubled(best.curves, part.points(), part.grid(), 4 * noise, doubled_shell_spread);
+  if (pairs.empty())
+    return;
+  EmSettings shell = settings;
+  shell.shell = pair_share * std::sqrt(3.0) * noise;
+  shell.noise = shell_width * shell.shell;
+  part.take(part.fit(pairs, shell), shell);
 }
 
 } // namespace
@@ -387,7 +406,8 @@ refinePart(const Points& points,
   // Close parallel curves are traced as one.
   EmFit other;
   EmFit& best = part.best().fit;
-  const ModelCurves pairs = doubled(best.curves, points, part.grid(), 4 * best.noise);
+  const ModelCurves pairs =
+      doubled(best.curves, points, part.grid(), 4 * best.noise, doubled_spread);
   if (!pairs.empty()) {
     EmSettings settings = part.best().settings;
     settings.noise = 0.6 * best.noise;
@@ -425,8 +445,10 @@ refinePart(const Points& points,
   }
   if (points.size() <= simplified_part)
     simplify(part);
-  if (points.size() <= sampled_part) // integrals of every pair: no work for millions
-    fitShell(part, other);
+  if (points.size() <= sampled_part) {
+    fitShell(part, other); // integrals of every pair: no work for millions
+    sharpen(part);
+  }
   return std::move(best);
 }
 

@@ -87,7 +87,7 @@ TEST(CurveRevision, CurveBetweenTwoArcsIsDoubled)
   Points points;
   addArc(points, 4.5, random);
   addArc(points, 5.5, random);
-  const ModelCurves two = doubled({middle}, points, UniformGrid(points, 1), 2);
+  const ModelCurves two = doubled({middle}, points, UniformGrid(points, 1), 2, 2);
   ASSERT_EQ(two.size(), 2u);
   for (const ModelCurve& curve : two) {
     const double radius = curve.nodes.front().norm();
@@ -97,7 +97,7 @@ TEST(CurveRevision, CurveBetweenTwoArcsIsDoubled)
   }
   Points one;
   addArc(one, 5, random);
-  EXPECT_TRUE(doubled({middle}, one, UniformGrid(one, 1), 2).empty());
+  EXPECT_TRUE(doubled({middle}, one, UniformGrid(one, 1), 2, 2).empty());
 }
 
 /** \brief A straight line of 20, whose points are displaced by \a displace. */

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -61,6 +62,14 @@ struct EmFit {
   double width_cost = 0;
   std::vector<double> outlier; ///< per point the probability that no curve made it
   std::vector<std::vector<double>> counts; ///< points explained by each edge
+
+  /** \brief Root mean square of the distances of points from their sources, per
+   * coordinate. */
+  double
+  deviation() const
+  {
+    return shell > 0 ? std::sqrt((shell * shell + noise * noise) / 3) : noise;
+  }
   /// Standard deviation at each node of each curve, or empty where it does not vary.
   std::vector<std::vector<double>> noises;
 };

@@ -16,6 +16,8 @@ struct ModelCurve {
   Points nodes;        ///< vertices; a closed curve does not repeat its first one
   bool closed = false; ///< whether the last node is joined to the first
   std::array<int, 2> junction = {-1, -1}; ///< of the front and the back end; -1: free
+  /// Nodes at which it may turn sharply, ascending; ends are none.
+  std::vector<std::size_t> hinges;
   double scale = 0;           ///< bandwidth of the ridges that it comes from
   std::vector<double> counts; ///< points explained by each edge, or empty
 
@@ -50,7 +52,7 @@ double
 length(const ModelCurves& curves);
 
 /** \brief \a curve with nodes at equal arc lengths about \a spacing apart, at least 2
- * (closed: 4); ends stay where they are. */
+ * (closed: 4); ends and hinges stay where they are. */
 ModelCurve
 resampled(const ModelCurve& curve, double spacing);
 
