@@ -321,9 +321,11 @@ simplify(Part& part)
       return;
     settings.noise = best.noise;
     better = false;
-    for (const ModelCurves& start : simplerNetworks(best.curves, part.scaleUnit()))
-      if (part.take(part.fit(start, settings), part.best().settings, least_gain))
+    for (const ModelCurves& start : simplerNetworks(best.curves, part.scaleUnit())) {
+      const double rival = part.best().score;
+      if (part.take(part.fit(start, settings, rival), part.best().settings, least_gain))
         better = true;
+    }
   }
 }
 
