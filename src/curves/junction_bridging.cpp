@@ -46,8 +46,8 @@ cubic(const Point& a, const Point& da, const Point& b, const Point& db, double s
   return result;
 }
 
-/** \brief One round over all ends, by the lengths before it. \return \a result is
- * changed where this is true */
+/** \brief One round over all ends, by the lengths before it.
+ * \return \a result is changed where this is true */
 bool
 bridgeOnce(
     ModelCurves& result, double near, double widest, double reach, double near_angle)

@@ -27,8 +27,9 @@ explained(const cl::Error& error, const std::string& device);
 class Context {
 public:
   /** \brief Opens a device: the first GPU, else the first device of any kind; or the
-   * first one whose number (as listed by \ref devices) or part of whose name is \a
-   * wish. \param[in] lanes see \ref lanes; 0: as many as the device prefers
+   * first one whose number (as listed by \ref devices) or part of whose name is
+   * \a wish.
+   * \param[in] lanes see \ref lanes; 0: as many as the device prefers
    * \throws Error listing the devices where there is none such */
   explicit Context(const std::string& wish = {}, unsigned lanes = 0);
 

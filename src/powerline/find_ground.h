@@ -17,8 +17,9 @@ namespace linelet::powerline {
  * morphological filter (Zhang et al. 2003): openings of growing size lower what stands
  * out from its surroundings by more than terrain can. What was lowered is filled from
  * the terrain around, and the raster refined to the mean height of the points next to
- * it. \param[in] classes empty, or one a point \param[in] use_classes take points of
- * class 2 for the terrain, where there are any */
+ * it.
+ * \param[in] classes empty, or one a point
+ * \param[in] use_classes take points of class 2 for the terrain, where there are any */
 Ground
 findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,

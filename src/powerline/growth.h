@@ -46,7 +46,8 @@ public:
 
   /** \brief Extends \a piece at both ends, not beyond \a low and \a high.
    * \param[in] lock shift it to the strongest of the wires around once it is long
-   * enough to tell them apart \return false when nothing of it is left */
+   * enough to tell them apart
+   * \return false when nothing of it is left */
   bool
   extend(Piece& piece,
          double low = -std::numeric_limits<double>::infinity(),

@@ -121,7 +121,8 @@ isPassedBy(const std::vector<Hanging>& wires,
 
 /** \brief Joins partners that meet where the rest of their line runs past: no support
  * breaks them, but too few points, or a bundle of which each took another conductor.
- * Ends must have been matched, and have to be again. \return whether there were any */
+ * Ends must have been matched, and have to be again.
+ * \return whether there were any */
 bool
 mendBreaks(std::vector<Hanging>& wires,
            Growth& growth,

@@ -149,7 +149,8 @@ private:
   bool
   pairsAreStale() const;
   /** \brief Cuts back ends, and drops curves, whose points are explained as well
-   * without them, by the information criterion. \return whether anything changed */
+   * without them, by the information criterion.
+   * \return whether anything changed */
   bool
   prune();
   std::size_t

@@ -16,9 +16,9 @@ namespace linelet {
  * itself included; across gaps of up to \a near within \a near_angle, whatever the
  * length. The best agreeing, narrowest gaps come first; what is joined then counts by
  * its new length. A wide gap is bridged by a cubic that keeps both directions, or
- * straight where one of them is off by more than 60 degrees. \param[in] widest no gap
- * beyond this is bridged; 0: no such limit \param[in] reach directions are taken over
- * this length */
+ * straight where one of them is off by more than 60 degrees.
+ * \param[in] widest no gap beyond this is bridged; 0: no such limit
+ * \param[in] reach directions are taken over this length */
 ModelCurves
 bridgeGaps(const ModelCurves& curves,
            double near,

@@ -21,9 +21,10 @@ struct EndReach {
  * distance, unless both run side by side there (within 20 degrees). Ends that meet are
  * one junction; they are led to its position, which becomes a vertex of the curves that
  * pass there; a curve whose own ends meet is closed. Curves that cross without an end
- * are no junction. \param[in,out] network open curves of at least two vertices and
- * closed ones; no junctions \param[in] reaches by curve: of its front and of its back
- * end */
+ * are no junction.
+ * \param[in,out] network open curves of at least two vertices and closed ones; no
+ * junctions
+ * \param[in] reaches by curve: of its front and of its back end */
 void
 connectEnds(CurveNetwork& network, const std::vector<std::array<EndReach, 2>>& reaches);
 

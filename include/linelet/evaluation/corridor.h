@@ -152,8 +152,9 @@ struct CorridorScan {
  * roofs and terrain in turn and gives a return where enough of its footprint is
  * covered; what is left of it goes on. A return lies on the axis of the beam, as that
  * of a real scanner does, so that points of a wire scatter by the radius of the beam.
- * Deterministic in the settings. \throws std::invalid_argument for a setting out of
- * range \throws Cancelled */
+ * Deterministic in the settings.
+ * \throws std::invalid_argument for a setting out of range
+ * \throws Cancelled */
 CorridorScan
 simulateCorridor(const CorridorSettings& settings, Monitor* monitor = nullptr);
 

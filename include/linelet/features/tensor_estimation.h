@@ -78,8 +78,9 @@ struct NeighbourhoodSizes {
 };
 
 /** \brief Checks that exactly one size of neighbourhood is said, and that it makes
- * sense. \param[in] queries number of query points \throws std::invalid_argument with
- * the value and what is expected */
+ * sense.
+ * \param[in] queries number of query points
+ * \throws std::invalid_argument with the value and what is expected */
 void
 validate(const TensorSettings& settings,
          const NeighbourhoodSizes& sizes,
@@ -110,8 +111,10 @@ unknownTensor(std::uint32_t neighbors);
  * \param[in] queries points around which they are made; a query that is not finite gets
  * NaN
  * \param[in] settings with a radius or k, or neither if \a sizes says them point by
- * point \return one record a query, in order \throws std::invalid_argument see \ref
- * validate \throws Cancelled */
+ * point
+ * \return one record a query, in order
+ * \throws std::invalid_argument see \ref validate
+ * \throws Cancelled */
 std::vector<PointDistributionTensor>
 estimateTensors(const Points& surface,
                 const Points& queries,

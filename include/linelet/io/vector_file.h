@@ -44,8 +44,9 @@ struct VectorLayer {
  * GeoJSON holds all layers in one collection, each feature with a property `layer`, and
  * names the reference system in its `crs` member. DXF holds no attributes: there a
  * feature has its VectorFeature::drawing_layer, and its label becomes a text on the
- * layer `labels`. \param[in] wkt reference system, empty: unknown \throws
- * FileError */
+ * layer `labels`.
+ * \param[in] wkt reference system, empty: unknown
+ * \throws FileError */
 void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,

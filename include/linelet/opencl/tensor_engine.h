@@ -34,8 +34,8 @@ struct StageTimes {
 class TensorEngine {
 public:
   /** \brief Opens a device: the first GPU, else the first of any kind; or the one of
-   * the number or with the part of a name given. \throws Error listing the devices
-   * where there is none such */
+   * the number or with the part of a name given.
+   * \throws Error listing the devices where there is none such */
   explicit TensorEngine(const std::string& device = {});
   ~TensorEngine();
   TensorEngine(TensorEngine&&) noexcept;
@@ -51,9 +51,11 @@ public:
   setMemoryLimit(std::size_t bytes);
 
   /** \brief As \ref linelet::estimateTensors; settings.engine has no say,
-   * settings.threads is for the host's part. \throws std::invalid_argument for k
-   * nearest points and for Centroid::WeightedMedian, which this engine does not know
-   * \throws Error \throws Cancelled between slabs */
+   * settings.threads is for the host's part.
+   * \throws std::invalid_argument for k nearest points and for
+   * Centroid::WeightedMedian, which this engine does not know
+   * \throws Error
+   * \throws Cancelled between slabs */
   std::vector<PointDistributionTensor>
   estimate(const Points& surface,
            const Points& queries,

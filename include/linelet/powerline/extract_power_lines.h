@@ -25,7 +25,8 @@ namespace linelet::powerline {
  * \param[in] monitor hears of the stages; may cancel
  * \return wires, supports and a label for every point
  * \throws std::invalid_argument for a setting out of range, or classes of another
- * length \throws Cancelled */
+ * length
+ * \throws Cancelled */
 PowerLineNetwork
 extractPowerLines(const Points& points,
                   const std::vector<std::uint8_t>& classes = {},

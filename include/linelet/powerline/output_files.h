@@ -57,7 +57,8 @@ powerLineReport(const io::Cloud& cloud,
                 const OutputOptions& options);
 
 /** \brief Makes \a folder if need be and makes sure that files can be written there, so
- * that this fails before long work. \throws io::FileError */
+ * that this fails before long work.
+ * \throws io::FileError */
 void
 makeOutputFolder(const std::string& folder);
 

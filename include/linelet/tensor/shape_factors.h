@@ -20,7 +20,8 @@ struct ShapeFactors {
  * \param[in] values l1 <= l2 <= l3, not negative
  * \param[in] extent distance of the farthest neighbour from the query point: where L is
  * no more than what rounding of such coordinates leaves, all neighbours lie at one
- * place \return NaN where L is 0 or NaN, or rounding */
+ * place
+ * \return NaN where L is 0 or NaN, or rounding */
 inline ShapeFactors
 shapeFactors(const Eigen::Vector3d& values, double extent = 0)
 {

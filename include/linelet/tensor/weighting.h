@@ -115,8 +115,9 @@ public:
   Weighting(const std::string& text) : Weighting(std::string_view(text)) {}
 
   /** \brief 1 / (e^((x - m) / temperature) + 1): falls from 1 to 0 around m, over a
-   * width of a few \a temperature. \throws std::invalid_argument unless m is finite and
-   * temperature positive, finite */
+   * width of a few \a temperature.
+   * \throws std::invalid_argument unless m is finite and temperature positive, finite
+   */
   static Weighting
   fermiDirac(double m, double temperature);
 

@@ -105,8 +105,9 @@ struct EigenLanes {
     w = {zero, zero, one};
   }
 
-  /** \brief Rotates about all axes. \return whether more is left beside the diagonal
-   * than counts: eigenvalues are off by its square */
+  /** \brief Rotates about all axes.
+   * \return whether more is left beside the diagonal than counts: eigenvalues are off
+   * by its square */
   HWY_INLINE bool
   turn()
   {

@@ -133,7 +133,8 @@ struct LadderKernels {
                      Moments& certain);
 
   /** \brief Puts a recentred list in the order of the smallest scale that can reach a
-   * point. \param[out] ends points that each scale can reach */
+   * point.
+   * \param[out] ends points that each scale can reach */
   void (*order)(PointList& list,
                 PointList& spare,
                 const LadderScale* scales,
@@ -155,7 +156,8 @@ struct LadderKernels {
                      std::vector<Doubt>& doubts);
 
   /** \brief Moments of the neighbours at all scales, weighted by the distance from the
-   * query. \param[in] first_only no second moments are needed */
+   * query.
+   * \param[in] first_only no second moments are needed */
   void (*weightedPairs)(const PointList& list,
                         const std::size_t* ends,
                         const LeafQueries& queries,
@@ -176,8 +178,8 @@ struct LadderKernels {
                        const SweepWeight& weight,
                        LadderSums& sums);
 
-  /** \brief Tensors from sums. \return queries, a bit each, whose float sums are good
-   * for shape factors to 1e-4 */
+  /** \brief Tensors from sums.
+   * \return queries, a bit each, whose float sums are good for shape factors to 1e-4 */
   std::uint32_t (*finish)(const LadderFinish& work,
                           std::array<Lanes<double>, 6>& tensors,
                           Lanes<float>& found);

@@ -179,8 +179,8 @@ struct Weighed {
 };
 
 /** \brief Sums over vectors at(0), at(lanes), ... below \a end. A weight is a long
- * chain of operations: it is computed one vector ahead of the sums. \param part sums
- * that go on in float until they are as many as may */
+ * chain of operations: it is computed one vector ahead of the sums.
+ * \param part sums that go on in float until they are as many as may */
 template <class At>
 HWY_INLINE void
 sumAhead(std::size_t end, const At& at, ChunkSums<false>& part, Sums<false>& total)

@@ -163,7 +163,8 @@ struct SweepKernels {
                         Moments& sums);
 
   /** \brief The points of \a list within the ball around \a query, relative to it,
-   * those of the band left out. \return whether there are any */
+   * those of the band left out.
+   * \return whether there are any */
   bool (*neighbours)(const PointList& list, const BandedQuery& query, PointList& out);
 
   /** \brief Places in \a list of the points in the band around \a query.
