@@ -229,8 +229,8 @@ addScaleAndNorth(Markup& page, const Frame& frame)
   const double metres = roundStep(frame.width() / frame.scale, 5);
   const double length = metres * frame.scale, y = frame.height() + 32;
   page << "<path class=\"ink\" d=\"M1 " << y - 5 << " v5 h" << length << " v-5\"/>"
-       << "<text x=\"" << length + 8 << "\" y=\"" << y + 1 << "\">" << number(metres, 0)
-       << " m</text>\n";
+       << "<text x=\"" << length + 8 << "\" y=\"" << y + 1 << "\">"
+       << number(metres, metres < 1 ? 2 : 0) << " m</text>\n";
   // The arrow turns about its middle as north does on the page.
   const double x = frame.width() - 30, turn = std::atan2(frame.u.y(), frame.v.y());
   page << "<g transform=\"translate(" << x << " " << y - 6 << ") rotate("

@@ -23,7 +23,6 @@ constexpr int least_stretches = 4;
 constexpr std::size_t most_tries = 16;
 constexpr std::size_t crowded = 200; // free points a metre, a wood
 constexpr double off_middle = 0.1; // of its length, the lowest point of a wire cut off
-constexpr double most_bend = 0.5;  // part of its bend that a sibling has more or less
 constexpr double sag_spread = 0.3; // sags of one line differ by this part, at most
 
 constexpr double whole = 0.7;      // of the length of the wire beside
@@ -160,9 +159,6 @@ isSibling(const Growth& growth,
           const SpanModel& source,
           const PowerLineSettings& settings)
 {
-  const double bend = source.z[2], own = piece.model.z[2];
-  if (std::abs(own - bend) > most_bend * std::abs(bend))
-    return false;
   const Evidence e = weigh(growth, piece, settings);
   return e.accepted ||
          (e.sound && piece.model.length() >= whole * source.length() &&
