@@ -20,7 +20,7 @@ constexpr double first_outlier_share = 0.1;
 constexpr double least_points = 2;
 // A fit is given up whose score per point is above that of its rival by more than this,
 // divided by the iterations so far.
-constexpr double most_behind = 1.5;
+constexpr double most_behind = 5;
 
 /** \brief Values at equal steps along a curve, at \a count equal steps. */
 std::vector<double>
