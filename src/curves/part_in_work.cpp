@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/curves/part_in_work.h>
+
+#include <algorithm>
+
+#include <linelet/curves/curve_likeness.h>
+#include <linelet/curves/junction_pairing.h>
+#include <linelet/curves/model_score.h>
+#include <linelet/curves/ridge_trace.h>
+
+namespace linelet {
+
+namespace {
+
+// A part this large is looked at before it is worked on: where hardly any neighbourhood
+// of sampled points is linear, it is a surface or a volume.
+constexpr std::size_t large_part = 5000;
+
+} // namespace
+
+PartInWork::PartInWork(const Points& points,
+                       double scale_unit,
+                       const RefinedSettings& user,
+                       const std::function<bool()>& stop)
+    : points_(points),
+      scale_unit_(scale_unit),
+      frame_(frameOf(points, scale_unit)),
+      grid_(points, 2 * scale_unit),
+      fitter_(points, grid_, frame_, stop),
+      user_(user)
+{
+  best_.score = scoreOfNothing(frame_, points.size());
+}
+
+double
+PartInWork::curveSize() const
+{
+  if (points_.size() <= large_part)
+    return 1;
+  for (const double size : {1.0, 2.5, 6.0, 15.0})
+    if (looksLinear(points_, grid_, size * scale_unit_))
+      return size;
+  return 0;
+}
+
+EmFit
+PartInWork::fit(const ModelCurves& start, const EmSettings& settings, double rival)
+{
+  return fitter_.fit(start, settings, rival);
+}
+
+bool
+PartInWork::take(EmFit fit, const EmSettings& settings, double gain)
+{
+  const double score = scoreOf(fit, points_.size());
+  if (fit.curves.empty() || !(score < best_.score - gain))
+    return false;
+  best_ = {std::move(fit), settings, score};
+  return true;
+}
+
+void
+PartInWork::vary(const ScaleField* scales, bool noise)
+{
+  scales_ = scales;
+  varied_noise_ = noise;
+}
+
+double
+PartInWork::tryBandwidth(std::size_t k)
+{
+  const double unit = scales_ ? scales_->unit() : scale_unit_;
+  const double b = bandwidths[k] * unit;
+  const RidgeField field(points_, b, scales_);
+  const Traces traces = traceRidges(field, {user_.start_points, user_.max_iterations});
+  double local = scales_ && !traces.meetings.empty() ? 0 : b; // where curves meet
+  if (local == 0)
+    for (const Point& meeting : traces.meetings)
+      local += field.bandwidthAt(meeting) / static_cast<double>(traces.meetings.size());
+  PairingSettings pairing;
+  pairing.cluster = 2.5 * local;
+  pairing.cut = 1.25 * local;
+  pairing.reach = 3 * local;
+  ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
+  const bool alike =
+      best_.settings.scales == scales_ && best_.settings.varied_noise == varied_noise_;
+  if (start.empty() ||
+      (alike && !best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
+    return best_.score;
+  for (ModelCurve& curve : start)
+    curve.scale = std::min(field.bandwidthAt(curve.nodes.front()),
+                           field.bandwidthAt(curve.nodes.back()));
+  EmSettings settings;
+  settings.scales = scales_;
+  settings.spacing = std::max(0.4 * unit, 0.24 * b);
+  settings.noise = 0.5 * b;
+  settings.least_noise = 0.1 * unit;
+  settings.bending = 1 / frame_.diagonal;
+  settings.varied_noise = varied_noise_;
+  EmFit fit = fitter_.fit(start, settings, best_.score);
+  const double score = scoreOf(fit, points_.size());
+  take(std::move(fit), settings);
+  return score;
+}
+
+} // namespace linelet
