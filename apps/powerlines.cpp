@@ -116,6 +116,9 @@ runPowerlines(const std::vector<std::string>& arguments)
   if (!units.height_stated && !units.areMetres())
     warnings.push_back("the reference system tells no unit of heights; they count as " +
                        units.height_name + ", like x and y");
+  if (cloud.wkt.empty())
+    warnings.push_back(in + " tells no reference system: coordinates count as metres, "
+                            "and readers of wires.geojson take them for degrees");
   powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =

@@ -22,8 +22,8 @@ void
 require(bool in_order, const char* name, double value, const char* range)
 {
   if (!in_order)
-    throw std::invalid_argument(std::string("extractPowerLines: ") + name + " is " +
-                                std::to_string(value) + ", it must be " + range);
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                                ", it must be " + range);
 }
 
 void
@@ -91,8 +91,8 @@ extractPowerLines(const Points& points,
 {
   check(settings);
   if (!classes.empty() && classes.size() != points.size())
-    throw std::invalid_argument("extractPowerLines: " + std::to_string(classes.size()) +
-                                " classes for " + std::to_string(points.size()) +
+    throw std::invalid_argument(std::to_string(classes.size()) + " classes for " +
+                                std::to_string(points.size()) +
                                 " points, there must be one each or none");
   PowerLineNetwork network;
   network.classes = classes;
