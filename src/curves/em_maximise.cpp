@@ -18,9 +18,6 @@ constexpr double density_prior = 0.5;
 constexpr double tail = 3; // degrees of freedom of the bending prior
 // Bends that the first guess of the prior's scale counts for.
 constexpr double bending_prior = 3;
-// Expectation maximisation creeps where most of what a point says of a vertex is
-// unknown: the steps of the vertices are made this much longer.
-constexpr double stride = 1.5;
 
 } // namespace
 

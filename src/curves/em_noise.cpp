@@ -17,8 +17,6 @@ constexpr double least_spare = 0.3;
 // whole length of a curve, and the steps that this guess counts for.
 constexpr double first_change = 4;
 constexpr double change_prior = 3;
-// Longer steps than those of expectation maximisation, as those of the vertices.
-constexpr double stride = 1.5;
 constexpr double longest_step = 0.7; // of a logarithm, in one iteration
 
 /** \brief Logarithm of the determinant of the precision of a random walk over \a nodes

@@ -110,6 +110,10 @@ public:
       double rival = std::numeric_limits<double>::infinity());
 
 private:
+  // Expectation maximisation creeps where most of what a point says of a vertex is
+  // unknown: the steps of the vertices and of the noise are made this much longer.
+  static constexpr double stride = 1.5;
+
   struct Edge {
     Point from, direction;
     double length = 0;
