@@ -17,6 +17,9 @@ constexpr double farthest = 30;      // metres, vegetation beyond is of no inter
 constexpr double company_radius = 1; // metres
 constexpr std::size_t company = 3;   // points around, else it is a bird or noise
 constexpr double support_zone = 6;   // metres around supports, where fittings hang
+// Metres before a free end, where what is not taken for wire is, more often than not,
+// the rest of the wire or of its twin.
+constexpr double free_zone = 1;
 
 } // namespace
 
@@ -40,6 +43,8 @@ measureClearances(PowerLineNetwork& network,
     const Catenary& c = wire.curve;
     const int steps =
         std::max(1, static_cast<int>(std::ceil((c.to - c.from) / sample_step)));
+    const double from = c.from + (wire.front_support == 0 ? free_zone : 0);
+    const double to = c.to - (wire.back_support == 0 ? free_zone : 0);
     for (int k = 0; k <= steps; ++k) {
       const double s = c.from + (c.to - c.from) * k / steps;
       const Point p = c.at(s);
@@ -56,9 +61,8 @@ measureClearances(PowerLineNetwork& network,
       if (near == UniformGrid::none ||
           grid.countWithin(others[near], company_radius) <= company)
         continue;
-      // Beyond a free end lies, more often than not, the rest of the wire itself.
       const double beside = c.along(others[near]);
-      if (beside < c.from || beside > c.to)
+      if (beside < from || beside > to)
         continue;
       wire.vegetation = {(others[near] - p).norm(), p, others[near]};
     }

@@ -180,6 +180,20 @@ TEST(ExtractPowerLines, MeasuresClearances)
   EXPECT_LT((nearest.other - middle).head<2>().norm(), 3);
 }
 
+// Where a scan ends, a stub of a twin strand is left that is too short for a wire: no
+// tree at half a metre.
+TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
+{
+  TwoSpans line;
+  for (int i = 0; i < 8; ++i)
+    line.scene.points.push_back(Point(0.1 * i, -5.5, 24));
+  const PowerLineNetwork n = extractPowerLines(line.scene.points);
+  ASSERT_EQ(n.wires.size(), 6u);
+  for (const Wire& wire : n.wires)
+    if (wire.vegetation.known())
+      EXPECT_GT(wire.vegetation.distance, 2) << "wire " << wire.id;
+}
+
 TEST(ExtractPowerLines, FindsNothingWhereNothingIs)
 {
   const auto expectNone = [](const Points& points, const char* what) {
