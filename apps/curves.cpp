@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <linelet/curves/reconstruct_curves.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
 #include <linelet/io/vector_file.h>
 
 #include "commands.h"
@@ -21,25 +21,26 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief The points of \a cloud whose class is one of \a classes; all if none is
- * named. */
+/** \brief The usable points of \a cloud whose class is one of \a classes, of any class
+ * if none is named. */
 Points
-pointsOfClasses(const io::Cloud& cloud,
-                const std::vector<int>& classes,
-                const std::string& file)
+choosePoints(const io::Cloud& cloud,
+             const io::UsablePoints& usable,
+             const std::vector<int>& classes,
+             const std::string& file)
 {
-  if (classes.empty())
-    return cloud.points;
   const io::Column* column = cloud.find("classification");
-  if (column == nullptr)
+  if (column == nullptr && !classes.empty())
     throw std::runtime_error(file +
                              ": its points have no classes; leave out --classes");
+  const auto isOfClass = [&](std::size_t i) {
+    const int number = static_cast<int>(io::valueAt(*column, i));
+    return std::find(classes.begin(), classes.end(), number) != classes.end();
+  };
   Points chosen;
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
-    if (std::find(classes.begin(),
-                  classes.end(),
-                  static_cast<int>(io::valueAt(*column, i))) != classes.end())
-      chosen.push_back(cloud.points[i]);
+    if (usable.points()[i].allFinite() && (classes.empty() || isOfClass(i)))
+      chosen.push_back(usable.points()[i]);
   return chosen;
 }
 
@@ -61,7 +62,7 @@ runCurves(const std::vector<std::string>& arguments)
       "curves",
       "Reconstructs the curves that run through a point cloud: wires, edges, "
       "outlines. Written by ending: .obj .ply .vtk .csv .geojson .gpkg .dxf, in "
-      "the coordinates of the input.");
+      "the coordinates of the input. Points flagged as withheld take no part.");
   ReconstructionSettings settings;
   io::ReadOptions reading;
   std::string input, output;
@@ -82,10 +83,13 @@ runCurves(const std::vector<std::string>& arguments)
 
   std::vector<std::string> warnings;
   const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  const io::UsablePoints usable(cloud, &warnings);
   frame.warn(warnings);
-  const Points points = pointsOfClasses(cloud, classes, input);
+  const Points points = choosePoints(cloud, usable, classes, input);
   const CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
-  io::writeCurves(output, network, cloud.shift, cloud.wkt);
+  warnings.clear();
+  io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings);
+  frame.warn(warnings);
 
   const auto closed = static_cast<std::size_t>(
       std::count_if(network.curves.begin(), network.curves.end(), [](const Curve& c) {
@@ -94,9 +98,6 @@ runCurves(const std::vector<std::string>& arguments)
   if (network.curves.empty())
     frame.warn("no curve found in the " + std::to_string(points.size()) +
                " points; the output is empty");
-  else if (cloud.wkt.empty() && std::filesystem::path(output).extension() == ".geojson")
-    frame.warn(output + ": the input tells no reference system, so readers of GeoJSON "
-                        "take the coordinates for degrees; .gpkg says it is unknown");
   std::printf(
       "%s: %zu curves (%zu closed), %zu junctions, length %.6g, from %zu points\n",
       output.c_str(),
@@ -106,6 +107,7 @@ runCurves(const std::vector<std::string>& arguments)
       length(network),
       points.size());
   frame.summary["points"] = points.size();
+  frame.summary["withheld"] = usable.withheld();
   frame.summary["curves"] = network.curves.size();
   frame.summary["closed"] = closed;
   frame.summary["junctions"] = network.junctions.size();

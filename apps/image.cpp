@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
 
 #include "commands.h"
 #include "frame.h"
@@ -48,7 +49,7 @@ runImage(const std::vector<std::string>& arguments)
       "columns are places along a line and whose rows are radii; or the graphs "
       "of linearity, planarity and sphericity of one point over the radius, with "
       "the extrema and the optimal radius. Coordinates on the command line are "
-      "those of the file.");
+      "those of the file. Points flagged as withheld are not drawn.");
   PictureSettings settings;
   MultiScaleSettings shapes;
   shapes.centroid = Centroid::Median;
@@ -78,7 +79,9 @@ runImage(const std::vector<std::string>& arguments)
     throw std::runtime_error("width and height must be between 200 and 10000 pixels");
 
   std::vector<std::string> warnings;
-  const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  if (const io::UsablePoints usable(cloud, &warnings); usable.withheld() > 0)
+    cloud.points = usable.points();
   frame.warn(warnings);
   if (cloud.points.empty())
     throw std::runtime_error(input + ": there are no points to draw");

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
 #include <linelet/search/scale_unit.h>
 
 #include "commands.h"
@@ -106,6 +107,21 @@ classesOf(const io::Cloud& cloud)
   return classes;
 }
 
+/** How many points carry each flag that the file can tell. */
+ordered_json
+flagsOf(const io::Cloud& cloud)
+{
+  ordered_json flags = ordered_json::object();
+  for (const char* name : {"withheld", "overlap", "synthetic", "key_point"})
+    if (const io::Column* column = cloud.find(name)) {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < cloud.points.size(); ++i)
+        count += io::valueAt(*column, i) != 0 ? 1 : 0;
+      flags[name] = count;
+    }
+  return flags;
+}
+
 ordered_json
 attributesOf(const io::Cloud& cloud)
 {
@@ -150,11 +166,13 @@ describe(const std::string& path, const io::Cloud& cloud, unsigned threads)
         any ? ordered_json({world.x(), world.y(), world.z()}) : ordered_json();
   }
   out["reference_system"] = io::referenceName(cloud.wkt);
-  const double unit = scaleUnit(cloud.points, 1024, 1, threads);
-  const double density = any ? densityOf(cloud.points, bounds, 5 * unit) : NAN;
+  const io::UsablePoints usable(cloud);
+  const double unit = scaleUnit(usable.points(), 1024, 1, threads);
+  const double density = any ? densityOf(usable.points(), bounds, 5 * unit) : NAN;
   out["scale_unit"] = numberOrNull(unit);
   out["density"] = numberOrNull(density);
   out["spacing"] = numberOrNull(1 / std::sqrt(density));
+  out["flags"] = flagsOf(cloud);
   out["classes"] = classesOf(cloud);
   out["attributes"] = attributesOf(cloud);
   return out;
@@ -189,6 +207,13 @@ print(const ordered_json& info)
       "scale unit D", info["scale_unit"], "(median distance to the 6th neighbour)");
   printNumber("density", info["density"], "points a square unit");
   printNumber("spacing", info["spacing"], "units, of the ground plan");
+  for (const auto& [name, count] : info["flags"].items())
+    if (count > 0)
+      std::printf("%-17s %10zu  %s\n",
+                  name.c_str(),
+                  count.get<std::size_t>(),
+                  name == "withheld" ? "flagged; left out of every analysis"
+                                     : "flagged; used like other points");
   for (const auto& entry : info["classes"])
     std::printf("class %-11d %10zu  %s\n",
                 entry["class"].get<int>(),
@@ -211,7 +236,10 @@ print(const ordered_json& info)
 int
 runInfo(const std::vector<std::string>& arguments)
 {
-  Frame frame("info", "What a point file holds");
+  Frame frame(
+      "info",
+      "What a point file holds: extent, density, flags, classes and attributes. "
+      "Scale unit and density are those of the points that are not withheld.");
   std::string path;
   io::ReadOptions options;
   frame.app.add_option("FILE", path, "point file")->required();

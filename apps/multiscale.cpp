@@ -14,6 +14,7 @@
 #include <linelet/io/output_check.h>
 #include <linelet/io/output_file.h>
 #include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
 
 #include "commands.h"
 #include "frame.h"
@@ -181,7 +182,7 @@ runMultiscale(const std::vector<std::string>& arguments)
       "chooses the one that shows a curve best. Adds the shape, direction and "
       "radius of the optimal scale and what the graphs of linearity and "
       "sphericity come to; prints the noise rate. All attributes of the input "
-      "are kept.\n"
+      "are kept; points flagged as withheld take no part and have no shape.\n"
       "Time grows with the number of points within the largest radius: on wires "
       "in proportion to it, on surfaces to its square. A job of more than a few "
       "seconds says before it starts how many neighbours a point has and how "
@@ -209,21 +210,26 @@ runMultiscale(const std::vector<std::string>& arguments)
 
   std::vector<std::string> warnings;
   io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  const io::UsablePoints usable(cloud, &warnings);
   frame.warn(warnings);
-  if (shift.radius != 0)
-    cloud.points = shiftToCentroids(cloud.points, shift, &frame.monitor);
+  Points points = usable.points();
+  if (shift.radius != 0) {
+    points = shiftToCentroids(points, shift, &frame.monitor);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].allFinite())
+        cloud.points[i] = points[i];
+  }
 
-  MultiScaleShapes result = multiScaleRadii(cloud.points, settings, &frame.monitor);
+  MultiScaleShapes result = multiScaleRadii(points, settings, &frame.monitor);
   const double scale_unit = result.scale_unit;
   MultiScaleSettings planned = settings;
   planned.radii = result.radii;
   planned.stop_change = 0;
-  if (!cloud.points.empty()) {
-    planned.engine =
-        chosenScaleEngine(cloud.points, cloud.points, planned.radii.back(), planned);
-    Cost cost = estimateCost(cloud.points, planned);
+  if (!points.empty()) {
+    planned.engine = chosenScaleEngine(points, points, planned.radii.back(), planned);
+    Cost cost = estimateCost(points, planned);
     if (planned.centroid != Centroid::QueryPoint)
-      cost.seconds += estimateCost(cloud.points, aboutPoints(planned)).seconds;
+      cost.seconds += estimateCost(points, aboutPoints(planned)).seconds;
     if (cost.seconds > 3)
       std::fprintf(stderr,
                    "linelet multiscale: largest radius %.4g holds %.0f neighbours a "
@@ -236,13 +242,13 @@ runMultiscale(const std::vector<std::string>& arguments)
   }
 
   if (graphs.empty())
-    result = multiScaleShapes(cloud.points, cloud.points, planned, {}, &frame.monitor);
+    result = multiScaleShapes(points, points, planned, {}, &frame.monitor);
   else {
     io::OutputFile file(graphs);
     file.write(graph_header);
     result = multiScaleShapes(
-        cloud.points,
-        cloud.points,
+        points,
+        points,
         planned,
         [&](std::size_t point, const ShapeGraph& graph) {
           file.write(rowsOf(point, graph, planned.radii));
@@ -253,8 +259,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   const std::vector<MultiScaleShape> about_points =
       settings.centroid == Centroid::QueryPoint
           ? result.shapes
-          : multiScaleShapes(
-                cloud.points, cloud.points, aboutPoints(planned), {}, &frame.monitor)
+          : multiScaleShapes(points, points, aboutPoints(planned), {}, &frame.monitor)
                 .shapes;
   const double noise_rate = noiseRate(about_points);
   const double noise_width = noiseWidth(about_points);
@@ -262,6 +267,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   std::size_t unknown = 0;
   for (const MultiScaleShape& shape : result.shapes)
     unknown += shape.scale < 0 ? 1 : 0;
+  unknown -= usable.withheld();
   addColumns(cloud, result.shapes);
   warnings.clear();
   io::writeCloud(output, cloud, writing, &warnings, &frame.monitor);
@@ -289,6 +295,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   frame.summary["noise_rate"] = numberOrNull(noise_rate);
   frame.summary["noise_width"] = numberOrNull(noise_width);
   frame.summary["unknown"] = unknown;
+  frame.summary["withheld"] = usable.withheld();
   return frame.finish();
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline/output_files.h>
 
@@ -87,7 +88,9 @@ runPowerlines(const std::vector<std::string>& arguments)
 {
   Frame frame("powerlines",
               "Find every wire of an airborne or UAV scan: classified cloud, vectors, "
-              "report");
+              "report. Points flagged as withheld take no part and stay in the "
+              "classified cloud as they are; overlap, synthetic and key points are "
+              "used like others.");
   std::string in, folder;
   powerline::PowerLineSettings settings;
   io::ReadOptions reading;
@@ -117,8 +120,9 @@ runPowerlines(const std::vector<std::string>& arguments)
     warnings.push_back("the reference system tells no unit of heights; they count as " +
                        units.height_name + ", like x and y");
   if (cloud.wkt.empty())
-    warnings.push_back(in + " tells no reference system: coordinates count as metres, "
-                            "and readers of wires.geojson take them for degrees");
+    warnings.push_back(in +
+                       " tells no reference system: its coordinates count as metres");
+  const std::size_t withheld = io::UsablePoints(cloud, &warnings).withheld();
   powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =
@@ -157,6 +161,7 @@ runPowerlines(const std::vector<std::string>& arguments)
     std::printf("%s\n", file.c_str());
 
   frame.summary["points"] = points;
+  frame.summary["withheld"] = withheld;
   frame.summary["lines"] = network.circuits.size();
   frame.summary["spans"] = network.spans.size();
   frame.summary["wires"] = network.wires.size();

@@ -11,6 +11,7 @@
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
 #include <linelet/search/scale_unit.h>
 
 #include "commands.h"
@@ -198,7 +199,8 @@ runTensor(const std::vector<std::string>& arguments)
       "Measures the shape of every point's neighbourhood: tensor, eigenvalues, "
       "major direction, normal, linearity, planarity, sphericity and number of "
       "neighbours, added to the attributes of the input. Without --radius, --knn "
-      "or a field the radius is chosen: three times the scale unit D.");
+      "or a field the radius is chosen: three times the scale unit D. Points flagged "
+      "as withheld take no part and have no shape.");
   TensorSettings settings;
   io::ReadOptions reading;
   io::WriteOptions writing;
@@ -225,6 +227,8 @@ runTensor(const std::vector<std::string>& arguments)
   StopWatch watch;
   std::vector<std::string> warnings;
   io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
+  const io::UsablePoints usable(cloud, &warnings);
+  const Points& points = usable.points();
   frame.warn(warnings);
   const double read_seconds = watch.lap();
 
@@ -232,10 +236,10 @@ runTensor(const std::vector<std::string>& arguments)
   double scale_unit = std::nan("");
   if (settings.radius == 0 && settings.k == 0 && radius_field.empty() &&
       knn_field.empty()) {
-    scale_unit = scaleUnit(cloud.points, 1024, 1, frame.threads);
+    scale_unit = scaleUnit(points, 1024, 1, frame.threads);
     settings.radius = chooseRadius(scale_unit, input);
   }
-  const Records records = estimate(cloud.points, settings, sizes, device, frame);
+  const Records records = estimate(points, settings, sizes, device, frame);
   const double tensor_seconds = watch.lap();
 
   std::size_t unknown = 0;
@@ -244,10 +248,11 @@ runTensor(const std::vector<std::string>& arguments)
     unknown += std::isnan(record.linearity);
     neighbors += record.neighbors;
   }
-  const auto count = static_cast<double>(records.size());
+  unknown -= usable.withheld();
+  const auto count = static_cast<double>(records.size() - usable.withheld());
   // One point in a hundred is no reason for another radius.
   if (static_cast<double>(unknown) > 0.01 * count && std::isnan(scale_unit))
-    scale_unit = scaleUnit(cloud.points, 1024, 1, frame.threads);
+    scale_unit = scaleUnit(points, 1024, 1, frame.threads);
 
   addColumns(cloud, records);
   watch.lap();
@@ -288,6 +293,7 @@ runTensor(const std::vector<std::string>& arguments)
   frame.summary["engine"] = engine;
   frame.summary["mean_neighbors"] = count > 0 ? neighbors / count : 0.0;
   frame.summary["unknown"] = unknown;
+  frame.summary["withheld"] = usable.withheld();
   frame.summary["seconds"] = {
       {"read", read_seconds}, {"tensor", tensor_seconds}, {"write", write_seconds}};
   return frame.finish();

@@ -147,7 +147,8 @@ void
 writeCurves(const std::string& path,
             const CurveNetwork& network,
             const Point& shift,
-            const std::string& wkt)
+            const std::string& wkt,
+            std::vector<std::string>* warnings)
 {
   const std::string ending = endingOf(path);
   if (ending == ".obj")
@@ -159,7 +160,7 @@ writeCurves(const std::string& path,
   else if (ending == ".csv")
     writeText(path, curvesAsCsv(network, shift));
   else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
-    writeLayers(path, {layerOf(network, shift)}, wkt);
+    writeLayers(path, {layerOf(network, shift)}, wkt, warnings);
   else
     noCurveFormat(path);
 }

@@ -3,6 +3,7 @@
 
 #include <linelet/io/vector_file.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -254,15 +255,28 @@ writeDxf(const std::string& path,
   writer.close();
 }
 
+bool
+isEmpty(const std::vector<VectorLayer>& layers)
+{
+  return std::all_of(layers.begin(), layers.end(), [](const VectorLayer& layer) {
+    return layer.features.empty();
+  });
+}
+
 } // namespace
 
 void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
-            const std::string& wkt)
+            const std::string& wkt,
+            std::vector<std::string>* warnings)
 {
   const std::string ending = endingOf(path);
   if (ending == ".geojson") {
+    if (wkt.empty() && warnings != nullptr && !isEmpty(layers))
+      warnings->push_back(path + ": the input tells no reference system, so readers of "
+                                 "GeoJSON take the coordinates for degrees; .gpkg says "
+                                 "it is unknown");
     OutputFile file(path);
     file.write(layersAsGeoJson(layers, wkt));
     return file.commit();

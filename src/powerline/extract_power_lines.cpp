@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <linelet/io/usable_points.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline/metric_frame.h>
 
@@ -159,11 +160,12 @@ extractPowerLines(const io::Cloud& cloud,
       classes[i] = static_cast<std::uint8_t>(io::valueAt(*column, i));
   }
   const MetricFrame frame(cloud);
+  const io::UsablePoints usable(cloud);
   if (frame.units().areMetres())
-    return extractPowerLines(cloud.points, classes, settings, monitor);
+    return extractPowerLines(usable.points(), classes, settings, monitor);
   Points points(cloud.points.size());
-  std::transform(cloud.points.begin(),
-                 cloud.points.end(),
+  std::transform(usable.points().begin(),
+                 usable.points().end(),
                  points.begin(),
                  [&](const Point& p) { return frame.metres(p); });
   return extractPowerLines(points, classes, settings, monitor);

@@ -83,7 +83,7 @@ writePowerLineFiles(const std::string& folder,
 
   const auto layers = powerLineLayers(cloud, network, options);
   for (std::size_t i = 1; i <= 3; ++i)
-    io::writeLayers(paths[i], layers, cloud.wkt);
+    io::writeLayers(paths[i], layers, cloud.wkt, warnings);
   writeText(paths[4], powerLineSummary(cloud, network, options));
   writeText(paths[5], powerLineReport(cloud, network, options));
   classify(cloud, network);

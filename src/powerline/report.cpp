@@ -140,7 +140,8 @@ powerLineReport(const io::Cloud& cloud,
                 const PowerLineNetwork& network,
                 const OutputOptions& options)
 {
-  const Content content{cloud, network, options, MetricFrame(cloud)};
+  const Content content{
+      cloud, network, options, MetricFrame(cloud), io::UsablePoints(cloud)};
   const std::string name = options.source.empty() ? std::string("point cloud")
                                                   : report::escaped(options.source);
   const std::string reference = io::referenceName(cloud.wkt);

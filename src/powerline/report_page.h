@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include <linelet/io/usable_points.h>
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline/output_files.h>
 
@@ -88,12 +89,13 @@ struct Content {
   const PowerLineNetwork& network;
   const OutputOptions& options;
   MetricFrame metric;
+  io::UsablePoints usable;
 
-  /** \brief A point of the cloud in metres, as the network has it. */
+  /** \brief A point of the cloud in metres, as the network has it; NaN if withheld. */
   Point
   point(std::size_t i) const
   {
-    return metric.metres(cloud.points[i]);
+    return metric.metres(usable.points()[i]);
   }
 
   const Wire&

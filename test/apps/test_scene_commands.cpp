@@ -168,6 +168,23 @@ TEST_F(SceneCommands, PowerlinesFindsNoneOnBareGround)
   }
 }
 
+TEST_F(SceneCommands, AMissingReferenceSystemIsSaidOnce)
+{
+  const std::string sample = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
+  io::Cloud cloud = io::readCloud(sample);
+  ASSERT_FALSE(cloud.wkt.empty());
+  EXPECT_EQ(runWell("powerlines " + sample + " " + path("known")).error, "");
+
+  cloud.wkt.clear();
+  io::writeCloud(path("nowhere.las"), cloud);
+  const Outcome run =
+      runWell("powerlines " + path("nowhere.las") + " " + path("unknown"));
+  EXPECT_EQ(lines(run.error), 2) << run.error;
+  EXPECT_THAT(run.error, HasSubstr("its coordinates count as metres"));
+  EXPECT_THAT(run.error, HasSubstr(path("unknown/wires.geojson")));
+  EXPECT_THAT(run.error, HasSubstr("take the coordinates for degrees"));
+}
+
 TEST_F(SceneCommands, ImagesArePngFilesOfTheWantedSize)
 {
   const std::string input = writeWire(100);

@@ -33,8 +33,9 @@ extractPowerLines(const Points& points,
                   const PowerLineSettings& settings = {},
                   Monitor* monitor = nullptr);
 
-/** \brief The same for a cloud, whose column `classification` gives the classes. The
- * network is in metres also where the cloud is not: see MetricFrame.
+/** \brief The same for a cloud, whose column `classification` gives the classes.
+ * Withheld points take no part (io::UsablePoints). The network is in metres also where
+ * the cloud is not: see MetricFrame.
  * \throws std::invalid_argument also where the cloud's units are no lengths */
 PowerLineNetwork
 extractPowerLines(const io::Cloud& cloud,
