@@ -13,27 +13,41 @@ power(Floats base, int exponent)
   return result;
 }
 
-// 2^x. Drivers of CPUs call a function for the exponential of a vector, and a loop around
-// such a call keeps nothing in registers.
+// 2^x for lowest <= x <= 126. Drivers of CPUs call a function for the exponential of a
+// vector, and a loop around such a call keeps nothing in registers.
 INLINE Floats
-powerOfTwo(Floats x)
+powerOfTwo(Floats x, const int lowest)
 {
 #if WIDTH == 1
   return exp2(x);
 #else
-  const Floats held = clamp(x, -126.0f, 126.0f);
-  const Ints exponent = JOIN(convert_int, WIDTH)(held + 127.5f) - 127; // the nearest
-  const Floats rest = held - JOIN(convert_float, WIDTH)(exponent);
-  // Taylor series of 2^x, |x| <= 1/2: relative error 2e-7.
-  Floats p = 1.54035304e-4f;
-  p = p * rest + 1.33335581e-3f;
-  p = p * rest + 9.61812911e-3f;
-  p = p * rest + 5.55041087e-2f;
-  p = p * rest + 2.40226507e-1f;
-  p = p * rest + 6.93147181e-1f;
-  p = p * rest + 1.0f;
-  return JOIN(as_float, WIDTH)(JOIN(as_int, WIDTH)(p) + (exponent << 23));
+  // Whole and rest: what is not negative is rounded down by conversion.
+  const Floats above = x - lowest;
+  const Ints whole = JOIN(convert_int, WIDTH)(above);
+  const Floats rest = above - JOIN(convert_float, WIDTH)(whole);
+  // Minimax polynomial of 2^x, 0 <= x <= 1: relative error 7.5e-8.
+  Floats p = 1.877576673e-03f;
+  p = p * rest + 8.989340095e-03f;
+  p = p * rest + 5.582631805e-02f;
+  p = p * rest + 2.401536170e-01f;
+  p = p * rest + 6.931530732e-01f;
+  p = p * rest + 9.999999251e-01f;
+  return JOIN(as_float, WIDTH)(JOIN(as_int, WIDTH)(p) + ((whole + lowest) << 23));
 #endif
+}
+
+// 1 / (exp((x - m) / temperature) + 1), for x from 0 to 2.
+INLINE Floats
+fermiDirac(Floats x, float m, float temperature)
+{
+  // All but x is known when the program is built.
+  const float scale = M_LOG2E_F / temperature, shift = m * scale;
+  Floats exponent = x * scale - shift;
+  const bool wide = 2 * scale + fabs(shift) > 126;
+  if (wide)
+    exponent = clamp(exponent, -126.0f, 126.0f);
+  const int lowest = wide ? -127 : -(int)fabs(shift) - 1;
+  return 1 / (powerOfTwo(exponent, lowest) + 1);
 }
 
 INLINE Floats
@@ -66,7 +80,7 @@ weightOf(const int kernel_number, float first, float second, Floats x)
   case 30:
   case 31:
   case 32:
-    return 1 / (powerOfTwo(mad(x, M_LOG2E_F / second, -first * M_LOG2E_F / second)) + 1);
+    return fermiDirac(x, first, second);
   case 33: // step
     return x <= first ? one : zero;
   case 1: // linear, cs-rbf-1
