@@ -28,9 +28,10 @@ ScaleField::ScaleField(const Points& points, double scale_unit)
   std::vector<double> logarithms(points.size());
   std::vector<Indices> near(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
+    // The point itself, or one in its place, is the nearest of all.
+    const double sixth = tree_->nearest(points[i], spacing_neighbours + 1, near[i]);
+    const double spacing = sixth / scale_unit;
     tree_->nearest(points[i], smoothing_neighbours + 1, near[i]);
-    const Index sixth = near[i][std::min(spacing_neighbours, near[i].size() - 1)];
-    const double spacing = (points[sixth] - points[i]).norm() / scale_unit;
     logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
   }
   std::vector<double> linear;
