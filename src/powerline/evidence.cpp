@@ -76,7 +76,7 @@ isBundle(const Growth& growth,
          double least_density,
          const PowerLineSettings& settings)
 {
-  if (piece.model.length() < settings.min_length || piece.model.tolerance < 0.2 ||
+  if (piece.model.length() < settings.min_length || piece.model.tolerance < 0.15 ||
       static_cast<double>(piece.members.size()) < least_density * piece.model.length())
     return false;
   Piece bundle = piece;

@@ -18,6 +18,8 @@ constexpr double pole_radius = 0.4; // metres
 constexpr double clear_from = 0.9, clear_to = 2.0; // metres around it, along the wire
 constexpr double filled = 0.7;        // of the metres from candidates to wire
 constexpr double contrast = 4;        // points of the pole per points around
+constexpr double alone_from = 0.6, alone_to = 3.0; // metres, empty around a pole ...
+constexpr double filled_alone = 0.4; // ... that may have so few points
 constexpr double least_piece = 6;     // metres, a shorter rest is cut off
 constexpr std::size_t crowded = 3000; // points below, too many for a pole in the open
 
@@ -71,6 +73,7 @@ findPoles(const std::vector<Below>& points)
       continue;
     std::set<int> hit;
     double inside = 0, around = 0;
+    bool alone = true;
     for (const Below& p : points) {
       if (p.drop < 0.3 || p.drop > centre.depth)
         continue;
@@ -81,9 +84,11 @@ findPoles(const std::vector<Below>& points)
       }
       else if (away >= clear_from && away <= clear_to)
         ++around;
+      alone = alone && (away < alone_from || away > alone_to);
     }
-    if (static_cast<double>(hit.size()) >= filled * slices && *hit.begin() <= 1 &&
-        inside >= 4 && inside >= contrast * around)
+    const double least = alone ? filled_alone : filled;
+    if (static_cast<double>(hit.size()) >= least * slices && *hit.begin() <= 1 &&
+        inside >= (alone ? 3 : 4) && inside >= contrast * around)
       poles.push_back({centre.s, inside});
   }
   std::sort(poles.begin(), poles.end(), [](const Pole& a, const Pole& b) {

@@ -18,6 +18,7 @@ constexpr double body_search = 2.5;          // metres around the axis
 constexpr double body_flare = 0.12;          // growth of that per metre downwards
 constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
+constexpr double filled_alone = 0.4; // the same where nothing else stands
 constexpr double contrast = 3;      // density of the body over that of its surroundings
 constexpr double lowest_pylon = 12; // metres, lines on lower supports hang from poles
 constexpr double arm_depth = 3;     // metres, crossarms reach below their wires
@@ -69,7 +70,7 @@ findPole(Tower& tower, const std::vector<Local>& points, double low, double high
       best_v = p.v;
     }
   }
-  if (best < filled)
+  if (best < filled_alone)
     return false;
   double inside = 0, around = 0;
   for (const Local& p : points)
@@ -80,7 +81,7 @@ findPole(Tower& tower, const std::vector<Local>& points, double low, double high
     }
   // Crossarms and ties are there, but a pole has little else around itself.
   if (around * (0.4 * 0.4) / (2 * 2 - 0.8 * 0.8) * contrast > inside ||
-      around > 2 * inside)
+      around > 2 * inside || (best < filled && (around > 0 || inside < 3)))
     return false;
   const Eigen::Vector2d across(-tower.arm.along.y(), tower.arm.along.x());
   tower.arm.centre +=
