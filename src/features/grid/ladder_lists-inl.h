@@ -15,21 +15,13 @@
 
 #include <hwy/highway.h>
 
+#include "append-inl.h"
 #include "ladder_kernels.h"
 #include "weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
-
-/** \brief Stores the lanes of \a mask one after the other; a whole vector is written.
- */
-template <class Tag, class Vector, class Mask>
-HWY_INLINE void
-put(Tag tag, Vector vector, Mask mask, hn::TFromD<Tag>* at)
-{
-  hn::StoreU(hn::Compress(vector, mask), tag, at);
-}
 
 template <class Mask>
 HWY_INLINE std::uint32_t
@@ -74,13 +66,13 @@ splitGroups(const PointList& groups,
         hn::And(hn::Gt(least, hn::Zero(f)), hn::Lt(squared, hn::Mul(least, least)));
     const auto whole = hn::And(reached, within), keep = hn::AndNot(within, reached);
     const auto id = hn::Load(u, groups.id + i);
-    put(u, id, hn::RebindMask(u, whole), certain + count);
+    append(u, id, hn::RebindMask(u, whole), certain + count);
     count += hn::CountTrue(f, whole);
-    put(f, x, keep, open.x + size);
-    put(f, y, keep, open.y + size);
-    put(f, z, keep, open.z + size);
-    put(f, radius, keep, open.h + size);
-    put(u, id, hn::RebindMask(u, keep), open.id + size);
+    append(f, x, keep, open.x + size);
+    append(f, y, keep, open.y + size);
+    append(f, z, keep, open.z + size);
+    append(f, radius, keep, open.h + size);
+    append(u, id, hn::RebindMask(u, keep), open.id + size);
     size += hn::CountTrue(f, keep);
   }
   open.size = size;
@@ -208,13 +200,13 @@ openGroups(const PointList& groups,
         const auto keep = hn::AndNot(within, reached);
         if (!hn::AllFalse(f, within))
           sums.add(within, p.x, p.y, p.z);
-        put(f, p.x, keep, open.x + size);
-        put(f, p.y, keep, open.y + size);
-        put(f, p.z, keep, open.z + size);
-        put(f, h, keep, open.h + size);
+        append(f, p.x, keep, open.x + size);
+        append(f, p.y, keep, open.y + size);
+        append(f, p.z, keep, open.z + size);
+        append(f, h, keep, open.h + size);
         const auto slot =
             hn::Add(lane, hn::Set(u, begin + static_cast<std::uint32_t>(i)));
-        put(u, slot, hn::RebindMask(u, keep), open.id + size);
+        append(u, slot, hn::RebindMask(u, keep), open.id + size);
         size += hn::CountTrue(f, keep);
       }
     }
@@ -254,11 +246,11 @@ order(PointList& list,
       const auto keep = hn::And(inside, hn::Le(h, limit));
       const auto leave = hn::AndNot(keep, inside);
       const auto store = [&](PointList& to, std::size_t at, auto mask) HWY_ATTR {
-        put(f, x, mask, to.x + at);
-        put(f, y, mask, to.y + at);
-        put(f, z, mask, to.z + at);
-        put(f, h, mask, to.h + at);
-        put(u, id, hn::RebindMask(u, mask), to.id + at);
+        append(f, x, mask, to.x + at);
+        append(f, y, mask, to.y + at);
+        append(f, z, mask, to.z + at);
+        append(f, h, mask, to.h + at);
+        append(u, id, hn::RebindMask(u, mask), to.id + at);
       };
       // Never further than what has been read.
       store(list, near, keep);

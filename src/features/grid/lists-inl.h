@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include "append-inl.h"
 #include "sums-inl.h"
 #include "sweep_kernels.h"
 
@@ -20,13 +21,16 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
 
-/** \brief Stores the lanes of \a mask one after the other; a whole vector is written.
- * (Compressing in a register is fast everywhere, compressing into memory is not.) */
-template <class Tag, class Vector, class Mask>
+/** \brief As PointList::pad, for readers by vectors. */
 HWY_INLINE void
-append(Tag tag, Vector vector, Mask mask, hn::TFromD<Tag>* at)
+pad(PointList& list)
 {
-  hn::StoreU(hn::Compress(vector, mask), tag, at);
+  const F f;
+  const V far = constant(PointList::far_away);
+  hn::StoreU(far, f, list.x + list.size);
+  hn::StoreU(far, f, list.y + list.size);
+  hn::StoreU(far, f, list.z + list.size);
+  hn::StoreU(constant(PointList::far_away_square), f, list.h + list.size);
 }
 
 void
@@ -107,7 +111,7 @@ classifyAs(const PointList& in, const Ball& ball, PointList& out, Moments* insid
       sums.add(part);
   }
   out.size = size;
-  out.pad();
+  pad(out);
   if constexpr (sum)
     sums.addTo(*inside);
 }
@@ -148,22 +152,18 @@ splitAs(const PointList& in, const Ball& ball, PointList& out, PointList& certai
     const V squared = squareOf(dx, dy, dz);
     const auto within = hn::And(hn::Lt(squared, inside), hn::Ge(squared, near));
     const auto keep = hn::AndNot(within, hn::Le(squared, most));
-    if (!hn::AllFalse(f, within)) {
-      append(f, x, within, certain.x + certain_size);
-      append(f, y, within, certain.y + certain_size);
-      append(f, z, within, certain.z + certain_size);
-      certain_size += hn::CountTrue(f, within);
-    }
-    if (!hn::AllFalse(f, keep)) {
-      append(f, recentre ? dx : x, keep, out.x + size);
-      append(f, recentre ? dy : y, keep, out.y + size);
-      append(f, recentre ? dz : z, keep, out.z + size);
-      append(u, hn::Load(u, in.id + i), hn::RebindMask(u, keep), out.id + size);
-      size += hn::CountTrue(f, keep);
-    }
+    append(f, x, within, certain.x + certain_size);
+    append(f, y, within, certain.y + certain_size);
+    append(f, z, within, certain.z + certain_size);
+    certain_size += hn::CountTrue(f, within);
+    append(f, recentre ? dx : x, keep, out.x + size);
+    append(f, recentre ? dy : y, keep, out.y + size);
+    append(f, recentre ? dz : z, keep, out.z + size);
+    append(u, hn::Load(u, in.id + i), hn::RebindMask(u, keep), out.id + size);
+    size += hn::CountTrue(f, keep);
   }
   out.size = size;
-  out.pad();
+  pad(out);
   certain.size = certain_size;
 }
 
@@ -218,7 +218,7 @@ neighbours(const PointList& list, const BandedQuery& query, PointList& out)
     size += hn::CountTrue(f, keep);
   }
   out.size = size;
-  out.pad();
+  pad(out);
   return !hn::AllFalse(f, doubtful);
 }
 

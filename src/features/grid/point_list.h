@@ -24,8 +24,8 @@ public:
    * last one may be written. */
   static constexpr std::size_t padding = 64;
 
-  /** \brief Coordinates of padding. */
-  static constexpr float far_away = 1e15F;
+  /** \brief Coordinates of padding, and its squared distance from anywhere. */
+  static constexpr float far_away = 1e15F, far_away_square = 1e30F;
 
   std::size_t size = 0;
   float *x = nullptr, *y = nullptr, *z = nullptr;
@@ -75,7 +75,7 @@ public:
   {
     for (std::size_t i = size; i < size + padding; ++i) {
       x[i] = y[i] = z[i] = far_away;
-      h[i] = 1e30F;
+      h[i] = far_away_square;
       id[i] = 0;
     }
   }

@@ -69,23 +69,22 @@ struct ProductSums {
   HWY_INLINE QuadraticMoments
   moments(std::size_t count) const
   {
-    const auto total = [](V v) HWY_ATTR { return Sums<true>::sumOf(v); };
-    const auto of = [&](double weight, Point first, V a, V b, V c, V d, V e, V g)
+    const auto of = [](double weight, Point first, V a, V b, V c, V d, V e, V g)
                         HWY_ATTR {
                           Moments m;
                           m.count = weight;
                           m.first = first;
-                          m.xx = total(a);
-                          m.xy = total(b);
-                          m.xz = total(c);
-                          m.yy = total(d);
-                          m.yz = total(e);
-                          m.zz = total(g);
+                          m.xx = sumOf(a);
+                          m.xy = sumOf(b);
+                          m.xz = sumOf(c);
+                          m.yy = sumOf(d);
+                          m.yz = sumOf(e);
+                          m.zz = sumOf(g);
                           return m;
                         };
     QuadraticMoments m;
     m.one = of(static_cast<double>(count),
-               {total(x), total(y), total(z)},
+               {sumOf(x), sumOf(y), sumOf(z)},
                xx,
                xy,
                xz,

@@ -11,6 +11,8 @@
 #define LINELET_GRID_SUMS_INL
 #endif
 
+#include <array>
+
 #include <hwy/highway.h>
 
 #include "sweep_kernels.h"
@@ -72,30 +74,74 @@ struct ChunkSums {
   }
 };
 
+HWY_INLINE double
+sumOf(V v)
+{
+  return static_cast<double>(hn::GetLane(hn::SumOfLanes(F(), v)));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE std::array<double, 4>
+sumsOf(V a, V b, V c, V d)
+{
+  return {sumOf(a), sumOf(b), sumOf(c), sumOf(d)};
+}
+
+#else
+
+/** \brief The sum of all blocks of four lanes. */
+template <class Tag>
+HWY_INLINE hn::Vec<hn::Full128<float>>
+sumOfBlocks(Tag tag, hn::Vec<Tag> v)
+{
+  if constexpr (hn::MaxLanes(Tag()) == 4)
+    return v;
+  else {
+    const hn::Half<Tag> half;
+    return sumOfBlocks(half, hn::Add(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+  }
+}
+
+/** \brief The sums of the lanes of four vectors: they are turned into columns as they
+ * are added, in fewer steps than four sums by themselves. */
+HWY_INLINE std::array<double, 4>
+sumsOf(V a, V b, V c, V d)
+{
+  const F f;
+  const hn::Repartition<double, F> pairs;
+  const V ab = hn::Add(hn::InterleaveLower(f, a, b), hn::InterleaveUpper(f, a, b));
+  const V cd = hn::Add(hn::InterleaveLower(f, c, d), hn::InterleaveUpper(f, c, d));
+  const auto p = hn::BitCast(pairs, ab), q = hn::BitCast(pairs, cd);
+  const V abcd = hn::Add(hn::BitCast(f, hn::InterleaveLower(pairs, p, q)),
+                         hn::BitCast(f, hn::InterleaveUpper(pairs, p, q)));
+  HWY_ALIGN std::array<float, 4> sums;
+  hn::Store(sumOfBlocks(f, abcd), hn::Full128<float>(), sums.data());
+  return {sums[0], sums[1], sums[2], sums[3]};
+}
+
+#endif
+
 /** \brief The sum of chunks, in double. */
 template <bool with_first>
 struct Sums {
   Moments total;
 
-  static HWY_INLINE double
-  sumOf(V v)
-  {
-    const F f;
-    return static_cast<double>(hn::GetLane(hn::SumOfLanes(f, v)));
-  }
-
   HWY_INLINE void
   add(const ChunkSums<with_first>& part)
   {
-    total.count += static_cast<double>(part.count) + sumOf(part.weight);
+    const auto [xx, xy, xz, yy] = sumsOf(part.xx, part.xy, part.xz, part.yy);
+    total.xx += xx;
+    total.xy += xy;
+    total.xz += xz;
+    total.yy += yy;
+    const V last = with_first ? part.sx : hn::Zero(F());
+    const auto [yz, zz, weight, x] = sumsOf(part.yz, part.zz, part.weight, last);
+    total.yz += yz;
+    total.zz += zz;
+    total.count += static_cast<double>(part.count) + weight;
     if constexpr (with_first)
-      total.first += Point(sumOf(part.sx), sumOf(part.sy), sumOf(part.sz));
-    total.xx += sumOf(part.xx);
-    total.xy += sumOf(part.xy);
-    total.xz += sumOf(part.xz);
-    total.yy += sumOf(part.yy);
-    total.yz += sumOf(part.yz);
-    total.zz += sumOf(part.zz);
+      total.first += Point(x, sumOf(part.sy), sumOf(part.sz));
   }
 
   HWY_INLINE void
