@@ -8,7 +8,7 @@
 #include <linelet/curves/curve_likeness.h>
 #include <linelet/curves/junction_pairing.h>
 #include <linelet/curves/model_score.h>
-#include <linelet/curves/ridge_trace.h>
+#include <linelet/curves/spanning_curves.h>
 
 namespace linelet {
 
@@ -17,6 +17,12 @@ namespace {
 // A part this large is looked at before it is worked on: where hardly any neighbourhood
 // of sampled points is linear, it is a surface or a volume.
 constexpr std::size_t large_part = 5000;
+// A curve along the shortest tree has so many edges at least. It runs through the
+// points, so its fit begins with little noise; and as it follows the noise of thick
+// clouds, it has to be better by this much than what ridges led to.
+constexpr std::size_t least_spanned = 6;
+constexpr double spanning_bandwidth = 0.35;
+constexpr double least_spanning_gain = 12;
 
 } // namespace
 
@@ -71,14 +77,35 @@ PartInWork::vary(const ScaleField* scales, bool noise)
 double
 PartInWork::tryBandwidth(std::size_t k)
 {
-  const double unit = scales_ ? scales_->unit() : scale_unit_;
-  const double b = bandwidths[k] * unit;
+  const double b = bandwidths[k] * unit();
   const RidgeField field(points_, b, scales_);
-  const Traces traces = traceRidges(field, {user_.start_points, user_.max_iterations});
+  return tryTraces(traceRidges(field, {user_.start_points, user_.max_iterations}), b);
+}
+
+void
+PartInWork::trySpanning()
+{
+  tryTraces(spanningCurves(points_, least_spanned),
+            spanning_bandwidth * unit(),
+            least_spanning_gain);
+}
+
+double
+PartInWork::unit() const
+{
+  return scales_ ? scales_->unit() : scale_unit_;
+}
+
+double
+PartInWork::tryTraces(const Traces& traces, double b, double gain)
+{
+  const auto bandwidthAt = [&](const Point& x) {
+    return scales_ ? b * scales_->at(x) : b;
+  };
   double local = scales_ && !traces.meetings.empty() ? 0 : b; // where curves meet
   if (local == 0)
     for (const Point& meeting : traces.meetings)
-      local += field.bandwidthAt(meeting) / static_cast<double>(traces.meetings.size());
+      local += bandwidthAt(meeting) / static_cast<double>(traces.meetings.size());
   PairingSettings pairing;
   pairing.cluster = 2.5 * local;
   pairing.cut = 1.25 * local;
@@ -90,18 +117,18 @@ PartInWork::tryBandwidth(std::size_t k)
       (alike && !best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
     return best_.score;
   for (ModelCurve& curve : start)
-    curve.scale = std::min(field.bandwidthAt(curve.nodes.front()),
-                           field.bandwidthAt(curve.nodes.back()));
+    curve.scale =
+        std::min(bandwidthAt(curve.nodes.front()), bandwidthAt(curve.nodes.back()));
   EmSettings settings;
   settings.scales = scales_;
-  settings.spacing = std::max(0.4 * unit, 0.24 * b);
+  settings.spacing = std::max(0.4 * unit(), 0.24 * b);
   settings.noise = 0.5 * b;
-  settings.least_noise = 0.1 * unit;
+  settings.least_noise = 0.1 * unit();
   settings.bending = 1 / frame_.diagonal;
   settings.varied_noise = varied_noise_;
   EmFit fit = fitter_.fit(start, settings, best_.score);
   const double score = scoreOf(fit, points_.size());
-  take(std::move(fit), settings);
+  take(std::move(fit), settings, gain);
   return score;
 }
 

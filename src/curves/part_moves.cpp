@@ -146,7 +146,8 @@ simplify(PartInWork& part)
       return;
     settings.noise = best.noise;
     better = false;
-    for (const ModelCurves& start : simplerNetworks(best.curves, part.scaleUnit())) {
+    for (const ModelCurves& start :
+         simplerNetworks(best.curves, part.scaleUnit(), settings.scales)) {
       const double rival = part.best().score;
       if (part.take(part.fit(start, settings, rival), part.best().settings, least_gain))
         better = true;

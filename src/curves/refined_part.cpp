@@ -25,6 +25,8 @@ constexpr std::size_t samples = 3;
 constexpr int most_rejoinings = 3;
 // Networks with fewer ends or curves are tried in parts up to this size.
 constexpr std::size_t simplified_part = 5000;
+// Points so few may be too sparse for ridges, however even their spacing.
+constexpr std::size_t spanned_part = 200;
 
 /** \brief The bandwidth (its number) that fits best around a few points. */
 std::size_t
@@ -109,6 +111,8 @@ refinePart(const Points& points,
   for (int round = 0; round < most_rejoinings && !sampled; ++round)
     if (!rejoin(part))
       break;
+  if (points.size() <= (scales ? simplified_part : spanned_part))
+    part.trySpanning();
   traceTheRest(part);
   if (points.size() <= simplified_part)
     simplify(part);

@@ -3,6 +3,7 @@
 
 #include <linelet/curves/simpler_networks.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -13,7 +14,7 @@ namespace linelet {
 
 namespace {
 
-constexpr std::array<double, 3> gaps = {3, 6, 12}; // in units
+constexpr std::array<double, 4> gaps = {1.5, 3, 6, 12}; // in units
 constexpr double end_reach = 0.5; // of a gap, over which the direction of ends is taken
 // Left out are curves of less than this share of the length of all.
 constexpr double short_share = 0.25;
@@ -50,11 +51,28 @@ freeEnds(const ModelCurves& curves)
   return count;
 }
 
+/** \brief The widest scale at a free end of \a curves. */
+double
+scaleAtEnds(const ModelCurves& curves, const ScaleField& scales)
+{
+  double widest = 0;
+  for (const ModelCurve& curve : curves) {
+    if (curve.closed)
+      continue;
+    if (curve.junction[0] < 0)
+      widest = std::max(widest, scales.at(curve.nodes.front()));
+    if (curve.junction[1] < 0)
+      widest = std::max(widest, scales.at(curve.nodes.back()));
+  }
+  return widest;
+}
+
 } // namespace
 
 std::vector<ModelCurves>
-simplerNetworks(const ModelCurves& curves, double unit)
+simplerNetworks(const ModelCurves& curves, double scale_unit, const ScaleField* scales)
 {
+  const double unit = scale_unit * (scales ? scaleAtEnds(curves, *scales) : 1);
   std::vector<ModelCurves> result;
   const std::size_t ends = freeEnds(curves);
   for (const double gap : gaps)

@@ -11,6 +11,7 @@
 
 #include <linelet/curves/em_fit.h>
 #include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/ridge_trace.h>
 
 namespace linelet {
 
@@ -92,6 +93,11 @@ public:
   double
   tryBandwidth(std::size_t k);
 
+  /** \brief Fits curves along the shortest tree of the points (\ref spanningCurves),
+   * kept where they are clearly better. */
+  void
+  trySpanning();
+
   /** \brief Hands the best fit out; the part is done. */
   EmFit
   release()
@@ -100,6 +106,13 @@ public:
   }
 
 private:
+  double
+  unit() const;
+  /** \brief Fits \a traces of bandwidth \a b, kept where better by \a gain.
+   * \return as \ref tryBandwidth does */
+  double
+  tryTraces(const Traces& traces, double b, double gain = 0);
+
   const Points& points_;
   double scale_unit_;
   CloudFrame frame_;
