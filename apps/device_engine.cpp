@@ -25,8 +25,10 @@ estimateOnDevice([[maybe_unused]] const std::string& device,
   const opencl::StageTimes& times = engine.stageTimes();
   frame.summary["device"] = engine.device().name;
   frame.summary["device_slabs"] = engine.slabs();
+  frame.summary["device_queries_on_host"] = engine.queriesOnHost();
   frame.summary["device_seconds"] = {{"upload", times.upload},
                                      {"grid", times.grid},
+                                     {"nearest", times.nearest},
                                      {"tensor", times.tensor},
                                      {"analysis", times.analysis},
                                      {"download", times.download}};

@@ -117,10 +117,11 @@ explained(const cl::Error& error, const std::string& device)
           error.err()};
 }
 
-Context::Context(const std::string& wish, unsigned lanes)
+Context::Context(const std::string& wish, unsigned lanes, bool use_double)
     : lanes_(lanes), cl_device_(choose(wish))
 {
   device_ = describe(cl_device_);
+  device_.double_precision &= use_double;
   const auto native = cl_device_.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
   if (lanes_ == 0)
     lanes_ = native >= 16 ? 16 : native >= 8 ? 8 : native >= 4 ? 4 : 1;

@@ -30,8 +30,12 @@ public:
    * first one whose number (as listed by \ref devices) or part of whose name is
    * \a wish.
    * \param[in] lanes see \ref lanes; 0: as many as the device prefers
+   * \param[in] use_double false: does without double precision even if the device has
+   * it
    * \throws Error listing the devices where there is none such */
-  explicit Context(const std::string& wish = {}, unsigned lanes = 0);
+  explicit Context(const std::string& wish = {},
+                   unsigned lanes = 0,
+                   bool use_double = true);
 
   const Device&
   device() const

@@ -6,20 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
-#include <linelet/features/point_types.h>
+#include "launch.h"
 
 namespace linelet::opencl {
 
 namespace {
 
-constexpr std::size_t group = 256;
 constexpr std::size_t sort_group = 128; // GROUP of sort.cl
 constexpr double margin = 2;            // empty cells beyond the points
-
-static_assert(sizeof(PointDistributionTensor) == 19 * sizeof(float),
-              "shapes.cl writes 18 floats and a count");
 
 /** \brief The chosen points as the device takes them. */
 struct Staging {
@@ -55,38 +50,6 @@ struct Staging {
     }
   }
 };
-
-template <class T>
-cl::Buffer
-upload(const Context& context, const std::vector<T>& values)
-{
-  const std::size_t bytes = values.size() * sizeof(T);
-  cl::Buffer buffer = context.buffer(bytes);
-  if (bytes > 0)
-    context.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, values.data());
-  return buffer;
-}
-
-void
-run(const Context& context,
-    const cl::Kernel& kernel,
-    std::size_t items,
-    std::size_t group_size = group)
-{
-  context.queue().enqueueNDRangeKernel(
-      kernel,
-      cl::NullRange,
-      cl::NDRange((items + group_size - 1) / group_size * group_size),
-      cl::NDRange(group_size));
-}
-
-template <class... Arguments>
-void
-setArguments(cl::Kernel& kernel, const Arguments&... arguments)
-{
-  cl_uint number = 0;
-  (kernel.setArg(number++, arguments), ...);
-}
 
 unsigned
 bitsFor(std::size_t count)
@@ -256,110 +219,6 @@ fillTable(Context& context,
                static_cast<cl_uint>(points),
                table.places);
   run(context, kernel, table.slots * CellTable::rows);
-}
-
-std::string
-tensorDefinitions(Centroid centroid,
-                  const Weighting& tensor_weight,
-                  const Weighting& centroid_weight)
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << std::showpoint << "-DCENTROID=" << static_cast<int>(centroid);
-  const auto define =
-      [&](const char* name, const char letter, const Weighting& weight) {
-        text << " -D" << name << '=' << static_cast<int>(weight.kernel()) << " -D"
-             << letter << "_FIRST=" << weight.parameters()[0] << "f -D" << letter
-             << "_SECOND=" << weight.parameters()[1] << 'f';
-      };
-  define("TENSOR_WEIGHT", 'W', tensor_weight);
-  define("CENTROID_WEIGHT", 'C', centroid_weight);
-  return text.str();
-}
-
-DeviceTensors
-computeTensors(Context& context, const std::string& definitions, const TensorJob& job)
-{
-  const bool exact = context.device().double_precision;
-  const auto cell_size = static_cast<cl_float>(job.frame.cell_size);
-  cl::Buffer xyz[3];
-  for (cl::Buffer& axis : xyz) {
-    // Lanes beyond the last point are read, and weighted by 0: they must be finite.
-    const std::size_t bytes = (job.points.count + context.lanes()) * sizeof(float);
-    axis = context.buffer(bytes);
-    context.queue().enqueueFillBuffer(axis, 0.0F, 0, bytes);
-  }
-  cl::Kernel gather = context.kernel("gatherPoints");
-  setArguments(gather,
-               job.point_keys,
-               job.points.count,
-               job.layout,
-               job.points.offsets,
-               job.points.cells,
-               cell_size,
-               xyz[0],
-               xyz[1],
-               xyz[2]);
-  run(context, gather, job.points.count);
-
-  DeviceTensors result;
-  const std::vector<float> float_radii(job.radii.begin(), job.radii.end());
-  result.radii = upload(context, float_radii);
-  result.stride =
-      (job.queries.count + context.lanes() - 1) / context.lanes() * context.lanes();
-  result.components = context.buffer(6 * result.stride * sizeof(float));
-  result.counts = context.buffer(job.queries.count * sizeof(cl_uint));
-
-  cl::Kernel kernel = context.kernel("tensors", definitions);
-  setArguments(kernel,
-               job.query_keys,
-               job.queries.count,
-               job.layout,
-               job.table.query_slot,
-               job.table.places,
-               job.queries.offsets,
-               job.queries.cells,
-               result.radii,
-               cell_size,
-               xyz[0],
-               xyz[1],
-               xyz[2],
-               result.stride,
-               result.components,
-               result.counts);
-  const cl::Buffer exact_radii = exact ? upload(context, job.radii) : cl::Buffer();
-  if (exact) {
-    constexpr cl_uint next = 15;
-    kernel.setArg(next, job.point_keys);
-    kernel.setArg(next + 1, job.points.positions);
-    kernel.setArg(next + 2, job.queries.positions);
-    kernel.setArg(next + 3, exact_radii);
-  }
-  run(context, kernel, job.queries.count);
-  context.queue().finish();
-  return result;
-}
-
-cl::Buffer
-computeShapes(Context& context,
-              const DeviceTensors& tensors,
-              const cl::Buffer& query_keys,
-              std::size_t queries,
-              const KeyLayout& layout)
-{
-  cl::Buffer records = context.buffer(queries * sizeof(PointDistributionTensor));
-  cl::Kernel kernel = context.kernel("shapes");
-  setArguments(kernel,
-               query_keys,
-               static_cast<cl_uint>(queries),
-               layout.index_bits,
-               tensors.radii,
-               tensors.stride,
-               tensors.components,
-               tensors.counts,
-               records);
-  run(context, kernel, (queries + context.lanes() - 1) / context.lanes());
-  return records;
 }
 
 } // namespace linelet::opencl

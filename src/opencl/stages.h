@@ -6,8 +6,6 @@
 #include <vector>
 
 #include <linelet/support/points.h>
-#include <linelet/tensor/centroid.h>
-#include <linelet/tensor/weighting.h>
 
 #include "context.h"
 
@@ -34,6 +32,12 @@ struct CellFrame {
 
   KeyLayout
   layout(std::size_t count) const;
+
+  cl_float
+  cellSize() const
+  {
+    return static_cast<cl_float>(cell_size);
+  }
 };
 
 /** \brief Points on the device: cell, place in the cell (float) and, where the device
@@ -100,44 +104,13 @@ fillTable(Context& context,
           std::size_t points,
           const KeyLayout& layout);
 
-/** \brief Definitions that specialise the tensor kernel for a centroid and weightings.
- */
-std::string
-tensorDefinitions(Centroid centroid,
-                  const Weighting& tensor_weight,
-                  const Weighting& centroid_weight);
-
-/** \brief What \ref computeTensors works on. */
-struct TensorJob {
-  const CellFrame& frame;
-  const KeyLayout& layout;
-  const DevicePoints& queries;
-  const cl::Buffer& query_keys;
-  const DevicePoints& points;
-  const cl::Buffer& point_keys;
-  const CellTable& table;
-  const std::vector<double>& radii; ///< one a query
+/** \brief Points and queries on the device, and what leads from one to the other. */
+struct Slab {
+  CellFrame frame;
+  KeyLayout layout;
+  DevicePoints points, queries;
+  cl::Buffer point_keys, query_keys; // sorted
+  CellTable table;
 };
-
-/** \brief Tensors on the device, by place of the query in sorted order. */
-struct DeviceTensors {
-  cl::Buffer radii;      // one a query, by index
-  cl_uint stride = 0;    // between components
-  cl::Buffer components; // xx xy xz yy yz zz
-  cl::Buffer counts;     // neighbours
-};
-
-/** \brief Runs the tensor kernel, specialised by \a definitions. */
-DeviceTensors
-computeTensors(Context& context, const std::string& definitions, const TensorJob& job);
-
-/** \brief Runs the eigen-analysis.
- * \return records (\ref PointDistributionTensor), by index of the query */
-cl::Buffer
-computeShapes(Context& context,
-              const DeviceTensors& tensors,
-              const cl::Buffer& query_keys,
-              std::size_t queries,
-              const KeyLayout& layout);
 
 } // namespace linelet::opencl

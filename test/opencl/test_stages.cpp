@@ -13,7 +13,7 @@
 
 #include <linelet/features/tensor_estimation.h>
 
-#include "stages.h"
+#include "tensor_stages.h"
 
 // Each kernel alone against the same thing done on the host.
 
@@ -75,6 +75,26 @@ allOf(const Points& points)
   Indices all(points.size());
   std::iota(all.begin(), all.end(), 0u);
   return all;
+}
+
+/** \brief All points, each a query too. */
+Slab
+slabOf(Context& context, const Points& points, double radius)
+{
+  const Indices all = allOf(points);
+  const CellFrame frame(points, all, radius);
+  Slab slab{frame, frame.layout(points.size()), {}, {}, {}, {}, {}};
+  slab.points = slab.queries = uploadPoints(context, points, all, frame, 1);
+  slab.point_keys = slab.query_keys =
+      sortedKeys(context, slab.points, frame, slab.layout);
+  slab.table = assignSlots(context, slab.query_keys, points.size(), slab.layout);
+  fillTable(context,
+            slab.table,
+            slab.query_keys,
+            slab.point_keys,
+            points.size(),
+            slab.layout);
+  return slab;
 }
 
 } // namespace
@@ -141,18 +161,13 @@ TEST_P(Stages, TableHoldsEveryPointWithinTheRadius)
 {
   // Wide enough along x that rows cross chunks of cells.
   const Points points = box(3000, Point(200, 4, 3));
-  const Indices all = allOf(points);
   const double radius = 1.1;
-  const CellFrame frame(points, all, radius);
-  const KeyLayout layout = frame.layout(points.size());
-  const DevicePoints on_device = uploadPoints(*context, points, all, frame, 1);
-  const cl::Buffer device_keys = sortedKeys(*context, on_device, frame, layout);
-  CellTable table = assignSlots(*context, device_keys, points.size(), layout);
-  fillTable(*context, table, device_keys, device_keys, points.size(), layout);
-  const auto keys = download<cl_ulong>(device_keys, points.size());
+  const Slab slab = slabOf(*context, points, radius);
+  const CellTable& table = slab.table;
+  const auto keys = download<cl_ulong>(slab.point_keys, points.size());
   const auto slots = download<cl_uint>(table.query_slot, points.size());
   const auto places = download<cl_uint>(table.places, table.bytes() / sizeof(cl_uint));
-  const std::uint64_t mask = (std::uint64_t{1} << layout.index_bits) - 1;
+  const std::uint64_t mask = (std::uint64_t{1} << slab.layout.index_bits) - 1;
 
   std::size_t checked = 0;
   for (std::size_t place = 0; place < points.size(); place += 37) {
@@ -181,23 +196,17 @@ TEST_P(Stages, TableHoldsEveryPointWithinTheRadius)
 TEST_P(Stages, TensorsAreThoseOfTheNeighbours)
 {
   const Points points = box(700, Point(5, 4, 3));
-  const Indices all = allOf(points);
-  const std::vector<double> radii(points.size(), 0.8);
-  const CellFrame frame(points, all, 0.8);
-  const KeyLayout layout = frame.layout(points.size());
-  const DevicePoints on_device = uploadPoints(*context, points, all, frame, 1);
-  const cl::Buffer device_keys = sortedKeys(*context, on_device, frame, layout);
-  CellTable table = assignSlots(*context, device_keys, points.size(), layout);
-  fillTable(*context, table, device_keys, device_keys, points.size(), layout);
+  const Slab slab = slabOf(*context, points, 0.8);
   const DeviceTensors tensors = computeTensors(
       *context,
       tensorDefinitions(Centroid::QueryPoint, Kernel::Const, Kernel::Const),
-      {frame, layout, on_device, device_keys, on_device, device_keys, table, radii});
-  const auto keys = download<cl_ulong>(device_keys, points.size());
+      slab,
+      std::vector<double>(points.size(), 0.8));
+  const auto keys = download<cl_ulong>(slab.query_keys, points.size());
   const auto components = download<float>(tensors.components, 6 * tensors.stride);
   const auto counts = download<cl_uint>(tensors.counts, points.size());
   for (std::size_t place = 0; place < points.size(); ++place) {
-    const Point& query = points[keys[place] & ((1u << layout.index_bits) - 1)];
+    const Point& query = points[keys[place] & ((1u << slab.layout.index_bits) - 1)];
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     cl_uint count = 0;
     for (const Point& p : points)
@@ -212,6 +221,37 @@ TEST_P(Stages, TensorsAreThoseOfTheNeighbours)
     for (std::size_t k = 0; k < 6; ++k)
       ASSERT_NEAR(components[k * tensors.stride + place], expected[k], 1e-6);
   }
+}
+
+TEST_P(Stages, NearestSquaresAreThoseOfSortedDistances)
+{
+  // Denser and denser along x, and long enough to cross chunks of cells.
+  Points points = box(1500, Point(1, 3, 2));
+  for (Point& p : points)
+    p.x() = 60 * p.x() * p.x() * p.x();
+  const double reach = 1.5;
+  const Slab slab = slabOf(*context, points, reach);
+  std::vector<cl_uint> wanted;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    wanted.push_back(static_cast<cl_uint>(1 + i % 60 + (i % 7 == 0 ? 150 : 0)));
+  const std::vector<double> squares = nearestSquares(*context, slab, wanted);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<double> sorted;
+    for (const Point& p : points)
+      sorted.push_back((p - points[i]).squaredNorm());
+    std::sort(sorted.begin(), sorted.end());
+    const double expected = sorted[wanted[i] - 1];
+    if (expected > reach * reach * (1 - 1e-5)) {
+      EXPECT_TRUE(std::isnan(squares[i])) << i;
+    }
+    else {
+      ASSERT_EQ(squares[i], expected) << i;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 500u);
+  EXPECT_LT(found, 1400u);
 }
 
 TEST_P(Stages, ShapesAreThoseOfTheEigenAnalysisInDouble)
@@ -251,10 +291,10 @@ TEST_P(Stages, ShapesAreThoseOfTheEigenAnalysisInDouble)
   tensors.radii = upload(std::vector<float>(count, 1.0F));
   tensors.components = upload(components);
   tensors.counts = upload(std::vector<cl_uint>(count, 42));
-  KeyLayout layout;
-  layout.index_bits = 20;
-  auto records = download<PointDistributionTensor>(
-      computeShapes(*context, tensors, upload(keys), count, layout), count);
+  Slab slab{CellFrame({}, {}, 1), {1, 1, 20}, {}, {}, {}, upload(keys), {}};
+  slab.queries.count = count;
+  auto records =
+      download<PointDistributionTensor>(computeShapes(*context, tensors, slab), count);
   std::reverse(records.begin(), records.end());
   EXPECT_TRUE(std::isnan(records.back().linearity));
   EXPECT_TRUE(std::isnan(records.back().xx));

@@ -14,6 +14,8 @@
 #include <linelet/opencl/tensor_engine.h>
 #include <linelet/search/kd_tree.h>
 
+#include "estimation.h"
+
 using namespace linelet;
 
 namespace {
@@ -203,6 +205,91 @@ TEST_F(OpenCL, PointsOnTheBallAreWeighedAsTheReferenceDoes)
   check(points, points, settings, sizes);
 }
 
+TEST_F(OpenCL, RadiiOfAllMagnitudesCountExactly)
+{
+  // A fine lattice inside of a coarse one: pairs exactly at the radius everywhere.
+  Points points;
+  NeighbourhoodSizes sizes;
+  for (const double step : {1.0, 0.001})
+    for (int i = 0; i < 1000; ++i) {
+      points.emplace_back(step * (i % 10), step * (i / 10 % 10), step * (i / 100));
+      sizes.radii.push_back(step * (1 + i % 3));
+    }
+  check(points, points, TensorSettings(), sizes);
+}
+
+TEST_F(OpenCL, NearestPointsAreThoseOfTheReference)
+{
+  Points points = box(3000, Point(12, 9, 3), 17);
+  points.emplace_back(not_known, 0, 0);
+  Points queries = points;
+  queries.emplace_back(6, 4, 9); // above the cloud
+  for (const unsigned k : {1u, 5u, 30u, 400u}) {
+    SCOPED_TRACE(k);
+    TensorSettings settings;
+    settings.k = k;
+    check(points, queries, settings);
+    if (k == 1)
+      continue; // every point is its own nearest, and no ball is that small
+    EXPECT_LT(engine->queriesOnHost(), queries.size() / 20);
+    EXPECT_GT(engine->stageTimes().nearest, 0);
+  }
+}
+
+TEST_F(OpenCL, NearestPointsWithACountForEveryPoint)
+{
+  const Points points = box(700, Point(5, 5, 1), 18);
+  NeighbourhoodSizes sizes;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sizes.counts.push_back(static_cast<unsigned>(i % 50));
+  sizes.counts[7] = 5000; // more than there are
+  check(points, points, TensorSettings(), sizes);
+}
+
+TEST_F(OpenCL, OfPointsEquallyFarTheLowerIndicesAreNearest)
+{
+  Points points;
+  for (int i = 0; i < 1000; ++i)
+    points.emplace_back(0.1 * (i % 10), 0.1 * (i / 10 % 10), 0.1 * (i / 100));
+  points.insert(points.end(), points.begin(), points.begin() + 300);
+  TensorSettings settings;
+  settings.k = 20;
+  check(points, points, settings);
+  EXPECT_GT(engine->queriesOnHost(), 0u);
+}
+
+TEST_F(OpenCL, NearestPointsInAFewSlabs)
+{
+  const Points points = box(4000, Point(20, 5, 5), 19);
+  TensorSettings settings;
+  settings.k = 25;
+  engine->setMemoryLimit(400000);
+  check(points, points, settings);
+  EXPECT_GT(engine->slabs(), 4u);
+}
+
+// As on a device without double precision.
+TEST_F(OpenCL, WithoutDoubleTheHostDecidesAtTheRadius)
+{
+  opencl::Context context("", 0, false);
+  Points lattice;
+  for (int i = 0; i < 1728; ++i)
+    lattice.emplace_back(0.1 * (i % 12), 0.1 * (i / 12 % 12), 0.1 * (i / 144));
+  const Points random = box(4000, Point(10, 10, 3), 20);
+  for (const Points& points : {lattice, random}) {
+    const TensorSettings settings = withRadius(points == lattice ? 0.3 : 1, "sph-3");
+    const opencl::Outcome outcome = opencl::estimateOn(
+        context, std::size_t{1} << 30, points, points, settings, {}, nullptr);
+    expectEqual(outcome.records, reference(points, points, settings, {}));
+    if (points == random) {
+      EXPECT_LT(outcome.on_host, points.size() / 50);
+    }
+    else {
+      EXPECT_GT(outcome.on_host, points.size() / 2);
+    }
+  }
+}
+
 TEST_F(OpenCL, LittleMemoryOnlyMeansMoreSlabs)
 {
   const Points points = box(4000, Point(20, 5, 5), 10);
@@ -265,13 +352,7 @@ TEST_F(OpenCL, EveryStageIsTimed)
 
 TEST_F(OpenCL, SaysWhatItCannotDo)
 {
-  TensorSettings settings;
-  settings.k = 7;
-  EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
-               std::invalid_argument);
-  settings = withRadius(1);
-  EXPECT_THROW(engine->estimate({}, {Point::Zero()}, settings, {{}, {5}}),
-               std::invalid_argument);
+  TensorSettings settings = withRadius(1);
   settings.centroid = Centroid::WeightedMedian;
   EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
                std::invalid_argument);

@@ -37,8 +37,7 @@ struct Device {
   std::string type;         ///< "cpu", "gpu" or "accelerator"
   std::uint64_t memory = 0; ///< global memory, bytes
   unsigned compute_units = 0;
-  bool double_precision = false; ///< without it, points within 1e-5 r of the radius may
-                                 ///< be counted otherwise than by the other engines
+  bool double_precision = false; ///< whether it computes in double
 };
 
 /** \brief All devices of all platforms; empty where OpenCL has none. */

@@ -15,8 +15,8 @@ namespace linelet {
 /** \brief \ref PointDistributionTensorEstimation on an OpenCL device.
  *
  * Same settings, same output, same rules for indices, search surface and points that
- * are not finite. Neighbourhoods are made by radius only, and there is no weighted
- * median; setSearchMethod and setEngine have no say. The device is opened by the first
+ * are not finite. There is no weighted median; setSearchMethod and setEngine have no
+ * say. The device is opened by the first
  * compute and kept. Where it fails, all records are unknown (NaN) and the reason goes
  * to PCL_ERROR. Prebuilt for the same point types. */
 template <typename PointInT>

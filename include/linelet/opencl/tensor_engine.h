@@ -17,6 +17,7 @@ namespace linelet::opencl {
 struct StageTimes {
   double upload = 0;   ///< cells and places on the host, and their way to the device
   double grid = 0;     ///< keys of cells, sorting and the table of cells
+  double nearest = 0;  ///< the search for k nearest points
   double tensor = 0;   ///< the tensor kernel
   double analysis = 0; ///< eigen-analysis and records, on the device
   double download = 0; ///< the way back
@@ -26,11 +27,15 @@ struct StageTimes {
  *
  * Keys of cells, a bitonic sort, neighbours, centroids, tensors and their
  * eigen-analysis are computed on the device, in float relative to each query point.
- * Shape factors agree with \ref estimateTensors within 1e-4, neighbour counts exactly
- * where the device computes in double (see Device::double_precision). A cloud that does
- * not fit into the device's memory, or whose cells are too many for a key of 64 bits,
- * is cut into slabs with a margin as wide as the radius. A device that is a processor
- * runs on all of its cores. Not for use by several threads at once. */
+ * Shape factors agree with \ref estimateTensors within 1e-4, neighbours exactly: pairs
+ * that float cannot tell are decided in double, where the device has none by completing
+ * these queries on the host. The k nearest points are those of the ball that counting
+ * narrows down to; queries around which several are equally far, or which lie far from
+ * all points, are completed on the host as well.
+ *
+ * A cloud that does not fit into the device's memory, or whose cells are too many for a
+ * key of 64 bits, is cut into slabs with a margin as wide as the radius. A device that
+ * is a processor runs on all of its cores. Not for use by several threads at once. */
 class TensorEngine {
 public:
   /** \brief Opens a device: the first GPU, else the first of any kind; or the one of
@@ -52,8 +57,8 @@ public:
 
   /** \brief As \ref linelet::estimateTensors; settings.engine has no say,
    * settings.threads is for the host's part.
-   * \throws std::invalid_argument for k nearest points and for
-   * Centroid::WeightedMedian, which this engine does not know
+   * \throws std::invalid_argument for Centroid::WeightedMedian, which this engine does
+   * not know, and for k nearest points on a device without double precision
    * \throws Error
    * \throws Cancelled between slabs */
   std::vector<PointDistributionTensor>
@@ -66,6 +71,10 @@ public:
   /** \brief Of the last \ref estimate, summed over its slabs. */
   const StageTimes&
   stageTimes() const;
+
+  /** \brief How many queries of the last \ref estimate the host completed. */
+  std::size_t
+  queriesOnHost() const;
 
   /** \brief How many slabs the last \ref estimate was cut into. */
   std::size_t

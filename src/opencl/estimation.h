@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "slabs.h"
+
+namespace linelet::opencl {
+
+/** \brief What came of an estimation, and how. */
+struct Outcome {
+  std::vector<PointDistributionTensor> records;
+  StageTimes times;
+  std::size_t slabs = 0;
+  std::size_t on_host = 0; ///< queries that the host had to complete
+};
+
+/** \brief \ref TensorEngine::estimate on an open device, with settings that it knows.
+ * \throws cl::Error, Error, Cancelled */
+Outcome
+estimateOn(Context& context,
+           std::size_t memory_limit,
+           const Points& surface,
+           const Points& queries,
+           const TensorSettings& settings,
+           const NeighbourhoodSizes& sizes,
+           Monitor* monitor);
+
+} // namespace linelet::opencl
