@@ -4,6 +4,7 @@
 #include "benchmarks.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <string>
@@ -11,6 +12,7 @@
 #include <malloc.h>
 
 #include <benchmark/benchmark.h>
+#include <hwy/targets.h>
 
 #include <linelet/features/grid_tensor_engine.h>
 #include <linelet/features/multi_scale.h>
@@ -108,6 +110,15 @@ tensor(benchmark::State& state, const Case& c)
   state.counters["of_peak"] = pairs / best / peak(settings.weighting);
 }
 
+/** \brief As \ref tensor, on an instruction set that may not be the machine's best. */
+void
+tensorOn(benchmark::State& state, const Case& c, std::int64_t instruction_set)
+{
+  hwy::SetSupportedTargetsForTest(instruction_set);
+  tensor(state, c);
+  hwy::SetSupportedTargetsForTest(0);
+}
+
 /** \brief Resident bytes by their name in /proc/self/status. */
 double
 resident(const std::string& name)
@@ -180,10 +191,10 @@ multiScale(benchmark::State& state, const Case& c)
 }
 
 std::string
-name(const char* what, const Case& c)
+name(const std::string& what, const Case& c)
 {
-  return std::string(what) + (c.scene == Scene::Volume ? "/volume" : "/surface") + "/" +
-         c.weight + "/neighbours:" + std::to_string(static_cast<int>(c.neighbours)) +
+  return what + (c.scene == Scene::Volume ? "/volume" : "/surface") + "/" + c.weight +
+         "/neighbours:" + std::to_string(static_cast<int>(c.neighbours)) +
          "/points:" + std::to_string(c.points) +
          "/threads:" + std::to_string(c.threads) +
          (c.order == Order::Sorted ? "/sorted" : "/shuffled");
@@ -191,7 +202,7 @@ name(const char* what, const Case& c)
 
 template <class Run>
 void
-add(const char* what, const Case& c, Run run)
+add(const std::string& what, const Case& c, Run run)
 {
   benchmark::RegisterBenchmark(name(what, c).c_str(),
                                [run, c](benchmark::State& state) { run(state, c); })
@@ -211,6 +222,12 @@ addTensorBenchmarks()
         for (const unsigned threads : {1U, 2U})
           for (const Order order : {Order::Shuffled, Order::Sorted})
             add("tensor", {scene, 200000, neighbours, weight, threads, order}, tensor);
+  for (const std::int64_t set : hwy::SupportedAndGeneratedTargets())
+    for (const Scene scene : {Scene::Volume, Scene::Surface})
+      for (const char* weight : {"const", "fermi-dirac-1"})
+        add(std::string("instructions/") + hwy::TargetName(set),
+            {scene, 200000, 500, weight, 1, Order::Shuffled},
+            [set](benchmark::State& state, const Case& c) { tensorOn(state, c, set); });
   for (const Scene scene : {Scene::Volume, Scene::Surface})
     for (const std::size_t points : {100000U, 1000000U, 10000000U})
       add("growth", {scene, points, 100, "const", 1, Order::Shuffled}, growth);
