@@ -103,7 +103,8 @@ describeWires(const std::vector<Hanging>& wires,
       if (end.fixed)
         fixed.push_back(end.place);
     Catenary& c = wire.curve;
-    c = fitCatenary(hanging.model(), points, hanging.strand.piece.members, fixed);
+    const Piece& piece = hanging.strand.piece;
+    c = fitCatenary(piece.model, points, piece.members, fixed, piece.cut());
     if (hanging.ends[0].fixed)
       c.from = c.along(hanging.ends[0].place);
     if (hanging.ends[1].fixed)
@@ -112,9 +113,7 @@ describeWires(const std::vector<Hanging>& wires,
     wire.back = hanging.ends[1].fixed ? hanging.ends[1].place : c.at(c.to);
     wire.front_support = hanging.ends[0].support + 1;
     wire.back_support = hanging.ends[1].support + 1;
-    wire.conductors =
-        hanging.strand.piece.thickness > 0 || !hanging.strand.companions.empty() ? 2
-                                                                                 : 1;
+    wire.conductors = piece.thickness > 0 || !hanging.strand.companions.empty() ? 2 : 1;
     measure(wire, hanging, points);
   }
   PowerLineSettings any_length = settings; // the border of the data leaves short ones

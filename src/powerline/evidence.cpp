@@ -81,7 +81,9 @@ isBundle(const Growth& growth,
     return false;
   Piece bundle = piece;
   bundle.thickness = bundle_radius;
+  // Twice: the first time from the conductor that was followed to the middle.
   if (!growth.collect(bundle, bundle_radius) ||
+      !growth.collect(bundle, bundle_radius) ||
       !weigh(growth, bundle, settings).accepted)
     return false;
   piece = std::move(bundle);

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr std::size_t sample = 600;                     // points that take part
-constexpr double robust_cut = 0.3;                      // metres, Tukey's biweight
 constexpr double noise = 0.05;                          // metres, scales the priors
 constexpr double swing_spread = 0.3;                    // radian
 constexpr double usual_bend = 2e-3, bend_spread = 4e-3; // 1 / a, 1/metres
@@ -69,7 +68,8 @@ Catenary
 fitCatenary(const SpanModel& start,
             const Points& points,
             const Indices& members,
-            const Points& fixed)
+            const Points& fixed,
+            double cut)
 {
   const SpanModel m = start.reframed();
   const Eigen::Vector2d across(-m.direction.y(), m.direction.x());
@@ -84,7 +84,7 @@ fitCatenary(const SpanModel& start,
   p[swing] = std::clamp(-m.t[2] / std::max(m.z[2], 1e-4), -0.5, 0.5);
 
   ceres::Problem::Options keep;
-  ceres::TukeyLoss loss(robust_cut);
+  ceres::TukeyLoss loss(cut);
   keep.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(keep);
   const std::size_t stride = members.size() / sample + 1;

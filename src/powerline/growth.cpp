@@ -107,7 +107,7 @@ Growth::collect(Piece& piece, double reach) const
     look(m, m.begin + k * step, to, reach, &members);
   }
   piece.members = std::move(members);
-  if (!fit(piece.model, candidates_.points, piece.members))
+  if (!fit(piece.model, candidates_.points, piece.members, piece.cut()))
     return false;
   updateExtent(piece, candidates_.points);
   return true;
@@ -198,12 +198,12 @@ Growth::extend(Piece& piece, double low, double high, bool lock, double bridge) 
       if (open[k])
         open[k] = advance(piece, k == 0 ? -1 : 1, k == 0 ? low : high, bridge, gap[k]);
     if (m.length() >= fitted + std::max(bin_length, 0.05 * fitted)) {
-      if (!fit(m, candidates_.points, piece.members))
+      if (!fit(m, candidates_.points, piece.members, piece.cut()))
         return false;
       fitted = m.length();
     }
   }
-  return fit(m, candidates_.points, piece.members);
+  return fit(m, candidates_.points, piece.members, piece.cut());
 }
 
 std::vector<Piece>

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct Piece {
   SpanModel model;
   Indices members;      ///< candidates
   double thickness = 0; ///< radius of a bundle whose conductors cannot be told apart
+
+  /** \brief Residual from which on a point has no weight: a bundle shall be fitted in
+   * its middle, not to the conductor that happens to be nearer. */
+  double
+  cut() const
+  {
+    return std::max(usual_cut, 2 * thickness);
+  }
 };
 
 /** \brief What stands around one bin of a wire. */

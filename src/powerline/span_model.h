@@ -90,6 +90,8 @@ struct SpanModel {
   reframed() const;
 };
 
+constexpr double usual_cut = 0.3; ///< metres; points farther off have no weight
+
 /** \brief Fits \a model to points with robust weights (Tukey's biweight, cut \a cut).
  *
  * Priors keep short wires sane: t2 is nearly 0 (a loose one lets a fit swap between the
@@ -97,6 +99,9 @@ struct SpanModel {
  * and tolerance, not begin and end.
  * \return false when fewer than 3 points carry weight */
 bool
-fit(SpanModel& model, const Points& points, const Indices& members, double cut = 0.3);
+fit(SpanModel& model,
+    const Points& points,
+    const Indices& members,
+    double cut = usual_cut);
 
 } // namespace linelet::powerline

@@ -18,7 +18,7 @@ constexpr double body_search = 2.5;          // metres around the axis
 constexpr double body_flare = 0.12;          // growth of that per metre downwards
 constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
-constexpr double filled_alone = 0.4; // the same where nothing else stands
+constexpr double filled_alone = 0.4;         // the same where nothing else stands
 constexpr double contrast = 3;      // density of the body over that of its surroundings
 constexpr double lowest_pylon = 12; // metres, lines on lower supports hang from poles
 constexpr double arm_depth = 3;     // metres, crossarms reach below their wires

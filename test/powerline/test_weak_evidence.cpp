@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What few points, or points that run into each other, still tell: poles and bundles.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <linelet/powerline/extract_power_lines.h>
+
+#include "powerline/scene_builder.h"
+
+namespace linelet::powerline {
+namespace {
+
+using test::SceneBuilder;
+
+/** A low line of four wires over a pole in a dip. The wires have no kink there: both
+ * spans follow one parabola, so that nothing but the pole itself tells of it. */
+class PoleInADip : public testing::Test {
+protected:
+  static constexpr double reach = 35, top = 8, rise = 3;
+  static constexpr double a = reach * reach / (2 * rise);
+  SceneBuilder scene_{7};
+
+  PoleInADip()
+  {
+    scene_.ground(-36, -15, 36, 15, 6);
+    for (const double y : {-0.75, -0.25, 0.25, 0.75})
+      for (const double x : {-reach, reach})
+        scene_.wire({x, y, top + rise}, {0, y, top}, a, 8, 0.02);
+  }
+
+  /** \brief The wires that hang from a support near the place of the pole. */
+  static std::size_t
+  endsAtPole(const PowerLineNetwork& network)
+  {
+    std::size_t count = 0;
+    for (const Wire& wire : network.wires)
+      for (const auto& [end, support] : {std::pair(wire.front, wire.front_support),
+                                         std::pair(wire.back, wire.back_support)})
+        count += support != 0 && std::abs(end.x()) < 0.5 ? 1 : 0;
+    return count;
+  }
+};
+
+TEST_F(PoleInADip, IsSeenByFourPointsWhereNothingElseStands)
+{
+  for (const double z : {1.2, 4.1, 5.3, 7.6})
+    scene_.points.emplace_back(scene_.normal(0.05), scene_.normal(0.05), z);
+  const PowerLineNetwork network = extractPowerLines(scene_.points);
+  EXPECT_EQ(network.wires.size(), 8u);
+  EXPECT_EQ(endsAtPole(network), 8u);
+  ASSERT_EQ(network.supports.size(), 1u);
+  EXPECT_EQ(network.supports[0].kind, Support::Kind::Pole);
+  EXPECT_LT(network.supports[0].base.head<2>().norm(), 0.3);
+}
+
+TEST_F(PoleInADip, IsNotInventedOfNothing)
+{
+  const PowerLineNetwork network = extractPowerLines(scene_.points);
+  EXPECT_EQ(network.wires.size(), 4u);
+  EXPECT_TRUE(network.supports.empty());
+}
+
+TEST_F(PoleInADip, IsNotSeenInATree)
+{
+  for (int i = 0; i < 60; ++i)
+    scene_.points.emplace_back(
+        scene_.normal(0.7), scene_.normal(0.7), scene_.uniform(3.5, 7.5));
+  const PowerLineNetwork network = extractPowerLines(scene_.points);
+  EXPECT_EQ(network.wires.size(), 4u);
+  EXPECT_EQ(endsAtPole(network), 0u);
+}
+
+TEST(BlurredBundle, IsDrawnInItsMiddleOrAsBothItsConductors)
+{
+  constexpr double half = 0.2, length = 200, sag_parameter = 1000;
+  SceneBuilder scene(11);
+  scene.ground(-10, -30, length + 10, 30, 4);
+  const auto onWire = [&](double y, double s) {
+    return SceneBuilder::onWire({0, y, 20}, {length, y, 20}, sag_parameter, s);
+  };
+  // Footprints as wide as the conductors are apart: no gap shows between them.
+  for (const double y : {-half, half})
+    scene.wire({0, y, 20}, {length, y, 20}, sag_parameter, 8, 0.085);
+  const PowerLineNetwork network = extractPowerLines(scene.points);
+  ASSERT_FALSE(network.wires.empty());
+  const auto nearest = [&](const Point& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Wire& wire : network.wires)
+      least = std::min(least, wire.curve.distance(p));
+    return least;
+  };
+  for (double s = 5; s < length; s += 10) {
+    const double middle = nearest(onWire(0, s));
+    const double both = std::max(nearest(onWire(-half, s)), nearest(onWire(half, s)));
+    EXPECT_LT(std::min(middle, both), 0.1) << "at " << s;
+  }
+  for (const Wire& wire : network.wires)
+    EXPECT_GT(wire.length, 0.9 * length) << wire.reason;
+}
+
+} // namespace
+} // namespace linelet::powerline
