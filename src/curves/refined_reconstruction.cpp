@@ -16,6 +16,7 @@
 #include <linelet/curves/junction_network.h>
 #include <linelet/curves/refined_part.h>
 #include <linelet/search/scale_unit.h>
+#include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 
 #include "occupied_cells.h"
@@ -157,7 +158,7 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
 {
   if (!(settings.distance_cutoff >= 0))
     throw std::invalid_argument(
-        "distance cutoff " + std::to_string(settings.distance_cutoff) +
+        "distance cutoff " + textOf(settings.distance_cutoff) +
         " is negative or not a number; 0 lets the method choose");
   CurveNetwork network;
   if (coincide(all))

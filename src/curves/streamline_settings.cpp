@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <linelet/support/text.h>
+
 namespace linelet {
 
 namespace {
@@ -15,7 +17,7 @@ void
 require(bool holds, const char* name, double value, const char* range)
 {
   if (!holds)
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(name) + " is " + textOf(value) +
                                 " but must be " + range);
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include <linelet/search/uniform_grid.h>
+#include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 
 namespace linelet {
@@ -20,7 +21,7 @@ shiftToCentroids(const Points& points,
                  Monitor* monitor)
 {
   if (!(settings.radius > 0) || !std::isfinite(settings.radius))
-    throw std::invalid_argument("radius " + std::to_string(settings.radius) +
+    throw std::invalid_argument("radius " + textOf(settings.radius) +
                                 " of the centroid shift is not positive and finite");
   const UniformGrid grid(points, settings.radius);
   Points moved = points;

@@ -16,6 +16,7 @@
 #include <features/sweep_queries.h>
 #include <linelet/features/fourth_order.h>
 #include <linelet/search/scale_unit.h>
+#include <linelet/support/text.h>
 
 namespace linelet {
 
@@ -75,7 +76,7 @@ multiScaleRadii(const Points& surface,
                 Monitor* monitor)
 {
   if (!std::isfinite(settings.stop_change) || settings.stop_change < 0)
-    throw std::invalid_argument("stop change " + std::to_string(settings.stop_change) +
+    throw std::invalid_argument("stop change " + textOf(settings.stop_change) +
                                 " is not a finite number from 0 on");
   if (settings.stop_change > 0 && settings.centroid != Centroid::Mean &&
       settings.centroid != Centroid::Median)
@@ -83,7 +84,7 @@ multiScaleRadii(const Points& surface,
                                 std::string(nameOf(settings.centroid)) +
                                 " the shape factors do not converge");
   if (!std::isfinite(settings.scale_unit) || settings.scale_unit < 0)
-    throw std::invalid_argument("scale unit " + std::to_string(settings.scale_unit) +
+    throw std::invalid_argument("scale unit " + textOf(settings.scale_unit) +
                                 " is not a finite number from 0 on");
 
   MultiScaleShapes result;

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <linelet/support/text.h>
+
 namespace linelet {
 
 namespace {
@@ -23,15 +25,14 @@ std::vector<double>
 radiusLadder(RadiusGrowth growth, double scale_unit, double max_radius)
 {
   if (!(scale_unit > 0) || !std::isfinite(scale_unit))
-    throw std::invalid_argument("scale unit " + std::to_string(scale_unit) +
+    throw std::invalid_argument("scale unit " + textOf(scale_unit) +
                                 " is not positive and finite");
   if (max_radius == 0)
     max_radius = default_largest_radius * scale_unit;
   if (!std::isfinite(max_radius) || !(max_radius * tolerance >= scale_unit))
     throw std::invalid_argument(
-        "largest radius " + std::to_string(max_radius) +
-        " is not a finite number of at least the scale unit D = " +
-        std::to_string(scale_unit));
+        "largest radius " + textOf(max_radius) +
+        " is not a finite number of at least the scale unit D = " + textOf(scale_unit));
   std::vector<double> radii;
   for (std::size_t k = 0;; ++k) {
     const double steps = static_cast<double>(k);
@@ -41,9 +42,9 @@ radiusLadder(RadiusGrowth growth, double scale_unit, double max_radius)
     if (radius > max_radius * tolerance)
       return radii;
     if (radii.size() == most_radii)
-      throw std::invalid_argument("largest radius " + std::to_string(max_radius) +
+      throw std::invalid_argument("largest radius " + textOf(max_radius) +
                                   " is more than " + std::to_string(most_radii) +
-                                  " steps from D = " + std::to_string(scale_unit) +
+                                  " steps from D = " + textOf(scale_unit) +
                                   "; use exponential growth");
     radii.push_back(radius);
   }
@@ -57,7 +58,7 @@ checkRadii(const std::vector<double>& radii)
                                 " radii, not " + std::to_string(radii.size()));
   for (std::size_t k = 0; k < radii.size(); ++k)
     if (!std::isfinite(radii[k]) || !(radii[k] > (k == 0 ? 0.0 : radii[k - 1])))
-      throw std::invalid_argument("radius " + std::to_string(radii[k]) +
+      throw std::invalid_argument("radius " + textOf(radii[k]) +
                                   " is not positive, finite and larger than the one "
                                   "before it");
 }

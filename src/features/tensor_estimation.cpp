@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include <linelet/features/grid_tensor_engine.h>
 #include <linelet/search/grid_search.h>
 #include <linelet/search/kd_tree.h>
+#include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 #include <linelet/tensor/eigen_analysis.h>
 #include <linelet/tensor/neighbourhood_tensor.h>
@@ -29,14 +29,6 @@ bool
 isSize(double radius)
 {
   return radius > 0 && std::isfinite(radius);
-}
-
-std::string
-text(double value)
-{
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
 }
 
 /** \brief A size of grid cell that suits most of the radii. */
@@ -121,7 +113,7 @@ validate(const TensorSettings& settings,
     throw std::invalid_argument("more than one size of neighbourhood is given: say "
                                 "either one radius, or one k, or sizes point by point");
   if (settings.radius != 0 && !isSize(settings.radius))
-    throw std::invalid_argument("radius " + text(settings.radius) +
+    throw std::invalid_argument("radius " + textOf(settings.radius) +
                                 " is not a positive finite number");
   const std::size_t given = std::max(sizes.radii.size(), sizes.counts.size());
   if (given != 0 && given != queries)

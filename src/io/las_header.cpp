@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <linelet/support/text.h>
+
 namespace linelet::io {
 
 namespace {
@@ -50,7 +52,7 @@ checkScale(const Source& source, LasGrid& grid)
     const std::string name = std::string(" of ") + "xyz"[axis];
     const double extreme = 0x1p32 * grid.scale[axis];
     if (!std::isnormal(grid.scale[axis]) || !std::isfinite(extreme))
-      source.fail("scale factor" + name + " is " + std::to_string(grid.scale[axis]) +
+      source.fail("scale factor" + name + " is " + textOf(grid.scale[axis]) +
                   at(las_at::scale + 8 * static_cast<std::size_t>(axis)) +
                   "; coordinates cannot be computed");
     if (!std::isfinite(grid.offset[axis]) ||

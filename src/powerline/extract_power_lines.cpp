@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/io/usable_points.h>
 #include <linelet/powerline/extract_power_lines.h>
-#include <linelet/powerline/metric_frame.h>
 
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include <linelet/io/usable_points.h>
+#include <linelet/powerline/metric_frame.h>
+#include <linelet/support/text.h>
 
 #include "powerline/describe.h"
 #include "powerline/find_ground.h"
@@ -23,7 +25,7 @@ void
 require(bool in_order, const char* name, double value, const char* range)
 {
   if (!in_order)
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(name) + " is " + textOf(value) +
                                 ", it must be " + range);
 }
 

@@ -3,19 +3,26 @@
 
 #pragma once
 
+#include <algorithm>
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif
 
 namespace linelet {
 
-/** \brief Threads that a request for \a requested threads gets: itself, or for 0 what
- * OpenMP offers (OMP_NUM_THREADS is honoured). Never changes the process-wide count. */
+/** \brief Threads that a request for \a requested threads gets: as many, or for 0 what
+ * OpenMP offers (OMP_NUM_THREADS is honoured), at most 8 a processor. More gain
+ * nothing, and OpenMP ends the program where it cannot have them. Never changes the
+ * process-wide count. */
 inline int
 threadCount([[maybe_unused]] unsigned requested)
 {
 #ifdef _OPENMP
-  return requested == 0 ? omp_get_max_threads() : static_cast<int>(requested);
+  if (requested == 0)
+    return omp_get_max_threads();
+  const auto most = 8 * static_cast<unsigned>(omp_get_num_procs());
+  return static_cast<int>(std::min(requested, most));
 #else
   return 1;
 #endif
