@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include <nanoflann.hpp>
 
 #include <linelet/search/nearest_candidates.h>
+#include <linelet/search/sort_indices.h>
 
 namespace linelet {
 
@@ -62,6 +64,57 @@ using Node = Sorted::Node;
 
 // More points a leaf than nanoflann's 10: testing one costs less than a node does.
 constexpr std::size_t leaf_size = 24;
+
+/** \brief What nanoflann asks of a set of results: the least distances, in a heap. Its
+ * own set sorts by insertion, which takes minutes for thousands of neighbours. */
+class LeastDistances {
+public:
+  /** \param[in,out] heap memory to use; holds the squared distances in the end, the
+   * largest first */
+  LeastDistances(std::vector<double>& heap, std::size_t count)
+      : heap_(heap), count_(count)
+  {
+    heap_.clear();
+  }
+
+  std::size_t
+  size() const
+  {
+    return heap_.size();
+  }
+
+  bool
+  full() const
+  {
+    return heap_.size() == count_;
+  }
+
+  bool
+  addPoint(double squared, std::size_t /*slot*/)
+  {
+    if (full()) {
+      // What is offered was near enough before the last points of its leaf came in.
+      if (squared >= heap_.front())
+        return true;
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.back() = squared;
+    }
+    else
+      heap_.push_back(squared);
+    std::push_heap(heap_.begin(), heap_.end());
+    return true; // go on
+  }
+
+  double
+  worstDist() const
+  {
+    return full() ? heap_.front() : std::numeric_limits<double>::infinity();
+  }
+
+private:
+  std::vector<double>& heap_;
+  std::size_t count_;
+};
 
 /** \brief Walks the tree for the leaves that one ball may reach. */
 template <class Take>
@@ -182,7 +235,7 @@ KdTree::within(const Point& query, double radius, Indices& found) const
         }
       });
   found.resize(count);
-  std::sort(found.begin(), found.end());
+  sortIndices(found);
 }
 
 double
@@ -192,14 +245,12 @@ KdTree::nearest(const Point& query, std::size_t count, Indices& found) const
   count = std::min(count, size());
   if (count == 0 || !query.allFinite())
     return 0;
-  thread_local std::vector<std::size_t> slots;
-  thread_local std::vector<double> squared;
-  slots.resize(count);
-  squared.resize(count);
-  tree_->sorted.knnSearch(query.data(), count, slots.data(), squared.data());
+  thread_local std::vector<double> heap;
+  LeastDistances least(heap, count);
+  tree_->sorted.findNeighbors(least, query.data(), nanoflann::SearchParams());
   // Which of several equally distant points come last is for the index to decide; and
   // nanoflann's sums differ from ours in the last digit.
-  const double reach = squared.back() * (1 + 1e-12);
+  const double reach = heap.front() * (1 + 1e-12);
   const PointSet& set = tree_->set;
   thread_local std::vector<std::pair<double, Index>> candidates;
   candidates.clear();
