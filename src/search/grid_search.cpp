@@ -3,7 +3,7 @@
 
 #include <linelet/search/grid_search.h>
 
-#include <algorithm>
+#include <linelet/search/sort_indices.h>
 
 namespace linelet {
 
@@ -12,7 +12,7 @@ GridSearch::within(const Point& query, double radius, Indices& found) const
 {
   found.clear();
   grid_.forEachWithin(query, radius, [&](Index i, double) { found.push_back(i); });
-  std::sort(found.begin(), found.end());
+  sortIndices(found);
 }
 
 double
@@ -22,7 +22,7 @@ GridSearch::nearest(const Point& query, std::size_t count, Indices& found) const
   if (found.empty())
     return 0;
   const double farthest = (points_[found.back()] - query).norm();
-  std::sort(found.begin(), found.end());
+  sortIndices(found);
   return farthest;
 }
 

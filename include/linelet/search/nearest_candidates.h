@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <linelet/search/sort_indices.h>
 #include <linelet/support/points.h>
 
 namespace linelet {
@@ -36,7 +37,7 @@ keepNearest(std::vector<std::pair<double, Index>>& candidates,
     farthest = std::max(farthest, squared);
     found.push_back(index);
   }
-  std::sort(found.begin(), found.end());
+  sortIndices(found);
   return std::sqrt(farthest);
 }
 
