@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include <linelet/support/threads.h>
 
@@ -76,7 +77,11 @@ public:
     }
     else if (!sizes_.radii.empty())
       radii = sizes_.radii;
-    estimateByRadius(points, radii);
+    std::string definitions = tensorDefinitions(
+        settings_.centroid, settings_.weighting, settings_.centroid_weighting);
+    if (nearest)
+      definitions += " -DENDING_AT_POINTS";
+    estimateByRadius(points, radii, definitions);
     completeOnHost(wanted);
     outcome_.slabs = slabs_.count();
     return std::move(outcome_);
@@ -97,10 +102,10 @@ private:
   }
 
   void
-  estimateByRadius(const Indices& points, const std::vector<double>& radii)
+  estimateByRadius(const Indices& points,
+                   const std::vector<double>& radii,
+                   const std::string& definitions)
   {
-    const std::string definitions = tensorDefinitions(
-        settings_.centroid, settings_.weighting, settings_.centroid_weighting);
     // Radii within a factor of two go together: cells are as wide as the largest.
     std::map<int, Indices> classes;
     for (std::size_t i = 0; i < queries_.size(); ++i)

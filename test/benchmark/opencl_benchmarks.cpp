@@ -35,16 +35,27 @@ treeSeconds(const Points& points, const TensorSettings& settings)
          queries / static_cast<double>(some.size());
 }
 
+struct Case {
+  Scene scene = Scene::Volume;
+  const char* weight = "const";
+  double neighbours = 100;
+  bool nearest = false; ///< that many nearest points instead of a radius
+};
+
 void
-openCl(benchmark::State& state, Scene kind, const char* weight, double neighbours)
+openCl(benchmark::State& state, const Case& c)
 {
-  const Points& points = scene(kind, 200000, Order::Shuffled);
+  const Points& points = scene(c.scene, 200000, Order::Shuffled);
+  const double radius = radiusFor(c.scene, c.neighbours);
   TensorSettings settings;
-  settings.radius = radiusFor(kind, neighbours);
-  settings.weighting = Weighting(weight);
+  if (c.nearest)
+    settings.k = static_cast<unsigned>(c.neighbours);
+  else
+    settings.radius = radius;
+  settings.weighting = Weighting(c.weight);
   const auto n = static_cast<double>(points.size());
   const double tree = treeSeconds(points, settings);
-  const double pcl = pclNormals(points, settings.radius, 2, 4000).query;
+  const double pcl = c.nearest ? 0 : pclNormals(points, radius, 2, 4000).query;
 
   opencl::TensorEngine engine;
   engine.estimate(points, points, settings); // builds the kernels
@@ -64,9 +75,12 @@ openCl(benchmark::State& state, Scene kind, const char* weight, double neighbour
   state.counters["neighbours"] = pairs / n;
   state.counters["us_per_point"] = best / n * 1e6;
   state.counters["x_tree"] = tree / (best / n);
-  state.counters["x_pcl"] = pcl / (best / n);
+  if (!c.nearest)
+    state.counters["x_pcl"] = pcl / (best / n);
   state.counters["upload_ms"] = 1e3 * times.upload;
   state.counters["grid_ms"] = 1e3 * times.grid;
+  if (c.nearest)
+    state.counters["nearest_ms"] = 1e3 * times.nearest;
   state.counters["tensor_ms"] = 1e3 * times.tensor;
   state.counters["analysis_ms"] = 1e3 * times.analysis;
   state.counters["download_ms"] = 1e3 * times.download;
@@ -79,19 +93,24 @@ addOpenClBenchmarks()
 {
   if (opencl::devices().empty())
     return;
-  for (const Scene kind : {Scene::Volume, Scene::Surface})
+  const auto add = [](const Case& c) {
+    benchmark::RegisterBenchmark(
+        (std::string("opencl") + (c.scene == Scene::Volume ? "/volume/" : "/surface/") +
+         c.weight + (c.nearest ? "/nearest:" : "/neighbours:") +
+         std::to_string(static_cast<int>(c.neighbours)) + "/points:200000/shuffled")
+            .c_str(),
+        [c](benchmark::State& state) { openCl(state, c); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(3);
+  };
+  for (const Scene kind : {Scene::Volume, Scene::Surface}) {
     for (const char* weight : {"const", "fermi-dirac-1"})
       for (const double neighbours : {100.0, 500.0, 5000.0})
-        benchmark::RegisterBenchmark(
-            (std::string("opencl") +
-             (kind == Scene::Volume ? "/volume/" : "/surface/") + weight +
-             "/neighbours:" + std::to_string(static_cast<int>(neighbours)) +
-             "/points:200000/shuffled")
-                .c_str(),
-            [=](benchmark::State& state) { openCl(state, kind, weight, neighbours); })
-            ->UseManualTime()
-            ->Unit(benchmark::kMillisecond)
-            ->Iterations(3);
+        add({kind, weight, neighbours, false});
+    for (const double neighbours : {10.0, 100.0, 500.0})
+      add({kind, "fermi-dirac-1", neighbours, true});
+  }
 }
 
 } // namespace linelet::benchmarking

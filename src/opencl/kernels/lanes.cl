@@ -27,7 +27,7 @@ typedef JOIN(float, WIDTH) Floats;
 typedef JOIN(int, WIDTH) Ints;
 #define LOAD(pointer) JOIN(vload, WIDTH)(0, pointer)
 #define STORE(values, pointer) JOIN(vstore, WIDTH)(values, 0, pointer)
-#define ANY(mask) any(mask)
+#define ANY(mask) (sumInts(mask) != 0) // any() becomes a branch a lane on CPUs
 #if WIDTH == 4
 #define LANES (int4)(0, 1, 2, 3)
 #elif WIDTH == 8

@@ -61,19 +61,21 @@ nearestSquares(global const ulong* queries,
   uint below = 0, within = countWithin(&walk, high);
   if (within < k)
     return;
+  float aim = k; // a few beyond the k-th, to close in on it from the other side
   for (uint step = 0; step < MOST_COUNTS && within - below > FEW; ++step) {
-    // By turns where a straight line has the k-th, and in the middle.
-    const float line = (float)(k - below) / (float)(within - below);
-    const float middle =
-        low + (high - low) * (step % 2 == 0 ? clamp(line, 0.05f, 0.95f) : 0.5f);
+    // Where a straight line has it; in the middle now and then, for densities that jump.
+    const float line = clamp((aim - below) / (within - below), 0.01f, 0.99f);
+    const float middle = low + (high - low) * (step % 4 == 3 ? 0.5f : line);
     const uint counted = countWithin(&walk, middle);
     if (counted < k) {
       low = middle;
       below = counted;
+      aim = k + 0.25f * FEW;
     }
     else {
       high = middle;
       within = counted;
+      aim = k - 0.25f * FEW;
     }
   }
   const float margin = BAND * reach * sqrt(high);

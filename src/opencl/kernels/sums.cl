@@ -207,8 +207,10 @@ walkNeighbours(
   LaneSums lanes = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int number = 0; number < ROWS; ++number) {
     const Row row = rowOf(walk, number);
-    walkRun(walk, row.begin, row.middle, walk->qx, row.qy, row.qz, cx, cy, cz, sweep, exact, &lanes);
-    walkRun(walk, row.middle, row.end, walk->next_qx, row.qy, row.qz, cx, cy, cz, sweep, exact, &lanes);
+    walkRun(walk, row.begin, row.middle, walk->qx, row.qy, row.qz, cx, cy, cz,
+            sweep, exact, &lanes);
+    walkRun(walk, row.middle, row.end, walk->next_qx, row.qy, row.qz, cx, cy, cz,
+            sweep, exact, &lanes);
   }
   Sums sums;
   sums.weight = sumFloats(lanes.weight);

@@ -4,8 +4,9 @@
 // The neighbourhood tensor of one query per work-item.
 //
 // Built with constants: CENTROID (the enumerator of linelet::Centroid), TENSOR_WEIGHT and
-// CENTROID_WEIGHT with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND, and EXACT
-// where the device computes in double; left out of programs built without them.
+// CENTROID_WEIGHT with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; EXACT where
+// the device computes in double, and ENDING_AT_POINTS if all balls reach to the k-th nearest
+// point, which float never decides. Left out of programs built without them.
 
 #if defined(CENTROID) && !defined(NEAREST)
 
@@ -55,8 +56,8 @@ tensorSums(const Walk* walk, const bool exact)
 }
 
 // The tensor of the query at every place, component after component (`stride` apart): xx xy
-// xz yy yz zz; NaN where no neighbour has weight. And how many neighbours there are; UNDECIDED where
-// only double could tell and the device has none.
+// xz yy yz zz; NaN where no neighbour has weight. And how many neighbours there are;
+// UNDECIDED where only double could tell and the device has none.
 kernel void
 tensors(global const ulong* queries,
         uint count,
@@ -100,6 +101,9 @@ tensors(global const ulong* queries,
   walk.query = query_positions + 3 * i;
   walk.radius = exact_radii[i];
 #endif
+#ifdef ENDING_AT_POINTS
+  const Sums s = tensorSums(&walk, true);
+#else
   Sums s = tensorSums(&walk, false);
   if (s.border > 0) {
 #ifdef EXACT
@@ -108,6 +112,7 @@ tensors(global const ulong* queries,
     s.count = UNDECIDED;
 #endif
   }
+#endif
   global float* t = components + place;
   t[0] = s.xx / s.weight;
   t[stride] = s.xy / s.weight;
