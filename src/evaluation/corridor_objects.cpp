@@ -180,84 +180,135 @@ addTree(Scene& scene, const Point& base, double height, Random& random)
   }
 }
 
-} // namespace
+/** Places for what stands on the ground of a corridor. */
+class Ground {
+public:
+  Ground(Scene& scene, const CorridorSettings& settings, Random& random)
+      : scene_(scene),
+        length_(settings.length),
+        half_(0.5 * settings.width),
+        random_(random)
+  {
+  }
+
+  Point
+  anywhere()
+  {
+    const double x = random_.uniform(0, length_);
+    return at(x, random_.uniform(-half_, half_));
+  }
+
+  /** A place about 5 m from \a other. */
+  Point
+  near(const Point& other)
+  {
+    const double dx = random_.normal(5), dy = random_.normal(5);
+    return at(std::clamp(other.x() + dx, 0.0, length_),
+              std::clamp(other.y() + dy, -half_, half_));
+  }
+
+  /** Asks \a put for every one of \a count objects to stand at a place, some places one
+   * after the other, until it does. */
+  template <class Put>
+  void
+  scatter(unsigned count, Put&& put)
+  {
+    constexpr int attempts = 40;
+    for (unsigned i = 0; i < count; ++i)
+      for (int attempt = 0; attempt < attempts; ++attempt)
+        if (put(anywhere()))
+          break;
+  }
+
+private:
+  Point
+  at(double x, double y) const
+  {
+    return {x, y, scene_.terrain.height(x, y)};
+  }
+
+  Scene& scene_;
+  double length_, half_; // of the corridor; half its width
+  Random& random_;
+};
+
+bool
+putHouse(Scene& scene, const Point& p, Random& random)
+{
+  if (scene.lowestWire(p.x(), p.y(), 11) < p.z() + 14 || !scene.take(p.x(), p.y(), 10))
+    return false;
+  const double turn = random.uniform(0, pi);
+  const Point u(std::cos(turn), std::sin(turn), 0),
+      v(-std::sin(turn), std::cos(turn), 0);
+  addHouse(scene, {p, u, v}, random);
+  return true;
+}
+
+bool
+putCrane(Scene& scene, const Point& p, Random& random)
+{
+  // The jib runs along the line: across it would be in the wires.
+  const double sense = random.integer(0, 1) * pi;
+  const double turn = sense + random.uniform(-0.15, 0.15);
+  bool clear = true;
+  for (double s = -12; s <= 40; s += 4)
+    clear = clear && scene.lowestWire(p.x() + s * std::cos(turn),
+                                      p.y() + s * std::sin(turn),
+                                      9) > 1e6;
+  if (!clear || !scene.take(p.x(), p.y(), 4))
+    return false;
+  addCrane(scene, p, turn, random);
+  return true;
+}
 
 void
-addObjects(Scene& scene, const CorridorSettings& settings, Random& random)
+addTrees(Scene& scene, int count, Ground& ground, Random& random)
 {
-  const double half = 0.5 * settings.width;
-  const auto ground = [&](double x, double y) {
-    return Point(x, y, scene.terrain.height(x, y));
-  };
-  const auto anywhere = [&] {
-    const double x = random.uniform(0, settings.length);
-    return ground(x, random.uniform(-half, half));
-  };
-  constexpr int attempts = 40;
-
-  for (unsigned i = 0; i < settings.houses; ++i)
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      const Point p = anywhere();
-      if (scene.lowestWire(p.x(), p.y(), 11) < p.z() + 14 ||
-          !scene.take(p.x(), p.y(), 10))
-        continue;
-      const double turn = random.uniform(0, pi);
-      addHouse(scene,
-               {p,
-                Point(std::cos(turn), std::sin(turn), 0),
-                Point(-std::sin(turn), std::cos(turn), 0)},
-               random);
-      break;
-    }
-  for (unsigned i = 0; i < settings.cranes; ++i)
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      // The jib runs along the line: across it would be in the wires.
-      const Point p = anywhere();
-      const double sense = random.integer(0, 1) * pi;
-      const double turn = sense + random.uniform(-0.15, 0.15);
-      bool clear = true;
-      for (double s = -12; s <= 40; s += 4)
-        clear = clear && scene.lowestWire(p.x() + s * std::cos(turn),
-                                          p.y() + s * std::sin(turn),
-                                          9) > 1e6;
-      if (!clear || !scene.take(p.x(), p.y(), 4))
-        continue;
-      addCrane(scene, p, turn, random);
-      break;
-    }
-  for (unsigned i = 0; i < settings.fences; ++i)
-    addFence(scene, settings, random);
-
-  const double hectares = settings.length * settings.width / 1e4;
-  const auto trees = static_cast<int>(settings.trees * hectares);
-  Point last = anywhere();
-  for (int i = 0; i < trees; ++i) {
+  Point last = ground.anywhere();
+  for (int i = 0; i < count; ++i) {
     // Every other one stands close to the last: groves and rows as well as lone trees.
-    Point p = anywhere();
-    if (random.integer(0, 1) == 0) {
-      const double dx = random.normal(5), dy = random.normal(5);
-      p = ground(std::clamp(last.x() + dx, 0.0, settings.length),
-                 std::clamp(last.y() + dy, -half, half));
-    }
+    Point p = ground.anywhere();
+    if (random.integer(0, 1) == 0)
+      p = ground.near(last);
     last = p;
     double height = random.uniform(5, 22);
     // Below and beside wires they are cut now and then, not always in time.
     const double room = scene.lowestWire(p.x(), p.y(), 0.25 * height + 3) - p.z() -
                         random.uniform(2, 9);
     height = std::min(height, room);
-    if (height < 3 || !scene.take(p.x(), p.y(), 0.08 * height))
-      continue;
-    addTree(scene, p, height, random);
+    if (height >= 3 && scene.take(p.x(), p.y(), 0.08 * height))
+      addTree(scene, p, height, random);
   }
-  const auto bushes = static_cast<int>(settings.bushes * hectares);
-  for (int i = 0; i < bushes; ++i) {
-    const Point p = anywhere();
+}
+
+void
+addBushes(Scene& scene, int count, Ground& ground, Random& random)
+{
+  for (int i = 0; i < count; ++i) {
+    const Point p = ground.anywhere();
     const double r = random.uniform(0.5, 1.8), tall = random.uniform(0.4, 1.2);
     if (scene.take(p.x(), p.y(), 0.5 * r))
       scene.crowns.push_back({p + 0.6 * tall * Point::UnitZ(),
                               Point(r, r, tall),
                               random.uniform(0.3, 0.8)});
   }
+}
+
+} // namespace
+
+void
+addObjects(Scene& scene, const CorridorSettings& settings, Random& random)
+{
+  Ground ground(scene, settings, random);
+  ground.scatter(settings.houses,
+                 [&](const Point& p) { return putHouse(scene, p, random); });
+  ground.scatter(settings.cranes,
+                 [&](const Point& p) { return putCrane(scene, p, random); });
+  for (unsigned i = 0; i < settings.fences; ++i)
+    addFence(scene, settings, random);
+  const double hectares = settings.length * settings.width / 1e4;
+  addTrees(scene, static_cast<int>(settings.trees * hectares), ground, random);
+  addBushes(scene, static_cast<int>(settings.bushes * hectares), ground, random);
 }
 
 } // namespace linelet::evaluation::corridor

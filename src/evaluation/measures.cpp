@@ -77,77 +77,114 @@ unionLength(std::vector<std::pair<double, double>>& intervals)
   return sum;
 }
 
-/** \brief Length of the truth that \a reconstruction covers. */
-double
-coveredLength(const CurveNetwork& reconstruction,
-              const CurveNetwork& truth,
-              const SegmentTree& tree,
-              double reach)
-{
-  std::vector<double> lengths;
-  for (const Curve& curve : truth.curves)
-    lengths.push_back(length(curve));
-  std::vector<std::vector<std::pair<double, double>>> covered(truth.curves.size());
+/** \brief What of a true curve network is covered by edges of another. */
+class Coverage {
+public:
+  /** \param[in] tree of \a truth; both must outlive this
+   * \param[in] reach vertices farther from the truth cover nothing */
+  Coverage(const CurveNetwork& truth, const SegmentTree& tree, double reach)
+      : truth_(truth), tree_(tree), reach_(reach), covered_(truth.curves.size())
+  {
+    for (const Curve& curve : truth.curves)
+      lengths_.push_back(length(curve));
+  }
 
+  /** \brief Covers what the edges of \a curve project on. */
+  void
+  add(const Curve& curve)
+  {
+    const std::size_t vertices = curve.points.size();
+    if (vertices < 2)
+      return;
+    Foot last = project(curve.points[0]);
+    for (std::size_t i = 1; i < vertices + (curve.closed ? 1 : 0); ++i) {
+      const Foot foot = project(curve.points[i % vertices]);
+      coverBetween(last, foot);
+      last = foot;
+    }
+  }
+
+  /** \brief Length of the truth that is covered. */
+  double
+  coveredLength()
+  {
+    double sum = 0;
+    for (auto& intervals : covered_)
+      sum += unionLength(intervals);
+    return sum;
+  }
+
+private:
+  /** \brief A vertex and the place of the truth that it projects on. */
   struct Foot {
     Point vertex;
     std::size_t curve = SegmentTree::none; // none: out of reach
     double arc = 0, distance = 0;
   };
-  const auto footAt = [&](const Point& vertex, const SegmentTree::Nearest& found) {
+
+  Foot
+  footAt(const Point& vertex, const SegmentTree::Nearest& found) const
+  {
     const double distance = std::sqrt(found.squared_distance);
-    if (!(distance <= reach))
-      return Foot{vertex};
-    const SegmentTree::Segment& s = tree.segments()[found.segment];
-    return Foot{
-        vertex, s.curve, s.arc + found.parameter * (s.b - s.a).norm(), distance};
-  };
-  std::size_t hint = SegmentTree::none;
-  const auto project = [&](const Point& vertex) {
-    const SegmentTree::Nearest found = tree.nearest(vertex, hint);
-    hint = found.segment;
+    if (!(distance <= reach_))
+      return {vertex};
+    const SegmentTree::Segment& s = tree_.segments()[found.segment];
+    return {vertex, s.curve, s.arc + found.parameter * (s.b - s.a).norm(), distance};
+  }
+
+  Foot
+  project(const Point& vertex)
+  {
+    const SegmentTree::Nearest found = tree_.nearest(vertex, hint_);
+    hint_ = found.segment;
     return footAt(vertex, found);
-  };
-  // Where curves of the truth meet, a vertex is equally near to several of them.
-  const auto onCurveOf = [&](const Foot& foot, const Foot& other) {
-    const Foot moved = footAt(foot.vertex, tree.nearestOn(other.curve, foot.vertex));
+  }
+
+  /** \brief \a foot on the curve of \a other, if that is as near: where curves of the
+   * truth meet, a vertex is equally near to several of them. */
+  Foot
+  onCurveOf(const Foot& foot, const Foot& other) const
+  {
+    const Foot moved = footAt(foot.vertex, tree_.nearestOn(other.curve, foot.vertex));
     return moved.curve != SegmentTree::none && moved.distance < foot.distance + 1e-9
                ? moved
                : foot;
-  };
-  const auto cover = [&](std::size_t curve, double begin, double end) {
+  }
+
+  void
+  coverBetween(Foot from, Foot to)
+  {
+    if (from.curve == SegmentTree::none || to.curve == SegmentTree::none)
+      return;
+    if (from.curve != to.curve)
+      to = onCurveOf(to, from);
+    if (from.curve != to.curve)
+      from = onCurveOf(from, to);
+    if (from.curve == to.curve)
+      cover(from.curve, from.arc, to.arc);
+  }
+
+  /** \brief Covers the arc between two places, on a closed curve the short way round.
+   */
+  void
+  cover(std::size_t curve, double begin, double end)
+  {
     const auto [low, high] = std::minmax(begin, end);
-    if (truth.curves[curve].closed && high - low > lengths[curve] / 2) {
-      covered[curve].emplace_back(0, low);
-      covered[curve].emplace_back(high, lengths[curve]);
+    if (truth_.curves[curve].closed && high - low > lengths_[curve] / 2) {
+      covered_[curve].emplace_back(0, low);
+      covered_[curve].emplace_back(high, lengths_[curve]);
     }
     else
-      covered[curve].emplace_back(low, high);
-  };
-  for (const Curve& curve : reconstruction.curves) {
-    const std::size_t vertices = curve.points.size();
-    if (vertices < 2)
-      continue;
-    Foot last = project(curve.points[0]);
-    for (std::size_t i = 1; i < vertices + (curve.closed ? 1 : 0); ++i) {
-      const Foot foot = project(curve.points[i % vertices]);
-      if (foot.curve != SegmentTree::none && last.curve != SegmentTree::none) {
-        Foot from = last, to = foot;
-        if (from.curve != to.curve)
-          to = onCurveOf(foot, last);
-        if (from.curve != to.curve)
-          from = onCurveOf(last, foot);
-        if (from.curve == to.curve)
-          cover(from.curve, from.arc, to.arc);
-      }
-      last = foot;
-    }
+      covered_[curve].emplace_back(low, high);
   }
-  double sum = 0;
-  for (auto& intervals : covered)
-    sum += unionLength(intervals);
-  return sum;
-}
+
+  const CurveNetwork& truth_;
+  const SegmentTree& tree_;
+  double reach_;
+  std::vector<double> lengths_;                                 // of the true curves
+  std::vector<std::vector<std::pair<double, double>>> covered_; // arcs of each of them
+  std::size_t hint_ = SegmentTree::none;
+};
 
 void
 check(const CurveNetwork& network, const char* which)
@@ -187,8 +224,10 @@ measure(const CurveNetwork& reconstruction,
   const Directed back = distances(reconstruction, truth_tree, step);
   result.e_h = std::sqrt(std::max(there.squared_max, back.squared_max));
   result.e_v = (there.sum + back.sum) / static_cast<double>(there.count + back.count);
-  result.e_com =
-      coveredLength(reconstruction, truth, truth_tree, settings.reach) / true_length;
+  Coverage coverage(truth, truth_tree, settings.reach);
+  for (const Curve& curve : reconstruction.curves)
+    coverage.add(curve);
+  result.e_com = coverage.coveredLength() / true_length;
   result.success = result.e_len >= 0.9 && result.e_len <= 1.2 && result.e_com >= 0.95 &&
                    result.e_com <= 1.05 && result.e_v <= settings.max_mean_distance;
   return result;
