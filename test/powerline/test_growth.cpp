@@ -67,6 +67,30 @@ TEST(Fit, SurvivesAThirdOfOutliers)
   EXPECT_FALSE(fit(m, scene.points, {0, 1}));
 }
 
+TEST(Collect, FindsTheMiddleOfABundleFromOneOfItsConductors)
+{
+  // Two level conductors 0.4 m apart, seen in footprints of 0.28 m.
+  SceneBuilder scene(35);
+  scene.ground(-5, -10, 105, 10, 4);
+  for (const double y : {-0.2, 0.2})
+    scene.box({0, y - 0.14, 19.97}, {100, y + 0.14, 20.03}, 800);
+  const Ground ground = findGround(scene.points, {}, false);
+  const PowerLineSettings settings;
+  const Candidates candidates =
+      findCandidates(scene.points, ground, settings.min_height);
+  const Growth growth(candidates, settings);
+  Piece piece;
+  piece.thickness = 0.5;
+  piece.model.t = {-0.2, 0, 0};
+  piece.model.z = {20, 0, 0};
+  piece.model.begin = 0;
+  piece.model.end = 100;
+  for (int round = 0; round < 2; ++round)
+    ASSERT_TRUE(growth.collect(piece, piece.thickness));
+  for (double s = 0; s <= 100; s += 10)
+    EXPECT_NEAR(piece.model.at(s).y(), 0, 0.05) << "at " << s;
+}
+
 TEST(FindKinks, SeesASupportAndNoSag)
 {
   SceneBuilder scene(33);

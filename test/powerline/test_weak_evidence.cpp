@@ -23,7 +23,7 @@ using test::SceneBuilder;
  * spans follow one parabola, so that nothing but the pole itself tells of it. */
 class PoleInADip : public testing::Test {
 protected:
-  static constexpr double reach = 35, top = 8, rise = 3;
+  static constexpr double reach = 35, top = 10, rise = 3;
   static constexpr double a = reach * reach / (2 * rise);
   SceneBuilder scene_{7};
 
@@ -50,7 +50,7 @@ protected:
 
 TEST_F(PoleInADip, IsSeenByFourPointsWhereNothingElseStands)
 {
-  for (const double z : {1.2, 4.1, 5.3, 7.6})
+  for (const double z : {4.2, 4.4, 6.8, 9.4})
     scene_.points.emplace_back(scene_.normal(0.05), scene_.normal(0.05), z);
   const PowerLineNetwork network = extractPowerLines(scene_.points);
   EXPECT_EQ(network.wires.size(), 8u);
@@ -58,6 +58,7 @@ TEST_F(PoleInADip, IsSeenByFourPointsWhereNothingElseStands)
   ASSERT_EQ(network.supports.size(), 1u);
   EXPECT_EQ(network.supports[0].kind, Support::Kind::Pole);
   EXPECT_LT(network.supports[0].base.head<2>().norm(), 0.3);
+  EXPECT_GE(network.supports[0].points, 4u);
 }
 
 TEST_F(PoleInADip, IsNotInventedOfNothing)
@@ -71,13 +72,15 @@ TEST_F(PoleInADip, IsNotSeenInATree)
 {
   for (int i = 0; i < 60; ++i)
     scene_.points.emplace_back(
-        scene_.normal(0.7), scene_.normal(0.7), scene_.uniform(3.5, 7.5));
+        scene_.normal(0.7), scene_.normal(0.7), scene_.uniform(3.5, 9.5));
   const PowerLineNetwork network = extractPowerLines(scene_.points);
   EXPECT_EQ(network.wires.size(), 4u);
   EXPECT_EQ(endsAtPole(network), 0u);
 }
 
-TEST(BlurredBundle, IsDrawnInItsMiddleOrAsBothItsConductors)
+class BlurredBundle : public testing::TestWithParam<double> {};
+
+TEST_P(BlurredBundle, IsDrawnInItsMiddleOrAsBothItsConductors)
 {
   constexpr double half = 0.2, length = 200, sag_parameter = 1000;
   SceneBuilder scene(11);
@@ -85,9 +88,12 @@ TEST(BlurredBundle, IsDrawnInItsMiddleOrAsBothItsConductors)
   const auto onWire = [&](double y, double s) {
     return SceneBuilder::onWire({0, y, 20}, {length, y, 20}, sag_parameter, s);
   };
-  // Footprints as wide as the conductors are apart: no gap shows between them.
+  // Footprints nearly as wide as the conductors are apart: hardly a gap between them.
   for (const double y : {-half, half})
-    scene.wire({0, y, 20}, {length, y, 20}, sag_parameter, 8, 0.085);
+    for (int i = 0; i < 8 * length; ++i)
+      scene.points.push_back(
+          onWire(y, scene.uniform(0, length)) +
+          Point(0, scene.uniform(-GetParam(), GetParam()), scene.normal(0.02)));
   const PowerLineNetwork network = extractPowerLines(scene.points);
   ASSERT_FALSE(network.wires.empty());
   const auto nearest = [&](const Point& p) {
@@ -104,6 +110,10 @@ TEST(BlurredBundle, IsDrawnInItsMiddleOrAsBothItsConductors)
   for (const Wire& wire : network.wires)
     EXPECT_GT(wire.length, 0.9 * length) << wire.reason;
 }
+
+INSTANTIATE_TEST_SUITE_P(OfEveryWidth,
+                         BlurredBundle,
+                         testing::Values(0.08, 0.12, 0.14, 0.16, 0.18, 0.2));
 
 } // namespace
 } // namespace linelet::powerline
