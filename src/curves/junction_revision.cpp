@@ -141,9 +141,11 @@ cutAround(const ModelCurves& curves, const Points& places, double radius)
 }
 
 ModelCurves
-rejoined(const ModelCurves& curves, double size, Rejoining rejoining)
+rejoined(const ModelCurves& curves,
+         const Points& places,
+         double size,
+         Rejoining rejoining)
 {
-  const Points places = doubtfulPlaces(curves, size);
   if (places.empty())
     return {};
   const double reach = arm_reach * size;

@@ -9,6 +9,7 @@
 #include <linelet/curves/corners.h>
 #include <linelet/curves/curve_doubling.h>
 #include <linelet/curves/junction_revision.h>
+#include <linelet/curves/refined_part.h>
 #include <linelet/curves/ridge_trace.h>
 #include <linelet/curves/simpler_networks.h>
 #include <linelet/search/scale_unit.h>
@@ -23,6 +24,8 @@ constexpr int most_simplifications = 8;
 // D.
 constexpr double doubt_noise = 2;
 constexpr double doubt_unit = 0.6;
+// Up to so many places are rejoined each by itself, more of them all at once.
+constexpr std::size_t most_single_places = 12;
 constexpr double least_gain = 1; // of the score, by which another topology is better
 // Bends within so many standard deviations, or D, may be corners.
 constexpr std::array<double, 2> bend_noise = {1, 2};
@@ -48,6 +51,21 @@ normalPeakedness(int dimensions)
   return dimensions == 3 ? 2 : 3;
 }
 
+/** \brief The doubtful places of \a curves (\ref doubtfulPlaces) in groups that are
+ * rejoined together. */
+std::vector<Points>
+placesToRejoin(const ModelCurves& curves, double size)
+{
+  const Points places = doubtfulPlaces(curves, size);
+  std::vector<Points> result;
+  for (const Indices& group : connectedParts(places, size, 1)) {
+    result.emplace_back();
+    for (const Index i : group)
+      result.back().push_back(places[i]);
+  }
+  return result.size() > most_single_places ? std::vector<Points>{places} : result;
+}
+
 } // namespace
 
 EmFit
@@ -64,25 +82,22 @@ doubleCurves(PartInWork& part)
   return part.take(fit, part.best().settings) ? EmFit{} : fit;
 }
 
-bool
+void
 rejoin(PartInWork& part)
 {
-  bool better = false;
   const EmFit& best = part.best().fit;
-  for (const double factor : {1.0, 2.0})
-    for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
-      const double size =
-          factor * std::max(doubt_noise * best.noise, doubt_unit * part.scaleUnit());
-      const ModelCurves start = rejoined(best.curves, size, rejoining);
-      if (start.empty())
-        continue;
-      EmSettings settings = part.best().settings;
-      settings.noise = best.noise;
-      const double rival = part.best().score;
-      if (part.take(part.fit(start, settings, rival), part.best().settings, least_gain))
-        better = true;
-    }
-  return better;
+  for (const double factor : {1.0, 2.0}) {
+    const double size =
+        factor * std::max(doubt_noise * best.noise, doubt_unit * part.scaleUnit());
+    for (const Points& places : placesToRejoin(best.curves, size))
+      for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
+        const ModelCurves start = rejoined(best.curves, places, size, rejoining);
+        EmSettings settings = part.best().settings;
+        settings.noise = best.noise;
+        const double rival = part.best().score;
+        part.take(part.fit(start, settings, rival), part.best().settings, least_gain);
+      }
+  }
 }
 
 void

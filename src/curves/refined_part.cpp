@@ -22,7 +22,6 @@ constexpr std::size_t least_part = 5;
 constexpr std::size_t sampled_part = 60000;
 constexpr std::size_t sample_size = 8000;
 constexpr std::size_t samples = 3;
-constexpr int most_rejoinings = 3;
 // Networks with fewer ends or curves are tried in parts up to this size.
 constexpr std::size_t simplified_part = 5000;
 // Points so few may be too sparse for ridges, however even their spacing.
@@ -108,9 +107,8 @@ refinePart(const Points& points,
   if (points.size() <= simplified_part)
     simplify(part);
   const EmFit rejected = doubleCurves(part);
-  for (int round = 0; round < most_rejoinings && !sampled; ++round)
-    if (!rejoin(part))
-      break;
+  if (!sampled)
+    rejoin(part);
   if (points.size() <= (scales ? simplified_part : spanned_part))
     part.trySpanning();
   traceTheRest(part);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -74,6 +75,23 @@ finely(const ModelCurve& curve)
                                                     (curve.to(e) - curve.from(e)));
   if (!curve.closed)
     result.nodes.push_back(curve.nodes.back());
+  return result;
+}
+
+/** \brief \a curve with free ends that reach past the last points it explains by half
+ * their mean distance, as far as it is on average from the last point to the end. */
+ModelCurve
+extended(const ModelCurve& curve)
+{
+  ModelCurve result = curve;
+  const double points = std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0);
+  if (curve.closed || !(points > 1))
+    return result;
+  const double step = 0.5 * length(curve) / points;
+  for (int end = 0; end < 2; ++end)
+    if (curve.junction[static_cast<std::size_t>(end)] < 0)
+      (end == 0 ? result.nodes.front() : result.nodes.back()) +=
+          step * outwardDirection(curve, end, 3 * step);
   return result;
 }
 
@@ -236,7 +254,7 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
   for (EmFit& fit : fits)
     for (std::size_t c = 0; c < fit.curves.size(); ++c) {
       fit.curves[c].counts = std::move(fit.counts[c]);
-      curves.push_back(std::move(fit.curves[c]));
+      curves.push_back(extended(fit.curves[c]));
     }
   return networkOf(bridgeGaps(
       curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit));

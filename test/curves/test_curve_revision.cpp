@@ -47,7 +47,8 @@ TEST(CurveRevision, CrossingLinesThatSwappedTheirHalvesAreStraightAgain)
       polyline({{-5, 0, 0.1}, {0, 0, 0.1}, {0, 5, 0.1}}, 0.25),
       polyline({{5, 0, -0.1}, {0.1, 0, -0.1}, {0.1, -5, -0.1}}, 0.25)};
   for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
-    const ModelCurves result = rejoined(swapped, 0.6, rejoining);
+    const ModelCurves result =
+        rejoined(swapped, doubtfulPlaces(swapped, 0.6), 0.6, rejoining);
     ASSERT_EQ(result.size(), 2u);
     for (const ModelCurve& curve : result) {
       EXPECT_NEAR(length(curve), 10, 0.2);
@@ -60,9 +61,10 @@ TEST(CurveRevision, CurvesApartAndSmoothAreNotInDoubt)
 {
   const ModelCurves apart = {polyline({{-5, 0, 0}, {5, 0, 0}}, 0.25),
                              polyline({{-5, 2, 0}, {5, 3, 0}}, 0.25)};
+  EXPECT_TRUE(doubtfulPlaces(apart, 0.6).empty());
+  EXPECT_TRUE(doubtfulPlaces({}, 0.6).empty());
   for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged})
-    EXPECT_TRUE(rejoined(apart, 0.6, rejoining).empty());
-  EXPECT_TRUE(rejoined({}, 0.6, Rejoining::Paired).empty());
+    EXPECT_TRUE(rejoined(apart, {}, 0.6, rejoining).empty());
 }
 
 /** \brief Points 0.05 apart on an arc of \a radius over 4 radians. */

@@ -24,11 +24,15 @@ enum class Rejoining {
   Bridged ///< with whatever lies ahead
 };
 
-/** \brief \a curves joined in another way where they may have been joined wrongly.
+/** \brief \a curves joined in another way at \a places, where they may have been joined
+ * wrongly (\ref doubtfulPlaces).
  *
  * They are cut there over \a size on either side, and the arms joined anew.
- * \return nothing where there is no doubt */
+ * \return nothing where there are no places */
 ModelCurves
-rejoined(const ModelCurves& curves, double size, Rejoining rejoining);
+rejoined(const ModelCurves& curves,
+         const Points& places,
+         double size,
+         Rejoining rejoining);
 
 } // namespace linelet

@@ -17,9 +17,9 @@ namespace linelet {
 EmFit
 doubleCurves(PartInWork& part);
 
-/** \brief Other ways to join the curves, on two scales. \return whether one is better
- */
-bool
+/** \brief Other ways to join the curves where they may be joined wrongly, on two
+ * scales: at each such place by itself, unless there are many. */
+void
 rejoin(PartInWork& part);
 
 /** \brief Curves among the points that the fit leaves unexplained, such as a sparser
