@@ -28,6 +28,30 @@ namespace {
 using evaluation::BenchmarkRow;
 using evaluation::BenchmarkRun;
 
+/** \brief Which runs are made, and what becomes of their rows. */
+struct BenchmarkOptions {
+  std::size_t sample = 2000;
+  std::uint64_t seed = 1;
+  bool all = false, clean = false;
+  std::vector<std::string> geometries = {"benchmark"};
+  std::string out, plot, label;
+};
+
+void
+describe(BenchmarkOptions& s, const OptionAdder& visit)
+{
+  visit("sample", s.sample, "runs, drawn evenly from the grid");
+  visit("all", s.all, "the whole grid");
+  visit("seed", s.seed, "which runs are drawn");
+  visit("clean", s.clean, "only noise-free runs with 128, 256 and 512 points");
+  visit("out", s.out, "file of rows (.csv), one a run");
+  visit("plot",
+        s.plot,
+        "picture (.png) of the success by geometry and noise; other methods whose rows "
+        "of the same runs stand in --out are drawn beside");
+  visit("label", s.label, "name of the method in the rows; empty: the preset");
+}
+
 std::vector<evaluation::Geometry>
 geometriesOf(const std::vector<std::string>& names)
 {
@@ -44,14 +68,11 @@ geometriesOf(const std::vector<std::string>& names)
 }
 
 std::vector<BenchmarkRun>
-runsOf(const std::vector<evaluation::Geometry>& geometries,
-       std::size_t sample,
-       std::uint64_t seed,
-       bool clean)
+runsOf(const BenchmarkOptions& options)
 {
+  const std::vector<evaluation::Geometry> geometries = geometriesOf(options.geometries);
   std::vector<BenchmarkRun> runs;
-  const evaluation::BenchmarkGrid grid(geometries);
-  if (clean) {
+  if (options.clean) {
     for (const evaluation::Geometry geometry : geometries)
       for (const std::size_t points : {128, 256, 512}) {
         BenchmarkRun run;
@@ -61,7 +82,9 @@ runsOf(const std::vector<evaluation::Geometry>& geometries,
       }
     return runs;
   }
-  for (const std::size_t index : grid.stratifiedSample(sample, seed))
+  const evaluation::BenchmarkGrid grid(geometries);
+  const std::size_t count = options.all ? 0 : options.sample;
+  for (const std::size_t index : grid.stratifiedSample(count, options.seed))
     runs.push_back(grid.at(index));
   return runs;
 }
@@ -148,6 +171,29 @@ plot(const std::string& path,
   drawBenchmark(methods, width, height).save(path);
 }
 
+/** \brief Rows of \a wanted runs by \a method among \a old ones, one a run; those that
+ * are not there stay in \a wanted. */
+std::vector<BenchmarkRow>
+takeDone(const std::string& method,
+         const std::vector<BenchmarkRow>& old,
+         std::vector<BenchmarkRun>& wanted)
+{
+  std::set<std::string> wanted_keys, done_keys;
+  for (const BenchmarkRun& run : wanted)
+    wanted_keys.insert(evaluation::keyOf(method, run));
+  std::vector<BenchmarkRow> done;
+  for (const BenchmarkRow& row : old) {
+    const std::string key = evaluation::keyOf(row.method, row.run);
+    if (wanted_keys.count(key) > 0 && done_keys.insert(key).second)
+      done.push_back(row);
+  }
+  const auto isDone = [&](const BenchmarkRun& run) {
+    return done_keys.count(evaluation::keyOf(method, run)) > 0;
+  };
+  wanted.erase(std::remove_if(wanted.begin(), wanted.end(), isDone), wanted.end());
+  return done;
+}
+
 } // namespace
 
 int
@@ -158,55 +204,31 @@ runBenchmark(const std::vector<std::string>& arguments)
       "Reconstructs noisy test geometries over a grid of noises (127,050 runs) "
       "or a sample of it, every run in one thread, several at a time. Rows that "
       "stand in --out already are kept and not run again.");
+  BenchmarkOptions options;
   ReconstructionSettings settings;
-  std::size_t sample = 2000;
-  std::uint64_t seed = 1;
-  bool clean = false, all = false;
-  std::string out, label, plot_path;
-  std::vector<std::string> names = {"benchmark"};
-  auto& app = frame.app;
-  app.add_option("--sample", sample, "runs, drawn evenly from the grid")
-      ->check(notNegative);
-  app.add_flag("--all", all, "the whole grid");
-  app.add_option("--seed", seed, "which runs are drawn")->check(notNegative);
-  app.add_flag("--clean", clean, "only noise-free runs with 128, 256 and 512 points");
-  app.add_option("--geometries",
-                 names,
-                 "names, or benchmark (the ten), or held-out (those that nothing is "
-                 "tuned on)")
+  addOptions(frame.app, options);
+  frame.app
+      .add_option("--geometries",
+                  options.geometries,
+                  "names, or benchmark (the ten), or held-out (those that nothing is "
+                  "tuned on)")
       ->delimiter(',')
-      ->default_str(names.front());
-  app.add_option("--out", out, "file of rows (.csv), one a run");
-  app.add_option("--plot",
-                 plot_path,
-                 "picture (.png) of the success by geometry and noise; other methods "
-                 "whose rows of the same runs stand in --out are drawn beside");
-  app.add_option("--label", label, "name of the method in the rows; empty: the preset");
-  addOptions(app, settings);
+      ->type_name("NAME,...")
+      ->default_str(options.geometries.front());
+  addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = 1;
-  if (!plot_path.empty())
-    checkPictureOutput(plot_path);
+  if (!options.plot.empty())
+    checkPictureOutput(options.plot);
   const std::string method =
-      label.empty() ? std::string(nameOf(settings.preset)) : label;
+      options.label.empty() ? std::string(nameOf(settings.preset)) : options.label;
 
-  const std::vector<BenchmarkRun> wanted =
-      runsOf(geometriesOf(names), all ? 0 : sample, seed, clean);
-  RowFile file(out);
-  std::set<std::string> wanted_keys, done_keys;
-  for (const BenchmarkRun& run : wanted)
-    wanted_keys.insert(evaluation::keyOf(method, run));
-  std::vector<BenchmarkRow> rows;
-  for (const BenchmarkRow& row : file.old()) {
-    const std::string key = evaluation::keyOf(row.method, row.run);
-    if (wanted_keys.count(key) > 0 && done_keys.insert(key).second)
-      rows.push_back(row);
-  }
-  std::vector<BenchmarkRun> missing;
-  for (const BenchmarkRun& run : wanted)
-    if (done_keys.count(evaluation::keyOf(method, run)) == 0)
-      missing.push_back(run);
-
+  const std::vector<BenchmarkRun> wanted = runsOf(options);
+  RowFile file(options.out);
+  std::vector<BenchmarkRun> missing = wanted;
+  std::vector<BenchmarkRow> rows = takeDone(method, file.old(), missing);
+  frame.summary["method"] = method;
+  frame.summary["resumed"] = rows.size();
   evaluation::runBenchmark(
       method,
       missing,
@@ -224,12 +246,10 @@ runBenchmark(const std::vector<std::string>& arguments)
               method.c_str(),
               rows.size(),
               evaluation::summaryTable(rows).c_str());
-  if (!plot_path.empty() && !rows.empty())
-    plot(plot_path, method, rows, wanted, file.old());
+  if (!options.plot.empty() && !rows.empty())
+    plot(options.plot, method, rows, wanted, file.old());
   const evaluation::RunSummary all_runs = evaluation::summarise(rows);
-  frame.summary["method"] = method;
   frame.summary["runs"] = rows.size();
-  frame.summary["resumed"] = rows.size() - missing.size();
   frame.summary["success"] = all_runs.success;
   frame.summary["mean_ms"] = all_runs.milliseconds;
   return frame.finish();

@@ -20,10 +20,10 @@ commands()
        runGenerate},
       {"evaluate", "compare curves with the true ones", runEvaluate},
       {"benchmark", "reconstruct noisy test geometries by the thousand", runBenchmark},
-      {"devices", "list the OpenCL devices of this machine", runDevices},
       {"image",
        "draw the cloud, its shape along a line, or graphs of a point",
        runImage},
+      {"devices", "list the OpenCL devices of this machine", runDevices},
   };
   return all;
 }

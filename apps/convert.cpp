@@ -3,41 +3,31 @@
 
 #include <cstdio>
 
-#include <linelet/io/output_check.h>
-#include <linelet/io/point_file.h>
-
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
-#include "options.h"
 
 namespace linelet::apps {
 
 int
 runConvert(const std::vector<std::string>& arguments)
 {
-  Frame frame("convert", "Convert between .las, .pcd, .ply, .xyz, .txt, .csv and .obj");
-  std::string in, out;
-  io::ReadOptions options;
-  io::WriteOptions writing;
-  frame.app.add_option("IN", in, "point file")->required();
-  frame.app.add_option("OUT", out, "point file, in the format of its ending")
-      ->required();
-  addOptions(frame.app, options);
-  addOptions(frame.app, writing);
+  Frame frame("convert",
+              "Converts point files, with all attributes that both formats can hold: "
+              ".las, .pcd, .ply, .xyz, .txt, .csv, and the vertices of .obj.");
+  CloudInput input(frame);
+  CloudOutput output(frame);
   frame.parse(arguments);
-  io::checkCloudOutput(out);
+  output.check();
 
-  std::vector<std::string> warnings;
-  const io::Cloud cloud = io::readCloud(in, options, &warnings, &frame.monitor);
-  io::writeCloud(out, cloud, writing, &warnings, &frame.monitor);
-  frame.warn(warnings);
-  std::printf("%zu points with %zu attributes: %s\n",
+  const io::Cloud cloud = input.read();
+  output.write(cloud);
+  std::printf("%s: %zu points with %zu attributes\n",
+              output.path().c_str(),
               cloud.points.size(),
-              cloud.columns.size(),
-              out.c_str());
+              cloud.columns.size());
   frame.summary["points"] = cloud.points.size();
   frame.summary["attributes"] = cloud.columns.size();
-  frame.summary["warnings"] = warnings;
   return frame.finish();
 }
 

@@ -9,10 +9,9 @@
 
 #include <linelet/curves/reconstruct_curves.h>
 #include <linelet/io/output_check.h>
-#include <linelet/io/point_file.h>
-#include <linelet/io/usable_points.h>
 #include <linelet/io/vector_file.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
@@ -49,7 +48,7 @@ choosePoints(const io::Cloud& cloud,
 bool
 isOfPublishedPreset(const CLI::Option* option)
 {
-  return option->get_description().rfind("published:", 0) == 0 && option->count() > 0 &&
+  return option->get_group() == "published" && option->count() > 0 &&
          option->results() != std::vector<std::string>{option->get_default_str()};
 }
 
@@ -64,15 +63,14 @@ runCurves(const std::vector<std::string>& arguments)
       "outlines. Written by ending: .obj .ply .vtk .csv .geojson .gpkg .dxf, in "
       "the coordinates of the input. Points flagged as withheld take no part.");
   ReconstructionSettings settings;
-  io::ReadOptions reading;
-  std::string input, output;
+  std::string output;
   std::vector<int> classes;
-  frame.app.add_option("INPUT", input, "point file")->required();
+  CloudInput input(frame);
   frame.app.add_option("OUTPUT", output, "file for the curves")->required();
   frame.app
       .add_option("--classes", classes, "only points of these classes, such as 14,15")
-      ->delimiter(',');
-  addOptions(frame.app, reading);
+      ->delimiter(',')
+      ->type_name("N,...");
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;
@@ -81,21 +79,24 @@ runCurves(const std::vector<std::string>& arguments)
     for (const CLI::Option* option : frame.app.get_options(isOfPublishedPreset))
       frame.warn(option->get_name() + " has no effect without --preset published");
 
-  std::vector<std::string> warnings;
-  const io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
-  const io::UsablePoints usable(cloud, &warnings);
-  frame.warn(warnings);
-  const Points points = choosePoints(cloud, usable, classes, input);
+  const io::Cloud cloud = input.read();
+  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const Points points = choosePoints(cloud, usable, classes, input.path());
   const CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
-  warnings.clear();
+  frame.lap("curves");
+  std::vector<std::string> warnings;
   io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings);
   frame.warn(warnings);
+  frame.lap("write");
 
   const auto closed = static_cast<std::size_t>(
       std::count_if(network.curves.begin(), network.curves.end(), [](const Curve& c) {
         return c.closed;
       }));
-  if (network.curves.empty())
+  if (points.empty() && !classes.empty())
+    frame.warn(input.path() + ": no point is of a class of --classes; linelet info "
+                              "lists those it has");
+  else if (network.curves.empty())
     frame.warn("no curve found in the " + std::to_string(points.size()) +
                " points; the output is empty");
   std::printf(

@@ -17,10 +17,11 @@ namespace linelet::apps {
 int
 runEvaluate(const std::vector<std::string>& arguments)
 {
-  Frame frame("evaluate",
-              "How far reconstructed curves are from the true ones: largest distance "
-              "(E_H), mean distance (E_V), length (E_Len) and covered length (E_Com) "
-              "relative to the truth. The defaults suit curves of extent 10.");
+  Frame frame(
+      "evaluate",
+      "Tells how far reconstructed curves are from the true ones: largest distance "
+      "(E_H), mean distance (E_V), length (E_Len) and covered length (E_Com) "
+      "relative to the truth. The defaults suit curves of extent 10.");
   evaluation::MeasureSettings settings;
   std::string curves, truth;
   frame.app.add_option("CURVES", curves, "reconstructed curves (.obj)")->required();

@@ -13,6 +13,9 @@
 
 #include <linelet/io/output_file.h>
 
+#include "help.h"
+#include "options.h"
+
 namespace linelet::apps {
 
 namespace {
@@ -20,10 +23,10 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 
 void
-onInterrupt(int)
+onInterrupt(int signal)
 {
   interrupted = 1;
-  std::signal(SIGINT, SIG_DFL); // a second Ctrl-C ends the program at once
+  std::signal(signal, SIG_DFL); // a second one ends the program at once
 }
 
 double
@@ -49,22 +52,12 @@ public:
   }
 };
 
-/** \brief One line for a usage error, with the option file it comes from, if any. */
-std::string
-usageError(const CLI::App* app, const CLI::Error& error)
-{
-  const std::string& name = app->get_name();
-  const bool of_file = dynamic_cast<const CLI::ConfigError*>(&error) != nullptr;
-  return name + ": " +
-         (of_file ? app->get_config_ptr()->as<std::string>() + ": " : std::string()) +
-         error.what() + "; " + name + " --help lists the options\n";
-}
-
 } // namespace
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0)
 {
   std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt); // of timeout, batch systems and shutdown
 }
 
 ProgressBar::~ProgressBar()
@@ -130,15 +123,27 @@ Frame::Frame(const std::string& command, const std::string& description)
     : app(description, "linelet " + command)
 {
   app.option_defaults()->always_capture_default();
-  app.add_option("--threads", threads, "threads, 0: all");
+  app.formatter_fn([](const CLI::App* of, const std::string&, CLI::AppFormatMode) {
+    return helpOf(*of);
+  });
+  app.failure_message(usageError);
+  app.set_help_flag("-h,--help", "this text")->group(common_options);
+  app.add_option("--threads", threads, "threads; 0: all")
+      ->type_name("N")
+      ->check(notNegative)
+      ->group(common_options);
   app.add_option("--json", json_file_, "write a machine-readable summary to this file")
-      ->configurable(false);
-  app.set_config("--config", "", "read options from this file")->type_name("FILE");
+      ->type_name("FILE")
+      ->configurable(false)
+      ->group(common_options);
+  app.set_config("--config", "", "read options from this file")
+      ->type_name("FILE")
+      ->group(common_options);
   app.config_formatter(std::make_shared<OptionFile>());
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_flag("--print-config", print_config_, "print all options with their values")
-      ->configurable(false);
-  app.failure_message(usageError);
+      ->configurable(false)
+      ->group(common_options);
 }
 
 void
@@ -164,23 +169,35 @@ Frame::parse(const std::vector<std::string>& arguments)
 }
 
 void
-Frame::warn(const std::string& sentence) const
+Frame::warn(const std::string& sentence)
 {
   std::cerr << app.get_name() << ": warning: " << sentence << '\n';
+  warnings_.push_back(sentence);
 }
 
 void
-Frame::warn(const std::vector<std::string>& sentences) const
+Frame::warn(const std::vector<std::string>& sentences)
 {
   for (const std::string& sentence : sentences)
     warn(sentence);
 }
 
+void
+Frame::lap(const char* stage)
+{
+  const auto now = std::chrono::steady_clock::now();
+  seconds_[stage] = seconds(now - since_);
+  since_ = now;
+}
+
 int
-Frame::finish() const
+Frame::finish()
 {
   if (json_file_.empty())
     return 0;
+  if (!seconds_.empty())
+    summary["seconds"] = seconds_;
+  summary["warnings"] = warnings_;
   io::OutputFile file(json_file_);
   // A path may hold bytes that are no UTF-8, which JSON is.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;

@@ -19,8 +19,8 @@
 namespace linelet::apps {
 
 /** \brief Progress on stderr where that is a terminal: stage, bar, estimate of the time
- * left, shown once a stage takes longer than a second. Ctrl-C makes it say cancelled.
- */
+ * left, shown once a stage takes longer than a second. Ctrl-C (SIGINT) and SIGTERM make
+ * it say cancelled. */
 class ProgressBar : public Monitor {
 public:
   ProgressBar();
@@ -69,19 +69,29 @@ public:
   void
   parse(const std::vector<std::string>& arguments);
 
-  /** \brief One sentence about something lost or odd, to stderr. */
+  /** \brief One sentence about something lost or odd, to stderr and into the summary.
+   */
   void
-  warn(const std::string& sentence) const;
+  warn(const std::string& sentence);
   void
-  warn(const std::vector<std::string>& sentences) const;
+  warn(const std::vector<std::string>& sentences);
 
-  /** \brief Writes --json; the exit code of a command that worked. */
+  /** \brief Notes the time since the last lap, or since the frame was made, as that of
+   * \a stage, for the summary. */
+  void
+  lap(const char* stage);
+
+  /** \brief Writes --json: the summary, seconds by stage, warnings.
+   * \return the exit code of a command that worked */
   int
-  finish() const;
+  finish();
 
 private:
   std::string json_file_;
   bool print_config_ = false;
+  std::vector<std::string> warnings_;
+  nlohmann::ordered_json seconds_;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
 
 } // namespace linelet::apps

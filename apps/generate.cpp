@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -9,9 +8,9 @@
 #include <linelet/evaluation/geometries.h>
 #include <linelet/evaluation/test_cloud.h>
 #include <linelet/io/output_check.h>
-#include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
@@ -20,51 +19,56 @@ namespace linelet::apps {
 
 namespace {
 
-int
-generateGeometry(const std::vector<std::string>& arguments)
+/** \brief ": a, b or c", the geometries there are. */
+std::string
+geometryNames()
 {
   std::string names;
   for (const auto& entry : Names<evaluation::Geometry>::table)
-    names += " " + std::string(entry.second);
+    names += (names.empty() ? ": " : ", ") + std::string(entry.second);
+  return names;
+}
+
+int
+generateGeometry(const std::vector<std::string>& arguments)
+{
   Frame frame("generate",
-              "Noisy samples of a known curve, for tests and measurements. NAME is one "
-              "of:" +
-                  names +
-                  "; or corridor, a scene with power lines, which has options of "
-                  "its own (linelet generate corridor --help).");
+              "Makes noisy samples of a known curve, for tests and measurements; or, "
+              "as linelet generate corridor, which has options of its own (linelet "
+              "generate corridor --help), a scene with power lines.");
   evaluation::SamplingSettings settings;
-  std::string name, output, truth;
+  auto geometry = evaluation::Geometry::Circle;
+  std::string truth;
   std::vector<double> hole;
-  frame.app.add_option("NAME", name, "what to generate")->required();
-  frame.app.add_option("OUTPUT", output, "point file to write")->required();
-  frame.app.add_option("--truth", truth, "file for the true curves (.obj and others)");
+  const OptionAdder add(frame.app);
+  add.argument("NAME", geometry, "the curve" + geometryNames() + "; or corridor");
+  CloudOutput output(frame);
+  add("truth", truth, "file for the true curves (.obj and others)");
   frame.app
-      .add_option("--hole", hole, "A,B: no samples between these parts of the length")
+      .add_option(
+          "--hole", hole, "no samples between these parts of the length, 0 to 1")
       ->delimiter(',')
-      ->expected(2);
+      ->expected(2)
+      ->type_name("A,B");
   addOptions(frame.app, settings);
   frame.parse(arguments);
-  io::checkCloudOutput(output);
+  output.check();
   if (!truth.empty())
     io::checkCurvesOutput(truth);
 
-  const auto geometry = fromName<evaluation::Geometry>(name);
   if (!hole.empty())
     settings.hole = {hole[0], hole[1]};
   io::Cloud cloud;
   cloud.points = evaluation::sample(geometry, settings);
   const CurveNetwork network = evaluation::truthOf(geometry, settings.out_of_plane);
-  std::vector<std::string> warnings;
-  io::writeCloud(output, cloud, {}, &warnings, &frame.monitor);
+  output.write(cloud);
   if (!truth.empty())
     io::writeCurves(truth, network);
-  frame.warn(warnings);
 
-  std::printf("%s: %zu points of %s, %zu curves of length %.6g\n",
-              output.c_str(),
+  std::printf("%s: %zu points of %s, length %.6g\n",
+              output.path().c_str(),
               cloud.points.size(),
-              name.c_str(),
-              network.curves.size(),
+              std::string(nameOf(geometry)).c_str(),
               length(network));
   frame.summary["points"] = cloud.points.size();
   frame.summary["curves"] = network.curves.size();

@@ -10,9 +10,9 @@
 
 #include <linelet/evaluation/corridor.h>
 #include <linelet/io/output_check.h>
-#include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
@@ -75,13 +75,12 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
       "houses, cranes, fences, a high-voltage line and pole lines below it. The "
       "classes in the file are the truth (14 wire, 15 pylon or pole).");
   evaluation::CorridorSettings settings;
-  std::string output, truth;
-  frame.app.add_option("OUTPUT", output, "point file to write (.las)")->required();
-  frame.app.add_option(
-      "--truth", truth, "file for the true wires, one polyline a span");
+  std::string truth;
+  CloudOutput output(frame);
+  OptionAdder(frame.app)("truth", truth, "file for the true wires, a polyline a span");
   addOptions(frame.app, settings);
   frame.parse(arguments);
-  io::checkCloudOutput(output);
+  output.check();
   if (!truth.empty())
     io::checkCurvesOutput(truth);
 
@@ -92,14 +91,12 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
     ++classes[c];
   const CurveNetwork network = toNetwork(scan.wires);
   const io::Cloud cloud = toCloud(scan);
-  std::vector<std::string> warnings;
-  io::writeCloud(output, cloud, {}, &warnings, &frame.monitor);
+  output.write(cloud);
   if (!truth.empty())
     io::writeCurves(truth, network, cloud.shift, cloud.wkt);
-  frame.warn(warnings);
 
   std::printf("%s: %zu points, %zu of them on %zu wires of %.0f m\n",
-              output.c_str(),
+              output.path().c_str(),
               cloud.points.size(),
               classes[14],
               network.curves.size(),

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <linelet/io/point_file.h>
-#include <linelet/io/usable_points.h>
-
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
@@ -53,13 +51,11 @@ runImage(const std::vector<std::string>& arguments)
   PictureSettings settings;
   MultiScaleSettings shapes;
   shapes.centroid = Centroid::Median;
-  io::ReadOptions reading;
-  std::string input, output;
-  frame.app.add_option("INPUT", input, "point file")->required();
+  std::string output;
+  CloudInput input(frame);
   frame.app.add_option("OUTPUT", output, "picture, .png")->required();
   addOptions(frame.app, settings);
   addOptions(frame.app, shapes);
-  addOptions(frame.app, reading);
   frame.parse(arguments);
   shapes.threads = frame.threads;
   // By value, so that an option file with every default means the same.
@@ -78,14 +74,13 @@ runImage(const std::vector<std::string>& arguments)
       settings.height > most)
     throw std::runtime_error("width and height must be between 200 and 10000 pixels");
 
-  std::vector<std::string> warnings;
-  io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
-  if (const io::UsablePoints usable(cloud, &warnings); usable.withheld() > 0)
+  io::Cloud cloud = input.read();
+  if (const auto usable = usablePoints(cloud, frame); usable.withheld() > 0)
     cloud.points = usable.points();
-  frame.warn(warnings);
   if (cloud.points.empty())
-    throw std::runtime_error(input + ": there are no points to draw");
-  draw(cloud, settings, shapes, input, &frame.monitor).save(output);
+    throw std::runtime_error(input.path() + ": there are no points to draw");
+  draw(cloud, settings, shapes, input.path(), &frame.monitor).save(output);
+  frame.lap("image");
   std::printf("%s: %s, %u x %u pixels\n",
               output.c_str(),
               std::string(nameOf(settings.kind)).c_str(),

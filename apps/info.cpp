@@ -9,13 +9,12 @@
 #include <map>
 #include <unordered_set>
 
-#include <linelet/io/point_file.h>
 #include <linelet/io/usable_points.h>
 #include <linelet/search/scale_unit.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
-#include "options.h"
 
 namespace linelet::apps {
 
@@ -238,18 +237,13 @@ runInfo(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "info",
-      "What a point file holds: extent, density, flags, classes and attributes. "
+      "Says what a point file holds: extent, density, flags, classes and attributes. "
       "Scale unit and density are those of the points that are not withheld.");
-  std::string path;
-  io::ReadOptions options;
-  frame.app.add_option("FILE", path, "point file")->required();
-  addOptions(frame.app, options);
+  CloudInput input(frame);
   frame.parse(arguments);
 
-  std::vector<std::string> warnings;
-  const io::Cloud cloud = io::readCloud(path, options, &warnings, &frame.monitor);
-  frame.warn(warnings);
-  frame.summary = describe(path, cloud, frame.threads);
+  const io::Cloud cloud = input.read();
+  frame.summary = describe(input.path(), cloud, frame.threads);
   print(frame.summary);
   return frame.finish();
 }

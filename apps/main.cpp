@@ -9,6 +9,7 @@
 
 #include "commands.h"
 #include "frame.h"
+#include "help.h"
 #include "version.h"
 
 using namespace linelet::apps;
@@ -64,8 +65,12 @@ main(int argc, char** argv)
     }
     return 1;
   }
+  std::vector<std::string> known;
+  for (const Command& command : commands())
+    known.push_back(command.name);
   std::fprintf(stderr,
-               "linelet: there is no command '%s'; linelet --help lists them\n",
-               name.c_str());
+               "linelet: there is no command '%s'%s; linelet --help lists them\n",
+               name.c_str(),
+               didYouMean(name, known).c_str());
   return 2;
 }

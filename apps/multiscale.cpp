@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -11,86 +10,17 @@
 #include <linelet/features/centroid_shift.h>
 #include <linelet/features/multi_scale.h>
 #include <linelet/features/noise_rate.h>
-#include <linelet/io/output_check.h>
 #include <linelet/io/output_file.h>
-#include <linelet/io/point_file.h>
-#include <linelet/io/usable_points.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
+#include "scale_cost.h"
 
 namespace linelet::apps {
 
 namespace {
-
-double
-now()
-{
-  return std::chrono::duration<double>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-/** \brief What the largest radius costs, measured on a few points. */
-struct Cost {
-  double neighbors = 0; ///< of a point within the largest radius, on average
-  double seconds = 0;   ///< for all points
-};
-
-/** \brief Points in some neighbourhoods: engines gain from queries that lie together.
- */
-Points
-clusters(const Points& points, std::size_t centers, std::size_t size)
-{
-  Points sample;
-  for (std::size_t c = 0; c < centers; ++c) {
-    const Point center = points[points.size() * (2 * c + 1) / (2 * centers)];
-    Points sorted = points;
-    size = std::min(size, points.size());
-    std::nth_element(sorted.begin(),
-                     sorted.begin() + static_cast<std::ptrdiff_t>(size - 1),
-                     sorted.end(),
-                     [&](const Point& a, const Point& b) {
-                       return (a - center).squaredNorm() < (b - center).squaredNorm();
-                     });
-    sample.insert(sample.end(),
-                  sorted.begin(),
-                  sorted.begin() + static_cast<std::ptrdiff_t>(size));
-  }
-  return sample;
-}
-
-Cost
-estimateCost(const Points& points, const MultiScaleSettings& settings)
-{
-  constexpr std::size_t centers = 3;
-  // The grid shares its lists among the queries of a block; medians are slow by
-  // themselves.
-  const bool median = settings.centroid == Centroid::Median ||
-                      settings.centroid == Centroid::WeightedMedian;
-  const std::size_t size = settings.engine == ScaleEngine::Grid && !median ? 3000 : 100;
-  if (!std::all_of(points.begin(), points.end(), [](const Point& point) {
-        return point.allFinite();
-      }))
-    return {};
-  const Points few = clusters(points, centers, 1),
-               many = clusters(points, centers, size);
-  Cost cost;
-  const double begin = now();
-  multiScaleShapes(points, few, settings);
-  const double prepared = now();
-  multiScaleShapes(points, many, settings, [&](std::size_t, const ShapeGraph& graph) {
-    cost.neighbors += graph.back().neighbors;
-  });
-  cost.neighbors /= static_cast<double>(many.size());
-  // Preparation takes the same for few and many.
-  const double preparation = prepared - begin;
-  const double of_one =
-      std::max(0.0, now() - prepared - preparation) / static_cast<double>(many.size());
-  cost.seconds = preparation + of_one * static_cast<double>(points.size());
-  return cost;
-}
 
 constexpr const char* graph_header =
     "point,scale,radius,neighbors,linearity,planarity,sphericity,"
@@ -116,21 +46,6 @@ rowsOf(std::size_t point, const ShapeGraph& graph, const std::vector<double>& ra
     rows += '\n';
   }
   return rows;
-}
-
-template <class T>
-void
-addColumn(io::Cloud& cloud,
-          const std::vector<MultiScaleShape>& shapes,
-          const char* name,
-          T MultiScaleShape::*member,
-          const char* description)
-{
-  std::vector<T> values;
-  values.reserve(shapes.size());
-  for (const MultiScaleShape& shape : shapes)
-    values.push_back(shape.*member);
-  cloud.set({name, std::move(values), description});
 }
 
 void
@@ -164,11 +79,97 @@ aboutPoints(MultiScaleSettings settings)
   return settings;
 }
 
-/** \brief JSON has no NaN. */
-nlohmann::ordered_json
-numberOrNull(double value)
+/** \brief Says of long work beforehand how long it will take, and why. */
+void
+announce(const Points& points, const MultiScaleSettings& settings)
 {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+  constexpr double long_work = 3; // seconds
+  ScaleCost cost = estimateCost(points, settings);
+  if (settings.centroid != Centroid::QueryPoint)
+    cost.seconds += estimateCost(points, aboutPoints(settings)).seconds;
+  if (cost.seconds > long_work)
+    std::fprintf(stderr,
+                 "linelet multiscale: largest radius %.4g holds %.0f neighbours a "
+                 "point; about %.0f s for %zu points, less with a smaller "
+                 "--max-radius\n",
+                 settings.radii.back(),
+                 cost.neighbors,
+                 cost.seconds,
+                 points.size());
+}
+
+/** \brief The shapes of \a points; their graphs go to the file \a graphs, if any. */
+std::vector<MultiScaleShape>
+measure(const Points& points,
+        const MultiScaleSettings& settings,
+        const std::string& graphs,
+        Monitor* monitor)
+{
+  if (graphs.empty())
+    return multiScaleShapes(points, points, settings, {}, monitor).shapes;
+  io::OutputFile file(graphs);
+  file.write(graph_header);
+  const auto write = [&](std::size_t point, const ShapeGraph& graph) {
+    file.write(rowsOf(point, graph, settings.radii));
+  };
+  auto shapes = multiScaleShapes(points, points, settings, write, monitor).shapes;
+  file.commit();
+  return shapes;
+}
+
+/** \brief The usable points of \a cloud, moved to the means of their neighbours where
+ * \a shift has a radius, which moves them in \a cloud as well. */
+Points
+shiftedPoints(io::Cloud& cloud,
+              const io::UsablePoints& usable,
+              const CentroidShiftSettings& shift,
+              Monitor* monitor)
+{
+  if (shift.radius == 0)
+    return usable.points();
+  Points points = shiftToCentroids(usable.points(), shift, monitor);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      cloud.points[i] = points[i];
+  return points;
+}
+
+/** \brief What was found: how far the points are from their curves, and how many points
+ * have no scale. */
+struct Result {
+  double noise_rate, noise_width;
+  std::size_t unknown;
+};
+
+void
+report(const Result& result,
+       const MultiScaleShapes& plan,
+       const MultiScaleSettings& settings,
+       const std::string& file,
+       Frame& frame)
+{
+  const std::size_t points = frame.summary["points"];
+  std::printf("%s: %zu points, scale unit D %.6g, %zu radii from %.6g to %.6g\n"
+              "noise rate %.4f, noise width %.4g\n",
+              file.c_str(),
+              points,
+              plan.scale_unit,
+              plan.radii.size(),
+              plan.radii.front(),
+              plan.radii.back(),
+              result.noise_rate,
+              result.noise_width);
+  if (result.unknown > 0)
+    std::printf("%zu points have no optimal scale: fewer than %u points within the "
+                "largest radius\n",
+                result.unknown,
+                settings.graph.min_neighbors);
+  frame.summary["scale_unit"] = plan.scale_unit;
+  frame.summary["radii"] = plan.radii;
+  frame.summary["engine"] = nameOf(settings.engine);
+  frame.summary["noise_rate"] = result.noise_rate;
+  frame.summary["noise_width"] = result.noise_width;
+  frame.summary["unknown"] = result.unknown;
 }
 
 } // namespace
@@ -189,113 +190,52 @@ runMultiscale(const std::vector<std::string>& arguments)
       "long it will take.");
   MultiScaleSettings settings;
   CentroidShiftSettings shift;
-  io::ReadOptions reading;
-  io::WriteOptions writing;
-  std::string input, output, graphs;
-  frame.app.add_option("INPUT", input, "point file")->required();
-  frame.app.add_option("OUTPUT", output, "point file, format by ending")->required();
+  std::string graphs;
+  CloudInput input(frame);
+  CloudOutput output(frame);
   addOptions(frame.app, settings);
-  frame.app.add_option("--graphs", graphs, "CSV file for the graphs of every point");
-  frame.app.add_option("--centroid-shift",
-                       shift.radius,
-                       "first move every point to the mean of its neighbours within "
-                       "this radius (the output has the moved points); 0: do not");
-  addOptions(frame.app, reading);
-  addOptions(frame.app, writing);
+  const OptionAdder add(frame.app);
+  add("graphs", graphs, "CSV file for the graphs of every point");
+  add("centroid-shift",
+      shift.radius,
+      "first move every point to the mean of its neighbours within this radius (the "
+      "output has the moved points); 0: do not");
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
-  io::checkCloudOutput(output);
+  output.check();
   if (!graphs.empty())
     io::checkWritable(graphs);
 
-  std::vector<std::string> warnings;
-  io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
-  const io::UsablePoints usable(cloud, &warnings);
-  frame.warn(warnings);
-  Points points = usable.points();
-  if (shift.radius != 0) {
-    points = shiftToCentroids(points, shift, &frame.monitor);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points[i].allFinite())
-        cloud.points[i] = points[i];
-  }
-
-  MultiScaleShapes result = multiScaleRadii(points, settings, &frame.monitor);
-  const double scale_unit = result.scale_unit;
-  MultiScaleSettings planned = settings;
-  planned.radii = result.radii;
-  planned.stop_change = 0;
-  if (!points.empty()) {
-    planned.engine = chosenScaleEngine(points, points, planned.radii.back(), planned);
-    Cost cost = estimateCost(points, planned);
-    if (planned.centroid != Centroid::QueryPoint)
-      cost.seconds += estimateCost(points, aboutPoints(planned)).seconds;
-    if (cost.seconds > 3)
-      std::fprintf(stderr,
-                   "linelet multiscale: largest radius %.4g holds %.0f neighbours a "
-                   "point; about %.0f s for %zu points, less with a smaller "
-                   "--max-radius\n",
-                   result.radii.back(),
-                   cost.neighbors,
-                   cost.seconds,
-                   cloud.points.size());
-  }
-
-  if (graphs.empty())
-    result = multiScaleShapes(points, points, planned, {}, &frame.monitor);
-  else {
-    io::OutputFile file(graphs);
-    file.write(graph_header);
-    result = multiScaleShapes(
-        points,
-        points,
-        planned,
-        [&](std::size_t point, const ShapeGraph& graph) {
-          file.write(rowsOf(point, graph, planned.radii));
-        },
-        &frame.monitor);
-    file.commit();
-  }
-  const std::vector<MultiScaleShape> about_points =
+  io::Cloud cloud = input.read();
+  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const Points points = shiftedPoints(cloud, usable, shift, &frame.monitor);
+  const MultiScaleShapes plan = multiScaleRadii(points, settings, &frame.monitor);
+  settings.radii = plan.radii;
+  settings.stop_change = 0; // it has had its say
+  settings.engine = chosenScaleEngine(points, points, settings.radii.back(), settings);
+  announce(points, settings);
+  const auto shapes = measure(points, settings, graphs, &frame.monitor);
+  const auto about_points =
       settings.centroid == Centroid::QueryPoint
-          ? result.shapes
-          : multiScaleShapes(points, points, aboutPoints(planned), {}, &frame.monitor)
-                .shapes;
-  const double noise_rate = noiseRate(about_points);
-  const double noise_width = noiseWidth(about_points);
+          ? shapes
+          : measure(points, aboutPoints(settings), {}, &frame.monitor);
+  const auto without_scale =
+      std::count_if(shapes.begin(), shapes.end(), [](const MultiScaleShape& shape) {
+        return shape.scale < 0;
+      });
+  frame.lap("multiscale");
+  addColumns(cloud, shapes);
+  output.write(cloud);
 
-  std::size_t unknown = 0;
-  for (const MultiScaleShape& shape : result.shapes)
-    unknown += shape.scale < 0 ? 1 : 0;
-  unknown -= usable.withheld();
-  addColumns(cloud, result.shapes);
-  warnings.clear();
-  io::writeCloud(output, cloud, writing, &warnings, &frame.monitor);
-  frame.warn(warnings);
-
-  std::printf("%s: %zu points, scale unit D %.6g, %zu radii from %.6g to %.6g\n"
-              "noise rate %.4f, noise width %.4g\n",
-              output.c_str(),
-              cloud.points.size(),
-              scale_unit,
-              result.radii.size(),
-              result.radii.front(),
-              result.radii.back(),
-              noise_rate,
-              noise_width);
-  if (unknown > 0)
-    std::printf("%zu points have no optimal scale: fewer than %u points within the "
-                "largest radius\n",
-                unknown,
-                settings.graph.min_neighbors);
   frame.summary["points"] = cloud.points.size();
-  frame.summary["scale_unit"] = numberOrNull(scale_unit);
-  frame.summary["radii"] = result.radii;
-  frame.summary["engine"] = nameOf(planned.engine);
-  frame.summary["noise_rate"] = numberOrNull(noise_rate);
-  frame.summary["noise_width"] = numberOrNull(noise_width);
-  frame.summary["unknown"] = unknown;
   frame.summary["withheld"] = usable.withheld();
+  report({noiseRate(about_points),
+          noiseWidth(about_points),
+          static_cast<std::size_t>(without_scale) - usable.withheld()},
+         plan,
+         settings,
+         output.path(),
+         frame);
   return frame.finish();
 }
 

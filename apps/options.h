@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <cstddef>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,7 +35,8 @@ notNegative(const std::string& text)
  *
  * which is the only place that says its options' names and meaning; the defaults are
  * those of the struct. Enumerations are spoken of by their Names, a type with a
- * constructor from std::string_view and a name() by that name. */
+ * constructor from std::string_view and a name() by that name. A meaning that begins
+ * with one word and a colon puts the option under that heading of the help. */
 class OptionAdder {
 public:
   explicit OptionAdder(CLI::App& app) : app_(app) {}
@@ -43,51 +47,69 @@ public:
   {
     const std::string option = std::string("--") + name;
     if constexpr (std::is_same_v<T, bool>)
-      app_.add_flag(value ? option + ",!--no-" + name : option, value, help);
+      add(app_.add_flag(value ? option + ",!--no-" + name : option, value), "", help);
     else if constexpr (std::is_enum_v<T>) {
-      std::string choices = std::string(help) + ":";
+      std::string choices;
       for (const auto& entry : Names<T>::table)
-        choices += " " + std::string(entry.second);
-      addNamed(
-          option,
-          [&value](const std::string& text) { value = fromName<T>(text); },
-          choices,
-          std::string(nameOf(value)));
+        choices += (choices.empty() ? "" : ", ") + std::string(entry.second);
+      addNamed(option, byName(value), std::string(help) + " (" + choices + ")")
+          ->default_str(std::string(nameOf(value)));
     }
     else if constexpr (std::is_unsigned_v<T>)
-      app_.add_option(option, value, help)->capture_default_str()->check(notNegative);
-    else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>)
-      app_.add_option(option, value, help)->capture_default_str();
+      add(app_.add_option(option, value)->check(notNegative), "N", help);
+    else if constexpr (std::is_floating_point_v<T>)
+      add(app_.add_option(option, value), "X", help);
+    else if constexpr (std::is_same_v<T, std::string>)
+      add(app_.add_option(option, value), "TEXT", help);
     else if constexpr (std::is_same_v<T, std::vector<double>>)
-      app_.add_option(option, value, help)->delimiter(',')->capture_default_str();
-    else
-      addNamed(
-          option,
-          [&value](const std::string& text) { value = T(text); },
-          help,
-          value.name());
+      add(app_.add_option(option, value)->delimiter(','), "X,...", help);
+    else {
+      const auto set = [&value](const std::string& text) { value = T(text); };
+      addNamed(option, set, help)->default_str(value.name());
+    }
+  }
+
+  /** \brief Adds an argument \a name, which must be given, for an enumeration. */
+  template <class E>
+  void
+  argument(const char* name, E& value, const std::string& help) const
+  {
+    addNamed(name, byName(value), help)->required();
   }
 
 private:
-  template <class Set>
-  void
-  addNamed(const std::string& option,
-           Set set,
-           const std::string& help,
-           const std::string& shown) const
+  template <class E>
+  static auto
+  byName(E& value)
   {
-    app_.add_option_function<std::string>(
-            option,
-            [set](const std::string& text) {
-              try {
-                set(text);
-              }
-              catch (const std::invalid_argument& error) {
-                throw CLI::ValidationError(error.what());
-              }
-            },
-            help)
-        ->default_str(shown);
+    return [&value](const std::string& text) { value = fromName<E>(text); };
+  }
+
+  static CLI::Option*
+  add(CLI::Option* option, const char* type, const std::string& help)
+  {
+    const std::size_t word = help.find_first_of(": ");
+    const bool headed = word != std::string::npos && help[word] == ':';
+    option->group(headed ? help.substr(0, word) : "Options");
+    option->description(headed ? help.substr(help.find_first_not_of(": ", word))
+                               : help);
+    return option->type_name(type)->capture_default_str();
+  }
+
+  /** \brief An option whose text \a set understands or refuses. */
+  template <class Set>
+  CLI::Option*
+  addNamed(const std::string& option, Set set, const std::string& help) const
+  {
+    const auto reader = [set](const std::string& text) {
+      try {
+        set(text);
+      }
+      catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError(error.what());
+      }
+    };
+    return add(app_.add_option_function<std::string>(option, reader), "NAME", help);
   }
 
   CLI::App& app_;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 
-#include <linelet/io/point_file.h>
-#include <linelet/io/usable_points.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline/output_files.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
@@ -81,99 +81,119 @@ requireLengths(const io::Cloud& cloud, const io::Units& units, const std::string
     throw io::FileError(path + ": its coordinates look like degrees" + help);
 }
 
+/** \brief What the wires of a network come to. */
+struct Totals {
+  double length = 0;        ///< metres
+  std::size_t hazards = 0;  ///< wires with less clearance than is in order
+  std::size_t doubtful = 0; ///< wires with a remark
+};
+
+Totals
+totalsOf(const PowerLineNetwork& network, double clearance)
+{
+  Totals totals;
+  for (const Wire& wire : network.wires) {
+    totals.length += wire.length;
+    totals.hazards += powerline::belowClearance(wire, clearance) ? 1 : 0;
+    totals.doubtful += wire.reason.empty() ? 0 : 1;
+  }
+  return totals;
+}
+
+void
+print(const PowerLineNetwork& network, const Totals& totals, double clearance)
+{
+  std::printf("%-22s %zu\n", "lines", network.circuits.size());
+  std::printf("%-22s %zu\n", "spans", network.spans.size());
+  std::printf("%-22s %zu (%.0f m, %zu of them with a remark)\n",
+              "wires",
+              network.wires.size(),
+              totals.length,
+              totals.doubtful);
+  std::printf("%-22s %zu\n", "pylons and poles", network.supports.size());
+  printClearance("lowest above ground", network, &Wire::ground);
+  printClearance("nearest to vegetation", network, &Wire::vegetation);
+  std::printf("%-22s %zu wires below %.1f m\n", "clearance", totals.hazards, clearance);
+}
+
+void
+summarise(nlohmann::ordered_json& summary,
+          const PowerLineNetwork& network,
+          const Totals& totals)
+{
+  summary["lines"] = network.circuits.size();
+  summary["spans"] = network.spans.size();
+  summary["wires"] = network.wires.size();
+  summary["length"] = totals.length;
+  summary["supports"] = network.supports.size();
+  summary["ground_clearance"] = toJson(network, &Wire::ground);
+  summary["vegetation_clearance"] = toJson(network, &Wire::vegetation);
+  summary["wires_below_clearance"] = totals.hazards;
+  for (const powerline::StageTime& stage : network.stages)
+    summary["stage_seconds"][stage.stage] = stage.seconds;
+}
+
 } // namespace
 
 int
 runPowerlines(const std::vector<std::string>& arguments)
 {
   Frame frame("powerlines",
-              "Find every wire of an airborne or UAV scan: classified cloud, vectors, "
+              "Finds every wire of an airborne or UAV scan: classified cloud, vectors, "
               "report. Points flagged as withheld take no part and stay in the "
               "classified cloud as they are; overlap, synthetic and key points are "
               "used like others.");
-  std::string in, folder;
+  std::string folder;
   powerline::PowerLineSettings settings;
-  io::ReadOptions reading;
-  frame.app
-      .add_option(
-          "IN",
-          in,
-          "point file, z up, metres or feet (by its reference system); classes are not "
-          "needed")
-      ->required();
+  CloudInput input(frame,
+                   "point file, z up, metres or feet (by its reference system); "
+                   "classes are not needed");
   frame.app
       .add_option("OUTDIR",
                   folder,
                   "folder for classified.las, wires.geojson, wires.gpkg, wires.dxf, "
                   "summary.json and report.html; made if need be")
       ->required();
-  addOptions(frame.app, reading);
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;
 
-  std::vector<std::string> warnings;
-  io::Cloud cloud = io::readCloud(in, reading, &warnings, &frame.monitor);
+  io::Cloud cloud = input.read();
   const io::Units units = io::unitsOf(cloud.wkt);
-  requireLengths(cloud, units, in);
+  requireLengths(cloud, units, input.path());
   if (!units.height_stated && !units.areMetres())
-    warnings.push_back("the reference system tells no unit of heights; they count as " +
-                       units.height_name + ", like x and y");
+    frame.warn("the reference system tells no unit of heights; they count as " +
+               units.height_name + ", like x and y");
   if (cloud.wkt.empty())
-    warnings.push_back(in +
-                       " tells no reference system: its coordinates count as metres");
-  const std::size_t withheld = io::UsablePoints(cloud, &warnings).withheld();
+    frame.warn(input.path() +
+               " tells no reference system: its coordinates count as metres");
+  const std::size_t withheld = usablePoints(cloud, frame).withheld();
   powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =
       powerline::extractPowerLines(cloud, settings, &frame.monitor);
   powerline::OutputOptions output;
-  output.source = in.substr(in.find_last_of('/') + 1);
+  output.source = std::filesystem::path(input.path()).filename().string();
   output.clearance = settings.clearance;
+  frame.lap("powerlines");
+  std::vector<std::string> warnings;
   const std::vector<std::string> files = powerline::writePowerLineFiles(
       folder, std::move(cloud), network, output, &warnings, &frame.monitor);
   frame.warn(warnings);
+  frame.lap("write");
 
-  double length = 0;
-  std::size_t hazards = 0, doubtful = 0;
-  for (const Wire& wire : network.wires) {
-    length += wire.length;
-    hazards += powerline::belowClearance(wire, settings.clearance);
-    doubtful += !wire.reason.empty();
-  }
+  const Totals totals = totalsOf(network, settings.clearance);
   if (network.wires.empty())
     std::printf("no wires found in %zu points\n", points);
-  else {
-    std::printf("%-22s %zu\n", "lines", network.circuits.size());
-    std::printf("%-22s %zu\n", "spans", network.spans.size());
-    std::printf("%-22s %zu (%.0f m, %zu of them with a remark)\n",
-                "wires",
-                network.wires.size(),
-                length,
-                doubtful);
-    std::printf("%-22s %zu\n", "pylons and poles", network.supports.size());
-    printClearance("lowest above ground", network, &Wire::ground);
-    printClearance("nearest to vegetation", network, &Wire::vegetation);
-    std::printf(
-        "%-22s %zu wires below %.1f m\n", "clearance", hazards, settings.clearance);
-  }
+  else
+    print(network, totals, settings.clearance);
   for (const std::string& file : files)
     std::printf("%s\n", file.c_str());
 
   frame.summary["points"] = points;
   frame.summary["withheld"] = withheld;
-  frame.summary["lines"] = network.circuits.size();
-  frame.summary["spans"] = network.spans.size();
-  frame.summary["wires"] = network.wires.size();
-  frame.summary["length"] = length;
-  frame.summary["supports"] = network.supports.size();
-  frame.summary["ground_clearance"] = toJson(network, &Wire::ground);
-  frame.summary["vegetation_clearance"] = toJson(network, &Wire::vegetation);
-  frame.summary["wires_below_clearance"] = hazards;
-  for (const powerline::StageTime& stage : network.stages)
-    frame.summary["seconds"][stage.stage] = stage.seconds;
+  summarise(frame.summary, network, totals);
   frame.summary["files"] = files;
-  frame.summary["warnings"] = warnings;
   return frame.finish();
 }
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -9,11 +8,9 @@
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
-#include <linelet/io/output_check.h>
-#include <linelet/io/point_file.h>
-#include <linelet/io/usable_points.h>
 #include <linelet/search/scale_unit.h>
 
+#include "cloud_files.h"
 #include "commands.h"
 #include "device_engine.h"
 #include "frame.h"
@@ -25,20 +22,9 @@ namespace {
 
 using Records = std::vector<PointDistributionTensor>;
 
-/** \brief Seconds since the last call, or since it was made. */
-class StopWatch {
-public:
-  double
-  lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> passed = now - since_;
-    since_ = now;
-    return passed.count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+/** \brief Fields of the cloud that size the neighbourhoods point by point. */
+struct SizeFields {
+  std::string radius, knn; // names; empty: none
 };
 
 const io::Column&
@@ -53,43 +39,24 @@ fieldOf(const io::Cloud& cloud, const std::string& name, const std::string& file
                            (names.empty() ? " none" : names));
 }
 
-/** \brief Sizes of neighbourhoods from fields of the cloud, where they were asked for.
- */
+/** \brief Sizes of neighbourhoods from \a fields of the cloud, where there are any. */
 NeighbourhoodSizes
-sizesFrom(const io::Cloud& cloud,
-          const std::string& radius_field,
-          const std::string& knn_field,
-          const std::string& file)
+sizesFrom(const io::Cloud& cloud, const SizeFields& fields, const std::string& file)
 {
   NeighbourhoodSizes sizes;
-  if (!radius_field.empty()) {
-    const io::Column& column = fieldOf(cloud, radius_field, file);
+  if (!fields.radius.empty()) {
+    const io::Column& column = fieldOf(cloud, fields.radius, file);
     for (std::size_t i = 0; i < cloud.points.size(); ++i)
       sizes.radii.push_back(io::valueAt(column, i));
   }
-  if (!knn_field.empty()) {
-    const io::Column& column = fieldOf(cloud, knn_field, file);
+  if (!fields.knn.empty()) {
+    const io::Column& column = fieldOf(cloud, fields.knn, file);
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
       const double k = io::valueAt(column, i);
       sizes.counts.push_back(k >= 1 && k < 4e9 ? static_cast<unsigned>(k) : 0);
     }
   }
   return sizes;
-}
-
-template <class T>
-void
-addColumn(io::Cloud& cloud,
-          const Records& records,
-          const char* name,
-          T PointDistributionTensor::*member,
-          const char* description)
-{
-  std::vector<T> values;
-  values.reserve(records.size());
-  for (const PointDistributionTensor& record : records)
-    values.push_back(record.*member);
-  cloud.set({name, std::move(values), description});
 }
 
 /** \brief The fields of the records as attributes of the points. */
@@ -174,19 +141,84 @@ estimate(const Points& points,
 }
 
 std::string
-describeSize(const TensorSettings& settings,
-             const std::string& radius_field,
-             const std::string& knn_field)
+describeSize(const TensorSettings& settings, const SizeFields& fields)
 {
   char text[64];
-  if (!radius_field.empty())
-    return "radius from field " + radius_field;
-  if (!knn_field.empty())
-    return "number of nearest points from field " + knn_field;
+  if (!fields.radius.empty())
+    return "radius from field " + fields.radius;
+  if (!fields.knn.empty())
+    return "number of nearest points from field " + fields.knn;
   if (settings.k > 0)
     return std::to_string(settings.k) + " nearest points";
   std::snprintf(text, sizeof(text), "radius %.6g", settings.radius);
   return text;
+}
+
+/** \brief What the records of a cloud come to. */
+struct Tally {
+  std::size_t points = 0;
+  std::size_t withheld = 0;  ///< of them, which take no part
+  std::size_t unknown = 0;   ///< of the others, without a shape
+  double mean_neighbors = 0; ///< of the others
+};
+
+Tally
+tallyOf(const Records& records, std::size_t withheld)
+{
+  Tally tally;
+  tally.points = records.size();
+  tally.withheld = withheld;
+  double neighbors = 0;
+  for (const PointDistributionTensor& record : records) {
+    tally.unknown += std::isnan(record.linearity) ? 1 : 0;
+    neighbors += record.neighbors;
+  }
+  tally.unknown -= withheld;
+  if (tally.points > withheld)
+    tally.mean_neighbors = neighbors / static_cast<double>(tally.points - withheld);
+  return tally;
+}
+
+/** \brief Says how many points have no shape; where they are many, a radius that would
+ * give them one. */
+void
+printUnknown(const Tally& tally, double scale_unit, const Points& points)
+{
+  if (tally.unknown == 0)
+    return;
+  std::printf("%zu points have no shape: too few neighbors, or all in one place\n",
+              tally.unknown);
+  // One point in a hundred is no reason for another radius.
+  if (tally.unknown * 100 <= tally.points - tally.withheld)
+    return;
+  if (std::isnan(scale_unit))
+    scale_unit = scaleUnit(points);
+  if (scale_unit > 0)
+    std::printf("try --radius %.3g: three times the scale unit of this cloud\n",
+                radiusFor(scale_unit));
+}
+
+void
+summarise(nlohmann::ordered_json& summary,
+          const Tally& tally,
+          const TensorSettings& settings,
+          const SizeFields& fields)
+{
+  summary["points"] = tally.points;
+  if (settings.radius > 0)
+    summary["radius"] = settings.radius;
+  if (settings.k > 0)
+    summary["knn"] = settings.k;
+  if (!fields.radius.empty())
+    summary["radius_field"] = fields.radius;
+  if (!fields.knn.empty())
+    summary["knn_field"] = fields.knn;
+  summary["weight"] = settings.weighting.name();
+  summary["centroid"] = nameOf(settings.centroid);
+  summary["engine"] = nameOf(settings.engine);
+  summary["mean_neighbors"] = tally.mean_neighbors;
+  summary["unknown"] = tally.unknown;
+  summary["withheld"] = tally.withheld;
 }
 
 } // namespace
@@ -202,100 +234,47 @@ runTensor(const std::vector<std::string>& arguments)
       "or a field the radius is chosen: three times the scale unit D. Points flagged "
       "as withheld take no part and have no shape.");
   TensorSettings settings;
-  io::ReadOptions reading;
-  io::WriteOptions writing;
-  std::string input, output, radius_field, knn_field, device;
-  frame.app.add_option("INPUT", input, "point file")->required();
-  frame.app.add_option("OUTPUT", output, "point file, format by ending")->required();
+  SizeFields fields;
+  std::string device;
+  CloudInput input(frame);
+  CloudOutput output(frame);
   addOptions(frame.app, settings);
-  frame.app.add_option(
-      "--radius-field", radius_field, "attribute that holds the radius of every point");
-  frame.app.add_option(
-      "--knn-field",
-      knn_field,
+  const OptionAdder add(frame.app);
+  add("radius-field", fields.radius, "attribute that holds the radius of every point");
+  add("knn-field",
+      fields.knn,
       "attribute that holds the number of nearest points of every point");
-  frame.app.add_option("--device",
-                       device,
-                       "OpenCL device by number or part of its name; linelet devices "
-                       "lists them");
-  addOptions(frame.app, reading);
-  addOptions(frame.app, writing);
+  add("device",
+      device,
+      "OpenCL device by number or part of its name; linelet devices lists them");
   frame.parse(arguments);
   settings.threads = frame.threads;
-  io::checkCloudOutput(output);
+  output.check();
 
-  StopWatch watch;
-  std::vector<std::string> warnings;
-  io::Cloud cloud = io::readCloud(input, reading, &warnings, &frame.monitor);
-  const io::UsablePoints usable(cloud, &warnings);
-  const Points& points = usable.points();
-  frame.warn(warnings);
-  const double read_seconds = watch.lap();
-
-  const NeighbourhoodSizes sizes = sizesFrom(cloud, radius_field, knn_field, input);
+  io::Cloud cloud = input.read();
+  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const NeighbourhoodSizes sizes = sizesFrom(cloud, fields, input.path());
   double scale_unit = std::nan("");
-  if (settings.radius == 0 && settings.k == 0 && radius_field.empty() &&
-      knn_field.empty()) {
-    scale_unit = scaleUnit(points, 1024, 1, frame.threads);
-    settings.radius = chooseRadius(scale_unit, input);
-  }
-  const Records records = estimate(points, settings, sizes, device, frame);
-  const double tensor_seconds = watch.lap();
-
-  std::size_t unknown = 0;
-  double neighbors = 0;
-  for (const PointDistributionTensor& record : records) {
-    unknown += std::isnan(record.linearity);
-    neighbors += record.neighbors;
-  }
-  unknown -= usable.withheld();
-  const auto count = static_cast<double>(records.size() - usable.withheld());
-  // One point in a hundred is no reason for another radius.
-  if (static_cast<double>(unknown) > 0.01 * count && std::isnan(scale_unit))
-    scale_unit = scaleUnit(points, 1024, 1, frame.threads);
-
-  addColumns(cloud, records);
-  watch.lap();
-  warnings.clear();
-  io::writeCloud(output, cloud, writing, &warnings, &frame.monitor);
-  frame.warn(warnings);
-  const double write_seconds = watch.lap();
-
-  const std::string size = describeSize(settings, radius_field, knn_field);
-  const std::string engine(nameOf(settings.engine));
-  std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
-              output.c_str(),
-              records.size(),
-              size.c_str(),
-              count > 0 ? neighbors / count : 0.0,
-              engine.c_str());
-  if (unknown > 0) {
-    std::printf("%zu points have no shape: too few neighbors, or all in one place\n",
-                unknown);
-    if (scale_unit > 0 && static_cast<double>(unknown) > 0.01 * count)
-      std::printf("try --radius %.3g: three times the scale unit of this cloud\n",
-                  radiusFor(scale_unit));
-  }
-
-  frame.summary["points"] = records.size();
-  if (settings.radius > 0)
-    frame.summary["radius"] = settings.radius;
-  if (settings.k > 0)
-    frame.summary["knn"] = settings.k;
-  if (!radius_field.empty())
-    frame.summary["radius_field"] = radius_field;
-  if (!knn_field.empty())
-    frame.summary["knn_field"] = knn_field;
-  if (!std::isnan(scale_unit))
+  if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
+      fields.knn.empty()) {
+    scale_unit = scaleUnit(usable.points(), 1024, 1, frame.threads);
     frame.summary["scale_unit"] = scale_unit;
-  frame.summary["weight"] = settings.weighting.name();
-  frame.summary["centroid"] = nameOf(settings.centroid);
-  frame.summary["engine"] = engine;
-  frame.summary["mean_neighbors"] = count > 0 ? neighbors / count : 0.0;
-  frame.summary["unknown"] = unknown;
-  frame.summary["withheld"] = usable.withheld();
-  frame.summary["seconds"] = {
-      {"read", read_seconds}, {"tensor", tensor_seconds}, {"write", write_seconds}};
+    settings.radius = chooseRadius(scale_unit, input.path());
+  }
+  const Records records = estimate(usable.points(), settings, sizes, device, frame);
+  frame.lap("tensor");
+  addColumns(cloud, records);
+  output.write(cloud);
+
+  const Tally tally = tallyOf(records, usable.withheld());
+  std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
+              output.path().c_str(),
+              tally.points,
+              describeSize(settings, fields).c_str(),
+              tally.mean_neighbors,
+              std::string(nameOf(settings.engine)).c_str());
+  printUnknown(tally, scale_unit, usable.points());
+  summarise(frame.summary, tally, settings, fields);
   return frame.finish();
 }
 

@@ -4,6 +4,8 @@
 #include <linelet/io/point_file.h>
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include <linelet/io/output_check.h>
 
@@ -72,6 +74,8 @@ readCloud(const std::string& path,
           std::vector<std::string>* warnings,
           Monitor* monitor)
 {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+    throw FileError(path + ": is a folder; name a point file");
   const Format& format = formatOf(path);
   const MappedFile file(path);
   if (monitor != nullptr)

@@ -148,6 +148,8 @@ TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
   ASSERT_EQ(network.curves.size(), 1u);
   for (const Point& vertex : network.curves[0].points)
     EXPECT_NEAR(vertex.z(), 5, 1e-3);
+  EXPECT_THAT(runWell("curves " + cloud + " " + output + " --classes 99").error,
+              HasSubstr("no point is of a class of --classes"));
   runWell("generate circle " + path("circle.xyz"));
   expectOneLineOf("curves " + path("circle.xyz") + " " + path("out.obj") +
                       " --classes 14",

@@ -88,6 +88,7 @@ TEST_F(FileCommands, InfoOfFewPointsIsValidJson)
 TEST_F(FileCommands, WhatCannotBeReadIsNamedInOneLine)
 {
   expectOneLineOf("info " + path("none.las"), path("none.las"));
+  expectOneLineOf("info " + path(""), "is a folder");
   expectOneLineOf("info " + write("cloud.foo", "1 2 3\n"), path("cloud.foo"));
   expectOneLineOf("info " + write("cloud.laz", "LASF"), path("cloud.laz"));
   expectOneLineOf("info " + write("short.las", "LASF"), path("short.las"));

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 
@@ -14,7 +18,9 @@ using linelet::test::Outcome;
 using linelet::test::ToolTest;
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::Not;
 using testing::StartsWith;
+using testing::UnorderedElementsAre;
 
 namespace {
 
@@ -28,8 +34,8 @@ const std::vector<std::string> all_commands = {"info",
                                                "generate corridor",
                                                "evaluate",
                                                "benchmark",
-                                               "devices",
-                                               "image"};
+                                               "image",
+                                               "devices"};
 
 class Usage : public ToolTest {};
 
@@ -49,11 +55,19 @@ TEST_F(Usage, EveryCommandExplainsItsOptionsAndDefaults)
   for (const std::string& command : all_commands) {
     SCOPED_TRACE(command);
     const Outcome help = runWell(command + " --help");
-    EXPECT_THAT(help.out, HasSubstr("Usage: linelet " + command));
-    EXPECT_THAT(help.out, HasSubstr("--threads UINT=0"));
+    EXPECT_THAT(help.out, StartsWith("Usage: linelet " + command + " [OPTIONS]"));
+    EXPECT_THAT(help.out, HasSubstr("\nEvery command:\n"));
+    EXPECT_THAT(help.out, HasSubstr("  --threads N=0 "));
     EXPECT_EQ(help.error, "");
+    std::istringstream text(help.out);
+    for (std::string line; std::getline(text, line);)
+      EXPECT_LE(line.size(), 80u) << line;
   }
-  EXPECT_THAT(runWell("curves --help").out, HasSubstr("--preset TEXT=refined"));
+  const std::string curves = runWell("curves --help").out;
+  EXPECT_THAT(curves, HasSubstr("--preset NAME=refined"));
+  // What one preset alone reads stands under its name, behind the options of all.
+  EXPECT_LT(curves.find("--distance-cutoff X=0"), curves.find("\npublished:\n"));
+  EXPECT_GT(curves.find("--branch-angle X=70"), curves.find("\npublished:\n"));
 }
 
 TEST_F(Usage, MisuseExitsWithTwo)
@@ -74,6 +88,76 @@ TEST_F(Usage, MisuseExitsWithTwo)
   EXPECT_EQ(run("info").code, 2);
   EXPECT_EQ(run("convert " + cloud).code, 2);
   EXPECT_EQ(run("curves " + cloud + " out.obj --preset newest").code, 2);
+  EXPECT_EQ(run("generate oval out.xyz").code, 2);
+}
+
+TEST_F(Usage, ASlipOfTheKeyboardIsUnderstood)
+{
+  EXPECT_THAT(run("curvse in.xyz out.obj").error, HasSubstr("did you mean curves?"));
+  // The value behind it is no file.
+  EXPECT_THAT(run("curves --distance-cutof 3 in.xyz out.obj").error,
+              StartsWith("linelet curves: there is no option --distance-cutof, did you "
+                         "mean --distance-cutoff?;"));
+  // Nor does an argument that is missing hide it.
+  EXPECT_THAT(run("curves --hlep").error, HasSubstr("did you mean --help?"));
+  EXPECT_THAT(run("tensor in.xyz out.xyz --radus=3").error,
+              HasSubstr("did you mean --radius?"));
+  EXPECT_THAT(run("info in.xyz --frobnicate").error, Not(HasSubstr("did you mean")));
+}
+
+TEST_F(Usage, MessagesShowNumbersAsTheyWereGiven)
+{
+  const std::string cloud = path("circle.xyz");
+  runWell("generate circle " + cloud);
+  expectOneLineOf("curves " + cloud + " " + path("c.obj") + " --distance-cutoff -1",
+                  "distance-cutoff is -1 ");
+  expectOneLineOf("multiscale " + cloud + " " + path("m.las") + " --scale-unit -1e-9",
+                  "scale unit -1e-09 ");
+}
+
+TEST_F(Usage, NoNumberOfThreadsIsTooLarge)
+{
+  const std::string cloud = path("helix.xyz");
+  runWell("generate helix " + cloud + " --points 3000");
+  for (const char* threads : {"99999", "4294967295"})
+    runWell("tensor " + cloud + " " + path("shapes.las") + " --threads " + threads);
+}
+
+TEST_F(Usage, EverySummarySaysTimesAndWarnings)
+{
+  const std::string cloud = write("in.csv", "x,y,z,code\n0,0,0,1\n1,0,0,1\n2,0,0,2\n");
+  runWell("convert " + cloud + " " + path("out.obj") + " --json " + path("out.json"));
+  const auto summary = json(path("out.json"));
+  EXPECT_GE(summary["seconds"]["read"], 0);
+  EXPECT_GE(summary["seconds"]["write"], 0);
+  ASSERT_EQ(summary["warnings"].size(), 1u); // the attribute that OBJ has no place for
+  EXPECT_THAT(summary["warnings"][0].get<std::string>(), HasSubstr("1 attribute"));
+  runWell("devices --json " + path("out.json"));
+  EXPECT_TRUE(json(path("out.json"))["warnings"].is_array());
+}
+
+TEST_F(Usage, AnEndedRunLeavesNoFiles)
+{
+  runWell("generate helix " + path("helix.xyz") + " --points 3000");
+  // Through a pipe, which tells when the tool is there to hear the signal.
+  const std::string pipe = path("pipe.xyz"), error = path("ended");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const char* signal : {"INT", "TERM"}) {
+    SCOPED_TRACE(signal);
+    const std::string commands = std::string(LINELET_TOOL) + " multiscale " + pipe +
+                                 " " + path("out.las") + " --graphs " +
+                                 path("graphs.csv") + " 2> " + error + " & exec 3> " +
+                                 pipe + "; kill -" + signal + " $!; cat " +
+                                 path("helix.xyz") + " >&3; exec 3>&-; wait $!";
+    EXPECT_EQ(WEXITSTATUS(std::system(commands.c_str())), 1);
+    EXPECT_EQ(contents(error), "linelet multiscale: cancelled\n");
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(path("")))
+      left.push_back(entry.path().filename());
+    EXPECT_THAT(
+        left,
+        UnorderedElementsAre("helix.xyz", "pipe.xyz", "ended", "stdout", "stderr"));
+  }
 }
 
 TEST_F(Usage, MisuseIsToldInOneLine)
@@ -89,6 +173,8 @@ TEST_F(Usage, MisuseIsToldInOneLine)
     EXPECT_THAT(outcome.error, StartsWith("linelet curves: "));
     EXPECT_THAT(outcome.error, HasSubstr("linelet curves --help"));
   }
+  EXPECT_THAT(run("curves in.xyz out.obj --distance-cutoff far").error,
+              HasSubstr("--distance-cutoff = far is not a number that it takes"));
   EXPECT_THAT(run("curves in.xyz out.obj --config " + wrong).error,
               StartsWith("linelet curves: " + wrong + ": "));
 }
