@@ -41,17 +41,26 @@ struct ChunkSums {
   HWY_INLINE void
   addMasked(Mask mask, V x, V y, V z)
   {
-    const auto sum = [&](V& s, V a, V b)
-                         HWY_ATTR { s = hn::IfThenElse(mask, hn::MulAdd(a, b, s), s); };
-    sx = hn::IfThenElse(mask, hn::Add(sx, x), sx);
-    sy = hn::IfThenElse(mask, hn::Add(sy, y), sy);
-    sz = hn::IfThenElse(mask, hn::Add(sz, z), sz);
-    sum(xx, x, x);
-    sum(xy, x, y);
-    sum(xz, x, z);
-    sum(yy, y, y);
-    sum(yz, y, z);
-    sum(zz, z, z);
+    // With registers for masks, sums are masked at no cost; without, nine blends cost
+    // more than the three that make points count for nothing.
+    constexpr bool mask_sums = HWY_TARGET <= HWY_AVX3;
+    const auto kept = [&](V sum, V s) HWY_ATTR {
+      return mask_sums ? hn::IfThenElse(mask, sum, s) : sum;
+    };
+    const auto factor = [&](V v) HWY_ATTR {
+      return mask_sums ? v : hn::IfThenElseZero(mask, v);
+    };
+    const auto sum = [&](V& s, V a, V b) HWY_ATTR { s = kept(hn::MulAdd(a, b, s), s); };
+    const V mx = factor(x), my = factor(y), mz = factor(z);
+    sx = kept(hn::Add(sx, mx), sx);
+    sy = kept(hn::Add(sy, my), sy);
+    sz = kept(hn::Add(sz, mz), sz);
+    sum(xx, mx, x);
+    sum(xy, mx, y);
+    sum(xz, mx, z);
+    sum(yy, my, y);
+    sum(yz, my, z);
+    sum(zz, mz, z);
     count += hn::CountTrue(F(), mask);
   }
 
