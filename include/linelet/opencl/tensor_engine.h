@@ -76,7 +76,8 @@ public:
   std::size_t
   queriesOnHost() const;
 
-  /** \brief How many slabs the last \ref estimate was cut into. */
+  /** \brief How many slabs the last \ref estimate was cut into: 1 if all fits; radii of
+   * each magnitude, and each round of the search for nearest points, have their own. */
   std::size_t
   slabs() const;
 
