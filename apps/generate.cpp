@@ -61,6 +61,7 @@ generateGeometry(const std::vector<std::string>& arguments)
   io::Cloud cloud;
   cloud.points = evaluation::sample(geometry, settings);
   const CurveNetwork network = evaluation::truthOf(geometry, settings.out_of_plane);
+  frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())
     io::writeCurves(truth, network);

@@ -91,6 +91,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
     ++classes[c];
   const CurveNetwork network = toNetwork(scan.wires);
   const io::Cloud cloud = toCloud(scan);
+  frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())
     io::writeCurves(truth, network, cloud.shift, cloud.wkt);
