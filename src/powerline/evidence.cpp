@@ -11,9 +11,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double largest_rms = 0.16;  // metres
-constexpr double bundle_radius = 0.5; // metres, of a bundle in one vector
-constexpr double bundle_rms = 0.35;   // metres
+constexpr double largest_rms = 0.16;      // metres
+constexpr double bundle_radius = 0.5;     // metres, of a bundle in one vector
+constexpr double bundle_rms = 0.35;       // metres
+constexpr double bundle_tolerance = 0.15; // metres; what fits closer is one wire
 // Points a metre of a bundle, else its moat says nothing: beside single wires that may
 // be told apart, and where these have been found.
 constexpr double bundle_density = 6, last_density = 3;
@@ -76,7 +77,8 @@ isBundle(const Growth& growth,
          double least_density,
          const PowerLineSettings& settings)
 {
-  if (piece.model.length() < settings.min_length || piece.model.tolerance < 0.15 ||
+  if (piece.model.length() < settings.min_length ||
+      piece.model.tolerance < bundle_tolerance ||
       static_cast<double>(piece.members.size()) < least_density * piece.model.length())
     return false;
   Piece bundle = piece;

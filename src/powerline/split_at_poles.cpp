@@ -19,7 +19,7 @@ constexpr double clear_from = 0.9, clear_to = 2.0; // metres around it, along th
 constexpr double filled = 0.7; // of the metres from candidates to wire
 constexpr double contrast = 4; // points of the pole per points around
 constexpr double alone_from = 0.6, alone_to = 3.0; // metres, empty around a pole ...
-constexpr double filled_alone = 0.4;               // ... that may have so few points
+constexpr double filled_alone = 0.4;               // ... that may fill so little
 constexpr double least_piece = 6;                  // metres, a shorter rest is cut off
 constexpr std::size_t crowded = 3000; // points below, too many for a pole in the open
 
