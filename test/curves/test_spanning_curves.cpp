@@ -26,26 +26,33 @@ shuffled(Points points)
   return points;
 }
 
-/** \brief A paddle: the outline of a disc of radius 100 with a handle 10 wide and 100
- * long, its points 2 apart along the handle and 20 along the disc. */
-Points
-paddle()
-{
+/** \brief A paddle: the outline of a disc of radius 100 and a handle, whose end is 200
+ * from the middle of the disc. */
+struct Paddle {
   Points points;
-  for (int k = 0; k <= 50; ++k) {
-    points.emplace_back(98 + 2 * k, -5, 0);
-    points.emplace_back(98 + 2 * k, 5, 0);
+  double length = 0;
+
+  /** \param[in] width of the handle
+   * \param[in] spacing of the points along the handle; it grows to 30 around the disc
+   */
+  Paddle(double width, double spacing)
+  {
+    const double begin = std::sqrt(100 * 100 - width * width / 4);
+    for (double x = begin; x <= 200; x += spacing)
+      for (const double y : {-width / 2, width / 2})
+        points.emplace_back(x, y, 0);
+    for (double y = spacing - width / 2; y < width / 2 - spacing / 2; y += spacing)
+      points.emplace_back(200, y, 0);
+    const double handle = std::asin(width / 200), least = spacing / 100;
+    double step = least;
+    for (double angle = handle + step; angle < 2 * M_PI - handle; angle += step) {
+      points.emplace_back(100 * std::cos(angle), 100 * std::sin(angle), 0);
+      const double from_handle = std::min(angle, 2 * M_PI - angle) - handle;
+      step = std::clamp(0.5 * from_handle, least, 0.3);
+    }
+    length = 2 * (200 - begin) + width + 100 * (2 * M_PI - 2 * handle);
   }
-  for (const double y : {-3.0, -1.0, 1.0, 3.0})
-    points.emplace_back(200, y, 0);
-  double angle = 0.07;
-  for (double step = 0.02; angle < 2 * M_PI - 0.07; angle += step) {
-    points.emplace_back(100 * std::cos(angle), 100 * std::sin(angle), 0);
-    const double from_handle = std::min(angle, 2 * M_PI - angle);
-    step = std::min(0.2, 0.3 * from_handle);
-  }
-  return points;
-}
+};
 
 TEST(SpanningCurves, FewPointsAreNoCurve)
 {
@@ -90,13 +97,16 @@ TEST(SpanningCurves, ABranchLeavesWhereItMeetsAndTwigsAreLeftOut)
 
 TEST(SpanningCurves, AnOutlineOfVeryUnevenSpacingIsReconstructedWhole)
 {
-  // No bandwidth follows both sides of the handle and the disc.
-  const Points points = paddle();
-  const CurveNetwork network = reconstructRefined(shuffled(points));
-  ASSERT_EQ(network.curves.size(), 1u);
-  EXPECT_TRUE(network.curves[0].closed);
-  const double whole = 2 * 102 + 10 + 100 * (2 * M_PI - 0.1);
-  EXPECT_NEAR(length(network.curves[0]), whole, 0.05 * whole);
+  // Ridges alone lead to the handle, or to pieces, in each of these.
+  for (const double width : {10.0, 16.0, 24.0})
+    for (const double spacing : {2.0, 4.0}) {
+      SCOPED_TRACE(testing::Message() << width << " wide, " << spacing << " apart");
+      const Paddle paddle(width, spacing);
+      const CurveNetwork network = reconstructRefined(shuffled(paddle.points));
+      ASSERT_EQ(network.curves.size(), 1u);
+      EXPECT_TRUE(network.curves[0].closed);
+      EXPECT_NEAR(length(network.curves[0]), paddle.length, 0.03 * paddle.length);
+    }
 }
 
 } // namespace
