@@ -57,6 +57,29 @@ TEST(CurveRevision, CrossingLinesThatSwappedTheirHalvesAreStraightAgain)
   }
 }
 
+TEST(CurveRevision, AtOnePlaceTheOthersStayAsTheyAre)
+{
+  // Two crossings, far apart, at each of which two lines have swapped their halves.
+  ModelCurves swapped;
+  for (const double x : {0.0, 20.0}) {
+    swapped.push_back(polyline({{x - 5, 0, 0.1}, {x, 0, 0.1}, {x, 5, 0.1}}, 0.25));
+    swapped.push_back(
+        polyline({{x + 5, 0, -0.1}, {x + 0.1, 0, -0.1}, {x + 0.1, -5, -0.1}}, 0.25));
+  }
+  const Points places = {Point(0, 0, 0)};
+  for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
+    const ModelCurves result = rejoined(swapped, places, 0.6, rejoining);
+    ASSERT_EQ(result.size(), 4u);
+    int straight = 0;
+    for (const ModelCurve& curve : result) {
+      const bool near = curve.nodes.front().x() < 10;
+      EXPECT_EQ(turn(curve) < 25, near);
+      straight += turn(curve) < 25 ? 1 : 0;
+    }
+    EXPECT_EQ(straight, 2);
+  }
+}
+
 TEST(CurveRevision, CurvesApartAndSmoothAreNotInDoubt)
 {
   const ModelCurves apart = {polyline({{-5, 0, 0}, {5, 0, 0}}, 0.25),

@@ -70,6 +70,23 @@ TEST(RefinedReconstruction, SurfacesAndVolumesAreNoCurves)
   EXPECT_TRUE(reconstructRefined(plane).curves.empty());
 }
 
+TEST(RefinedReconstruction, EndsOfLinesLieOnAverageAtTheirEnds)
+{
+  // The last of points at random places lies a mean distance of points short of the
+  // end.
+  constexpr int lines = 60;
+  constexpr double length = 10, per_unit = 6;
+  double sum = 0;
+  for (unsigned seed = 0; seed < lines; ++seed) {
+    const CurveNetwork network =
+        reconstructRefined(cable(length, per_unit, 0.05, 0, seed));
+    ASSERT_EQ(network.curves.size(), 1u) << "seed " << seed;
+    const Points& points = network.curves[0].points;
+    sum += std::abs(points.front().x()) + std::abs(points.back().x()) - length;
+  }
+  EXPECT_NEAR(sum / (2 * lines), 0, 0.25 / per_unit);
+}
+
 TEST(RefinedReconstruction, CleanGeometriesSucceed)
 {
   for (const Geometry geometry : benchmarkGeometries()) {
