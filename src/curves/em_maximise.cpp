@@ -95,12 +95,10 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   const bool known = state.bend_variance.size() == bends;
   const double across = frame_.dimensions - 1;
   bend_weight_.resize(bends);
-  std::size_t free = 0; // hinges
   for (std::size_t i = 0; i < bends; ++i) {
     const std::size_t j = ring(i + 1), k = ring(i + 2);
     if (std::binary_search(curve.hinges.begin(), curve.hinges.end(), j)) {
       bend_weight_[i] = 0;
-      ++free;
       continue;
     }
     double bend = (curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k]).squaredNorm();
@@ -127,10 +125,11 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   for (std::size_t i = 0; i < n; ++i)
     curve.nodes[i] += stride * (solution_[i] - curve.nodes[i]);
 
-  // The scale of the prior, by expectation maximisation over the posterior of the
-  // bends.
-  double sum =
-      bending_prior * across * state.first_bending * spacing * spacing * spacing;
+  // The scale of the prior: that at which its bends and what is unknown of them are as
+  // wide as it says (MacKay). Expectation maximisation has the same fixed point and
+  // creeps.
+  const double first_square = bending_prior * across * state.first_bending;
+  double square = 0, known_bends = bending_prior;
   state.bend_variance.resize(bends);
   for (std::size_t i = 0; i < bends; ++i) {
     const std::size_t j = ring(i + 1), k = ring(i + 2);
@@ -141,10 +140,13 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
                             inverse_diagonal_[i] + 4 * inverse_diagonal_[j] +
                                 inverse_diagonal_[k] - 4 * inverse_next_[i] -
                                 4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
-    sum += bend_weight_[i] * (bend + across * state.bend_variance[i]) * unit(i);
+    square += bend_weight_[i] * bend * unit(i);
+    if (bend_weight_[i] > 0)
+      known_bends += std::max(
+          0.0, 1 - rigidity * bend_weight_[i] * state.bend_variance[i] * unit(i));
   }
-  state.bending = sum / ((bending_prior + static_cast<double>(bends - free)) * across *
-                         spacing * spacing * spacing);
+  state.bending =
+      (first_square + square / (spacing * spacing * spacing)) / (known_bends * across);
 }
 
 void
