@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/LU>
 
@@ -29,27 +28,19 @@ RidgeField::RidgeField(const Points& points, double bandwidth, const ScaleField*
   if (grid_.size() == 0)
     return;
   slots_ = std::make_shared<SlotArrays>(grid_);
-  std::vector<double> scores(points.size(), 0), sorted;
-  const auto look = [&] {
-    for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
-      const Sample here = sample(grid_.slots()[slot]);
-      const Index i = kept_indices_[grid_.slotIndices()[slot]];
-      supports_[i] = here.support;
-      scores[i] = here.support * (0.2 + linearityOf(here.covariance));
-    }
-  };
-  kept_ = points;
-  kept_indices_.resize(points.size());
-  std::iota(kept_indices_.begin(), kept_indices_.end(), Index(0));
-  look();
-  sorted = supports_;
+  std::vector<double> scores(points.size());
+  for (std::size_t slot = 0; slot < grid_.size(); ++slot) {
+    const Sample here = sample(grid_.slots()[slot]);
+    const Index i = grid_.slotIndices()[slot];
+    supports_[i] = here.support;
+    scores[i] = here.support * (0.2 + linearityOf(here.covariance));
+  }
+  std::vector<double> sorted = supports_;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   median_support_ = *middle;
 
   const double least = std::max(least_share * median_support_, least_support);
-  kept_.clear();
-  kept_indices_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (supports_[i] >= least) {
       kept_.push_back(points[i]);
@@ -59,11 +50,8 @@ RidgeField::RidgeField(const Points& points, double bandwidth, const ScaleField*
       supports_[i] = 0;
   }
   if (kept_.size() < points.size()) {
-    const std::vector<double> supports = supports_;
     grid_ = UniformGrid(kept_, 3 * bandwidth);
     slots_ = std::make_shared<SlotArrays>(grid_);
-    look();
-    supports_ = supports;
   }
   seeds_ = kept_indices_;
   std::sort(seeds_.begin(), seeds_.end(), [&](Index a, Index b) {
