@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <boost/container_hash/hash.hpp>
+
 #include <linelet/curves/curve_likeness.h>
 #include <linelet/curves/junction_pairing.h>
 #include <linelet/curves/model_score.h>
@@ -23,6 +25,27 @@ constexpr std::size_t large_part = 5000;
 constexpr std::size_t least_spanned = 6;
 constexpr double spanning_bandwidth = 0.35;
 constexpr double least_spanning_gain = 12;
+
+/** \brief Of all that a fit of \a start depends on. */
+std::size_t
+hashOf(const ModelCurves& start, const EmSettings& settings)
+{
+  std::size_t hash = 0;
+  for (const ModelCurve& curve : start) {
+    boost::hash_combine(hash, curve.closed);
+    boost::hash_combine(hash, curve.junction);
+    boost::hash_combine(hash, curve.hinges);
+    for (const Point& node : curve.nodes)
+      boost::hash_range(hash, node.data(), node.data() + 3);
+  }
+  boost::hash_combine(hash, settings.spacing);
+  boost::hash_combine(hash, settings.noise);
+  boost::hash_combine(hash, settings.shell);
+  boost::hash_combine(hash, settings.varied_noise);
+  boost::hash_combine(hash, settings.scales);
+  boost::hash_combine(hash, settings.iterations);
+  return hash;
+}
 
 } // namespace
 
@@ -65,6 +88,14 @@ PartInWork::take(EmFit fit, const EmSettings& settings, double gain)
     return false;
   best_ = {std::move(fit), settings, score};
   return true;
+}
+
+bool
+PartInWork::improve(const ModelCurves& start, const EmSettings& settings, double gain)
+{
+  if (!tried_.insert(hashOf(start, settings)).second)
+    return false;
+  return take(fit(start, settings, best_.score), best_.settings, gain);
 }
 
 void
@@ -113,8 +144,7 @@ PartInWork::tryTraces(const Traces& traces, double b, double gain)
   ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
   const bool alike =
       best_.settings.scales == scales_ && best_.settings.varied_noise == varied_noise_;
-  if (start.empty() ||
-      (alike && !best_.fit.curves.empty() && leadsTo(best_.fit, start, b)))
+  if (start.empty() || (alike && ofOneCourse(start, best_.fit.curves, b)))
     return best_.score;
   for (ModelCurve& curve : start)
     curve.scale =

@@ -8,6 +8,7 @@
 
 #include <linelet/curves/corners.h>
 #include <linelet/curves/curve_doubling.h>
+#include <linelet/curves/curve_likeness.h>
 #include <linelet/curves/junction_revision.h>
 #include <linelet/curves/refined_part.h>
 #include <linelet/curves/ridge_trace.h>
@@ -39,6 +40,9 @@ constexpr double doubled_shell_spread = 1.3;
 // a width of this share of its length. The peakedness is 2 for normal noise.
 constexpr double least_shell = 1.2;
 constexpr double shell_width = 0.2;
+// Noise that varies is tried where the peakedness is at least this share of that of
+// normal noise: what lies farthest out is taken for outliers, and missing in it.
+constexpr double least_tails = 0.9;
 constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
 constexpr double most_peakedness = 2.2;
 constexpr std::size_t least_rest = 8;
@@ -95,10 +99,11 @@ rejoin(PartInWork& part)
     for (const Points& places : placesToRejoin(best.curves, size))
       for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
         const ModelCurves start = rejoined(best.curves, places, size, rejoining);
+        if (ofOneCourse(start, best.curves, size))
+          continue;
         EmSettings settings = part.best().settings;
         settings.noise = best.noise;
-        const double rival = part.best().score;
-        part.take(part.fit(start, settings, rival), part.best().settings, least_gain);
+        part.improve(start, settings, least_gain);
       }
   }
 }
@@ -138,7 +143,8 @@ void
 followNoise(PartInWork& part, const ScaleField* scales)
 {
   const EmFit& best = part.best().fit;
-  if (best.curves.empty() || best.peakedness <= normalPeakedness(part.dimensions()))
+  if (best.curves.empty() ||
+      best.peakedness <= least_tails * normalPeakedness(part.dimensions()))
     return;
   EmSettings settings = part.best().settings;
   settings.varied_noise = true;
@@ -168,8 +174,7 @@ simplify(PartInWork& part)
     better = false;
     for (const ModelCurves& start :
          simplerNetworks(best.curves, part.scaleUnit(), settings.scales)) {
-      const double rival = part.best().score;
-      if (part.take(part.fit(start, settings, rival), part.best().settings, least_gain))
+      if (part.improve(start, settings, least_gain))
         better = true;
     }
   }
@@ -218,8 +223,7 @@ sharpen(PartInWork& part)
     settings.noise = best.noise;
     settings.shell = best.shell;
     settings.iterations = corner_iterations;
-    const double rival = part.best().score;
-    part.take(part.fit(start, settings, rival), part.best().settings, least_gain);
+    part.improve(start, settings, least_gain);
   }
 }
 

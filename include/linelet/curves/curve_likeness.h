@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <linelet/curves/em_fit.h>
+#include <linelet/curves/model_curve.h>
 #include <linelet/search/uniform_grid.h>
 
 namespace linelet {
@@ -13,9 +13,10 @@ namespace linelet {
 bool
 looksLinear(const Points& points, const UniformGrid& grid, double size);
 
-/** \brief Whether \a start leads to the fit \a best, or to one like it: as many curves
- * of the same length and ends, nowhere farther from it than \a tolerance. */
+/** \brief Whether each curve of \a some runs beside one of \a others all along, within
+ * \a tolerance, and each of those beside one of them: whatever is fitted to either has
+ * the same topology. */
 bool
-leadsTo(const EmFit& best, const ModelCurves& start, double tolerance);
+ofOneCourse(const ModelCurves& some, const ModelCurves& others, double tolerance);
 
 } // namespace linelet

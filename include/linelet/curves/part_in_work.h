@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include <linelet/curves/em_fit.h>
@@ -83,6 +84,12 @@ public:
   bool
   take(EmFit fit, const EmSettings& settings, double gain = 0);
 
+  /** \brief Fits \a start, and keeps the fit if it is better than the best by \a gain.
+   * What has been tried before with such settings is not fitted again.
+   * \return whether it was better */
+  bool
+  improve(const ModelCurves& start, const EmSettings& settings, double gain);
+
   /** \brief From here on lets bandwidth, spacing and noise vary by \a scales, and the
    * noise by itself. */
   void
@@ -122,6 +129,7 @@ private:
   const ScaleField* scales_ = nullptr;
   bool varied_noise_ = false;
   Fitted best_;
+  std::unordered_set<std::size_t> tried_; // starts of improve(), by their hash
 };
 
 } // namespace linelet
