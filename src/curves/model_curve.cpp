@@ -108,7 +108,7 @@ resampled(const ModelCurve& curve,
       return resampled(piece, spacing, scales, 1);
     });
   // A fine polyline first, whose edges are measured by the scale of their places.
-  const double fine_spacing = std::max(0.1 * spacing, length(curve) / 1e6);
+  const double fine_spacing = std::max(0.25 * spacing, length(curve) / 1e6);
   const ModelCurve fine =
       resampled(curve, std::min(fine_spacing, length(curve) / (4 * least_edges)));
   std::vector<double> walked{0};
