@@ -30,9 +30,9 @@ namespace linelet {
  * PCL_ERROR; a cloud without a curve gives an empty result without a message.
  * Neighbours are found in a grid of its own: setSearchMethod has no effect.
  *
- * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal; for
- * other types define PCL_NO_PRECOMPILE before the first include, or include
- * impl/eigen_streamline_curve_reconstruction.hpp. */
+ * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
+ * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own
+ * classes. */
 template <typename PointInT>
 class EigenStreamlineCurveReconstruction : public pcl::SurfaceReconstruction<PointInT> {
   using Base = pcl::SurfaceReconstruction<PointInT>;

@@ -114,8 +114,11 @@ describe(StreamlineSettings& s, Visit&& visit)
   visit("prefilter-radius",
         s.prefilter_radius,
         "published: move points to the mean of those within; 0: none");
-  describe(s.shape, [&](const char* name, auto& value, const char* help) {
-    visit(name, value, ("published: " + std::string(help)).c_str());
+  describe(s.shape, [&](const char* name, auto& value, std::string help) {
+    // Where it is 0, largest_radius takes its place.
+    if (std::string_view(name) == "max-radius")
+      help = "largest radius, unit of the file; 0: --largest-radius";
+    visit(name, value, ("published: " + help).c_str());
   });
 }
 

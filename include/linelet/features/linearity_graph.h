@@ -108,15 +108,15 @@ constexpr double flat_linearity = 1e-6;
 /** \brief Reads a linearity graph CL(k).
  *
  * Rules, where the papers are silent:
- *  - A scale whose linearity is NaN is not defined: the graph consists of the others.
- *  - A run of equal values (within \ref flat_linearity) is one extremum. It is a
- * minimum if the graph is higher on both sides (its ends are none), a maximum if it is
- * lower on every side that exists; so a flat graph and a graph of one scale are maxima.
- *  - Maxima are sought where the neighbourhood has settings.min_neighbors points, on
- * the part of the graph from the first such scale on; j- does not reach below it.
- *  - A runs from the first defined scale to the end of the last local minimum, else to
- *    the end of the graph. Where it is 0 the fraction A_j/A is 1.
- *  - Of equal scores the smaller scale wins.
+ * - A scale whose linearity is NaN is not defined: the graph consists of the others.
+ * - A run of equal values (within \ref flat_linearity) is one extremum. It is a minimum
+ *   if the graph is higher on both sides (its ends are none), a maximum if it is lower
+ *   on every side that exists; so a flat graph and a graph of one scale are maxima.
+ * - Maxima are sought where the neighbourhood has settings.min_neighbors points, on the
+ *   part of the graph from the first such scale on; j- does not reach below it.
+ * - A runs from the first defined scale to the end of the last local minimum, else to
+ *   the end of the graph. Where it is 0 the fraction A_j/A is 1.
+ * - Of equal scores the smaller scale wins.
  *
  * \param[in] linearity CL at each scale, NaN where not defined
  * \param[in] neighbors points in the neighbourhood at each scale, the point itself

@@ -113,10 +113,10 @@ chosenScaleEngine(const Points& surface,
  * the neighbourhood of every query at a ladder of radii, and the scale that serves the
  * reconstruction of curves best.
  *
- * One search at the largest radius serves all scales. The tensor
- * at radius r is that of the points with d <= r; scales with fewer than two neighbours
- * away from the query are not defined. Nothing is kept per scale: who wants the graphs
- * takes them from \a sink as they come. The same for every number of threads.
+ * One search at the largest radius serves all scales. The tensor at radius r is that of
+ * the points with d <= r; scales with fewer than two neighbours away from the query are
+ * not defined. Nothing is kept per scale: who wants the graphs takes them from \a sink
+ * as they come. The same for every number of threads.
  *
  * \param[in] surface points among which neighbours are sought; those with a coordinate
  * that is not finite are left out

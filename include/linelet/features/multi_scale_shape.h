@@ -30,9 +30,9 @@ namespace linelet {
  * PCL_ERROR, if there is no input, no finite point in the surface, an index beyond the
  * cloud, or a parameter out of range.
  *
- * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal; for
- * any other type define PCL_NO_PRECOMPILE before the first include and link lz4 (FLANN
- * needs it), or include impl/multi_scale_shape.hpp. */
+ * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
+ * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own
+ * classes. */
 template <typename PointInT>
 class MultiScaleShapeFeature
     : public ShapeFeature<PointInT, MultiScaleShape, MultiScaleSettings> {

@@ -28,23 +28,25 @@ struct MultiScaleShape {
   float major_x = nan;        ///< e3 at the optimal scale, a unit vector whose
   float major_y = nan;        ///< component of largest magnitude is positive
   float major_z = nan;
-  std::uint32_t neighbors = 0; ///< in the neighbourhood of the optimal scale, the
-                               ///< point itself included; 0 where there is none
-  std::uint32_t first_neighbors =
-      0;                   ///< N1: neighbours beside the point in the smallest
-                           ///< scale that has any; 0 where there is none
+  /// Points in the neighbourhood of the optimal scale, the point itself included; 0
+  /// where there is none.
+  std::uint32_t neighbors = 0;
+  /// N1: neighbours beside the point in the smallest scale that has any; 0 where there
+  /// is none.
+  std::uint32_t first_neighbors = 0;
   std::int32_t scale = -1; ///< the optimal scale, counted from 0
 };
 
-/** \brief The shape of one neighbourhood: a point of the graphs CL, CP, CS. */
+/** \brief The shape of one neighbourhood: a point of the graphs CL, CP, CS. NaN where
+ * the scale is not defined: fewer than 2 neighbours away from the point, or all weights
+ * 0. */
 struct ScaleShape {
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-  float linearity =
-      nan; ///< NaN where the scale is not defined: fewer than 2 neighbours
-  float planarity = nan; ///< away from the point, or all weights 0
-  float sphericity = nan;
-  float major_x = nan; ///< e3
+  float linearity = nan;  ///< CL, [0, 1]
+  float planarity = nan;  ///< CP, [0, 1]
+  float sphericity = nan; ///< CS, [0, 1]
+  float major_x = nan;    ///< e3, a unit vector
   float major_y = nan;
   float major_z = nan;
   std::uint32_t neighbors = 0; ///< the point itself included

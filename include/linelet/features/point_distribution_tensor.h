@@ -31,9 +31,8 @@ namespace linelet {
  * positive and finite.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
- * any other type define PCL_NO_PRECOMPILE before the first include, which brings in
- * impl/point_distribution_tensor.hpp and PCL's own templates, and link lz4, which the
- * latter need. */
+ * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own
+ * classes. */
 template <typename PointInT>
 class PointDistributionTensorEstimation
     : public ShapeFeature<PointInT, PointDistributionTensor, TensorSettings> {
