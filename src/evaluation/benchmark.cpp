@@ -77,6 +77,7 @@ perform(const std::string& method,
   row.reconstruction_ms = milliseconds(done - timer.featuresDone());
   row.measures = measure(found, truthOf(run.geometry, run.sampling.out_of_plane));
   MultiScaleSettings shape; // with the centroid that the noise rate is defined for
+  shape.engine = ScaleEngine::Grid; // exact enough for a rate, and no second job
   shape.threads = 1;
   row.noise_rate = points.size() > 1 && scaleUnit(points, 0, 1, 1) > 0
                        ? noiseRate(multiScaleShapes(points, points, shape).shapes)
