@@ -8,8 +8,8 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
-#include <linelet/curves/refined_part.h>
-#include <linelet/curves/scale_field.h>
+#include "curves/refined/refined_part.h"
+#include "curves/refined/scale_field.h"
 
 using namespace linelet;
 

@@ -3,8 +3,6 @@
 
 // Sharp corners: a vertex that the bending of a curve does not hold back.
 
-#include <linelet/curves/corners.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <linelet/curves/reconstruct_curves.h>
+
+#include "curves/refined/corners.h"
 
 using namespace linelet;
 

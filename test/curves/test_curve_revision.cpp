@@ -12,11 +12,12 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
-#include <linelet/curves/curve_doubling.h>
-#include <linelet/curves/em_fit.h>
-#include <linelet/curves/junction_revision.h>
-#include <linelet/curves/model_score.h>
 #include <linelet/search/scale_unit.h>
+
+#include "curves/refined/curve_doubling.h"
+#include "curves/refined/em_fit.h"
+#include "curves/refined/junction_revision.h"
+#include "curves/refined/model_score.h"
 
 using namespace linelet;
 

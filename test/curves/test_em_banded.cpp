@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/curves/em_banded.h>
-
 #include <cmath>
 #include <string>
 
@@ -11,6 +9,8 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+
+#include "curves/refined/em_banded.h"
 
 using namespace linelet;
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/curves/junction_bridging.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "curves/refined/junction_bridging.h"
 
 using namespace linelet;
 

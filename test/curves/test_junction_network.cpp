@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/curves/junction_network.h>
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "curves/refined/junction_network.h"
 
 using namespace linelet;
 

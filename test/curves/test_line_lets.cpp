@@ -5,10 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <linelet/curves/joining.h>
-#include <linelet/curves/line_lets.h>
-#include <linelet/curves/meeting.h>
 #include <linelet/search/uniform_grid.h>
+
+#include "curves/published/joining.h"
+#include "curves/published/line_lets.h"
+#include "curves/published/meeting.h"
 
 using namespace linelet;
 

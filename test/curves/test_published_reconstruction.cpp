@@ -8,12 +8,13 @@
 #include <boost/random/uniform_01.hpp>
 #include <gtest/gtest.h>
 
-#include <linelet/curves/direction_field.h>
-#include <linelet/curves/start_points.h>
 #include <linelet/curves/streamline_reconstruction.h>
 #include <linelet/evaluation/measures.h>
 #include <linelet/evaluation/test_cloud.h>
 #include <linelet/features/multi_scale.h>
+
+#include "curves/published/direction_field.h"
+#include "curves/published/start_points.h"
 
 using namespace linelet;
 using evaluation::Geometry;

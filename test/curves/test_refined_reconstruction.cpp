@@ -262,6 +262,26 @@ TEST(RefinedReconstruction, SameForAnyNumberOfThreads)
     EXPECT_EQ(a.curves[c].points, b.curves[c].points);
 }
 
+TEST(RefinedReconstruction, CopiesOfPointsAndPointsThatAreNotFiniteSayNothing)
+{
+  const Points points = cable(60, 4, 0.03, 0, 5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Points more;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    more.push_back(points[i]);
+    if (i % 2 == 1)
+      more.push_back(points[i - 1]);
+    if (i % 10 == 0)
+      more.emplace_back(nan, 0, 0);
+  }
+  const CurveNetwork once = reconstructRefined(points);
+  const CurveNetwork twice = reconstructRefined(more);
+  ASSERT_FALSE(once.curves.empty());
+  ASSERT_EQ(twice.curves.size(), once.curves.size());
+  for (std::size_t c = 0; c < once.curves.size(); ++c)
+    EXPECT_EQ(twice.curves[c].points, once.curves[c].points);
+}
+
 TEST(RefinedReconstruction, CancelledWorkThrows)
 {
   struct Never : Monitor {

@@ -7,7 +7,7 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <gtest/gtest.h>
 
-#include <linelet/curves/scale_field.h>
+#include "curves/refined/scale_field.h"
 
 using namespace linelet;
 

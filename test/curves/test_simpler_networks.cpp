@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <linelet/curves/simpler_networks.h>
+#include "curves/refined/simpler_networks.h"
 
 using namespace linelet;
 

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <linelet/curves/refined_reconstruction.h>
-#include <linelet/curves/spanning_curves.h>
+
+#include "curves/refined/spanning_curves.h"
 
 using namespace linelet;
 

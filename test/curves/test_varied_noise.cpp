@@ -11,10 +11,11 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
-#include <linelet/curves/em_fit.h>
-#include <linelet/curves/model_score.h>
 #include <linelet/curves/refined_reconstruction.h>
 #include <linelet/search/scale_unit.h>
+
+#include "curves/refined/em_fit.h"
+#include "curves/refined/model_score.h"
 
 using namespace linelet;
 

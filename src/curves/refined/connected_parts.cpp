@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <numeric>
+
+#include <linelet/search/uniform_grid.h>
+
+#include "occupied_cells.h"
+#include "refined_part.h"
+
+namespace linelet {
+
+namespace {
+
+// All points of a cell of this side, in link distances, are linked: a little less than
+// 1 / sqrt(3).
+constexpr double cell_side = 0.577;
+
+} // namespace
+
+std::vector<Indices>
+connectedParts(const Points& points,
+               double distance,
+               std::size_t least,
+               const ScaleField* scales)
+{
+  const OccupiedCells cells = occupiedCells(points, cell_side * distance);
+  std::vector<double> reach(points.size(), distance), widest(cells.size(), distance);
+  Points first; // of each cell
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    first.push_back(points[cells.indices[cells.begin[c]]]);
+    for (std::size_t k = cells.begin[c]; scales && k < cells.begin[c + 1]; ++k) {
+      const Index i = cells.indices[k];
+      reach[i] *= std::max(1.0, scales->at(points[i]));
+      widest[c] = std::max(widest[c], reach[i]);
+    }
+  }
+  const auto linked = [&](std::size_t a, std::size_t b) {
+    for (std::size_t k = cells.begin[a]; k < cells.begin[a + 1]; ++k)
+      for (std::size_t l = cells.begin[b]; l < cells.begin[b + 1]; ++l) {
+        const Index i = cells.indices[k], j = cells.indices[l];
+        if ((points[i] - points[j]).squaredNorm() <= reach[i] * reach[i])
+          return true;
+      }
+    return false;
+  };
+
+  std::vector<std::size_t> root(cells.size());
+  std::iota(root.begin(), root.end(), std::size_t(0));
+  const auto rootOf = [&](std::size_t c) {
+    while (root[c] != c)
+      c = root[c] = root[root[c]];
+    return c;
+  };
+  const UniformGrid grid(first, 2 * distance);
+  for (std::size_t a = 0; a < cells.size(); ++a)
+    grid.forEachWithin(
+        first[a], distance, [&](Index b, double) { root[rootOf(a)] = rootOf(b); });
+  // All points are compared only where that may join two parts still.
+  for (std::size_t a = 0; a < cells.size(); ++a)
+    grid.forEachWithin(first[a], widest[a] + 2 * distance, [&](Index b, double) {
+      if (rootOf(a) != rootOf(b) && linked(a, b))
+        root[rootOf(a)] = rootOf(b);
+    });
+
+  std::vector<std::size_t> part_of(points.size(), cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t k = cells.begin[c]; k < cells.begin[c + 1]; ++k)
+      part_of[cells.indices[k]] = rootOf(c);
+  std::vector<Indices> members(cells.size()), parts;
+  std::vector<std::size_t> order; // of the parts by their first points
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (part_of[i] < cells.size()) {
+      if (members[part_of[i]].empty())
+        order.push_back(part_of[i]);
+      members[part_of[i]].push_back(static_cast<Index>(i));
+    }
+  for (const std::size_t part : order)
+    if (members[part].size() >= least)
+      parts.push_back(std::move(members[part]));
+  return parts;
+}
+
+} // namespace linelet

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "model_score.h"
+
+#include <cmath>
+
+namespace linelet {
+
+namespace {
+
+constexpr double parameters_per_curve = 4;
+constexpr double parameters_per_hinge = 1; // beside its coordinates: its place
+// A fit of at most this share of outliers does without them.
+constexpr double no_outliers = 1.1e-3;
+
+} // namespace
+
+double
+scoreOf(const EmFit& fit, std::size_t points)
+{
+  double parameters = fit.freedom + (fit.outlier_share > no_outliers ? 1 : 0);
+  for (const ModelCurve& curve : fit.curves)
+    parameters += parameters_per_curve +
+                  parameters_per_hinge * static_cast<double>(curve.hinges.size());
+  return -2 * fit.log_likelihood + fit.width_cost +
+         parameters * std::log(static_cast<double>(points));
+}
+
+double
+scoreOfNothing(const CloudFrame& frame, std::size_t points)
+{
+  return 2 * static_cast<double>(points) * std::log(frame.volume);
+}
+
+} // namespace linelet

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "part_in_work.h"
+
+#include <algorithm>
+
+#include <boost/container_hash/hash.hpp>
+
+#include "curve_likeness.h"
+#include "junction_pairing.h"
+#include "model_score.h"
+#include "spanning_curves.h"
+
+namespace linelet {
+
+namespace {
+
+// A part this large is looked at before it is worked on: where hardly any neighbourhood
+// of sampled points is linear, it is a surface or a volume.
+constexpr std::size_t large_part = 5000;
+// A curve along the shortest tree has so many edges at least. It runs through the
+// points, so its fit begins with little noise; and as it follows the noise of thick
+// clouds, it has to be better by this much than what ridges led to.
+constexpr std::size_t least_spanned = 6;
+constexpr double spanning_bandwidth = 0.35;
+constexpr double least_spanning_gain = 12;
+
+/** \brief Of all that a fit of \a start depends on. */
+std::size_t
+hashOf(const ModelCurves& start, const EmSettings& settings)
+{
+  std::size_t hash = 0;
+  for (const ModelCurve& curve : start) {
+    boost::hash_combine(hash, curve.closed);
+    boost::hash_combine(hash, curve.junction);
+    boost::hash_combine(hash, curve.hinges);
+    for (const Point& node : curve.nodes)
+      boost::hash_range(hash, node.data(), node.data() + 3);
+  }
+  boost::hash_combine(hash, settings.spacing);
+  boost::hash_combine(hash, settings.noise);
+  boost::hash_combine(hash, settings.shell);
+  boost::hash_combine(hash, settings.varied_noise);
+  boost::hash_combine(hash, settings.scales);
+  boost::hash_combine(hash, settings.iterations);
+  return hash;
+}
+
+} // namespace
+
+PartInWork::PartInWork(const Points& points,
+                       double scale_unit,
+                       const RefinedSettings& user,
+                       const std::function<bool()>& stop)
+    : points_(points),
+      scale_unit_(scale_unit),
+      frame_(frameOf(points, scale_unit)),
+      grid_(points, 2 * scale_unit),
+      fitter_(points, grid_, frame_, stop),
+      user_(user)
+{
+  best_.score = scoreOfNothing(frame_, points.size());
+}
+
+double
+PartInWork::curveSize() const
+{
+  if (points_.size() <= large_part)
+    return 1;
+  for (const double size : {1.0, 2.5, 6.0, 15.0})
+    if (looksLinear(points_, grid_, size * scale_unit_))
+      return size;
+  return 0;
+}
+
+EmFit
+PartInWork::fit(const ModelCurves& start, const EmSettings& settings, double rival)
+{
+  return fitter_.fit(start, settings, rival);
+}
+
+bool
+PartInWork::take(EmFit fit, const EmSettings& settings, double gain)
+{
+  const double score = scoreOf(fit, points_.size());
+  if (fit.curves.empty() || !(score < best_.score - gain))
+    return false;
+  best_ = {std::move(fit), settings, score};
+  return true;
+}
+
+bool
+PartInWork::improve(const ModelCurves& start, const EmSettings& settings, double gain)
+{
+  if (!tried_.insert(hashOf(start, settings)).second)
+    return false;
+  return take(fit(start, settings, best_.score), best_.settings, gain);
+}
+
+void
+PartInWork::vary(const ScaleField* scales, bool noise)
+{
+  scales_ = scales;
+  varied_noise_ = noise;
+}
+
+double
+PartInWork::tryBandwidth(std::size_t k)
+{
+  const double b = bandwidths[k] * unit();
+  const RidgeField field(points_, b, scales_);
+  return tryTraces(traceRidges(field, {user_.start_points, user_.max_iterations}), b);
+}
+
+void
+PartInWork::trySpanning()
+{
+  tryTraces(spanningCurves(points_, least_spanned),
+            spanning_bandwidth * unit(),
+            least_spanning_gain);
+}
+
+double
+PartInWork::unit() const
+{
+  return scales_ ? scales_->unit() : scale_unit_;
+}
+
+double
+PartInWork::tryTraces(const Traces& traces, double b, double gain)
+{
+  const auto bandwidthAt = [&](const Point& x) {
+    return scales_ ? b * scales_->at(x) : b;
+  };
+  double local = scales_ && !traces.meetings.empty() ? 0 : b; // where curves meet
+  if (local == 0)
+    for (const Point& meeting : traces.meetings)
+      local += bandwidthAt(meeting) / static_cast<double>(traces.meetings.size());
+  PairingSettings pairing;
+  pairing.cluster = 2.5 * local;
+  pairing.cut = 1.25 * local;
+  pairing.reach = 3 * local;
+  ModelCurves start = pairArms(traces.curves, traces.meetings, pairing);
+  const bool alike =
+      best_.settings.scales == scales_ && best_.settings.varied_noise == varied_noise_;
+  if (start.empty() || (alike && ofOneCourse(start, best_.fit.curves, b)))
+    return best_.score;
+  for (ModelCurve& curve : start)
+    curve.scale =
+        std::min(bandwidthAt(curve.nodes.front()), bandwidthAt(curve.nodes.back()));
+  EmSettings settings;
+  settings.scales = scales_;
+  settings.spacing = std::max(0.4 * unit(), 0.24 * b);
+  settings.noise = 0.5 * b;
+  settings.least_noise = 0.1 * unit();
+  settings.bending = 1 / frame_.diagonal;
+  settings.varied_noise = varied_noise_;
+  EmFit fit = fitter_.fit(start, settings, best_.score);
+  const double score = scoreOf(fit, points_.size());
+  take(std::move(fit), settings, gain);
+  return score;
+}
+
+} // namespace linelet

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "part_in_work.h"
+
+namespace linelet {
+
+/** \name Moves
+ * Each starts from the best fit of a part, tries other curves or another model of the
+ * noise, and keeps what the criterion (\ref scoreOf) prefers. */
+///@{
+
+/** \brief Curves that explain close parallel ones together are doubled.
+ * \return the fit of the doubled curves where the criterion has rejected it */
+EmFit
+doubleCurves(PartInWork& part);
+
+/** \brief Other ways to join the curves where they may be joined wrongly, on two
+ * scales: at each such place by itself, unless there are many. */
+void
+rejoin(PartInWork& part);
+
+/** \brief Curves among the points that the fit leaves unexplained, such as a sparser
+ * part of a curve. */
+void
+traceTheRest(PartInWork& part);
+
+/** \brief Where the noise seems to vary along the curves, lets it, and chooses among
+ * the bandwidths once more. */
+void
+followNoise(PartInWork& part, const ScaleField* scales);
+
+/** \brief Networks with fewer free ends or curves, where spacing or noise vary, so
+ * that no bandwidth follows the curves all along. */
+void
+simplify(PartInWork& part);
+
+/** \brief Noise of one length where the distances of the points may be such, for the
+ * best fit and for \a other, which normal noise has rejected. */
+void
+fitShell(PartInWork& part, const EmFit& other);
+
+/** \brief Sharp corners where the curves bend strongly. */
+void
+sharpen(PartInWork& part);
+
+///@}
+
+} // namespace linelet

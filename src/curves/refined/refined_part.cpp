@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "refined_part.h"
+
+#include <algorithm>
+#include <array>
+
+#include <linelet/search/scale_unit.h>
+
+#include "part_moves.h"
+#include "thinned_part.h"
+
+namespace linelet {
+
+namespace {
+
+// Where a bandwidth does that much worse than the best so far, those beyond it are not
+// tried.
+constexpr double hopeless_score = 60;
+constexpr std::size_t least_part = 5;
+// The bandwidth of a part this large is chosen by a few samples of neighbouring points.
+constexpr std::size_t sampled_part = 60000;
+constexpr std::size_t sample_size = 8000;
+constexpr std::size_t samples = 3;
+// Networks with fewer ends or curves are tried in parts up to this size.
+constexpr std::size_t simplified_part = 5000;
+// Points so few may be too sparse for ridges, however even their spacing.
+constexpr std::size_t spanned_part = 200;
+
+/** \brief The bandwidth (its number) that fits best around a few points. */
+std::size_t
+bandwidthOfSamples(const Points& points,
+                   const UniformGrid& grid,
+                   const RefinedSettings& user,
+                   const std::function<bool()>& stop)
+{
+  std::array<double, bandwidths.size()> scores{};
+  for (std::size_t s = 0; s < samples; ++s) {
+    const Point& middle = points[(2 * s + 1) * points.size() / (2 * samples)];
+    Points sample;
+    for (const Index i : grid.nearestK(middle, sample_size))
+      sample.push_back(points[i]);
+    const double unit = scaleUnit(sample, 1024, 1, 1);
+    for (std::size_t k = 0; unit > 0 && k < bandwidths.size(); ++k) {
+      // Each by itself, so that all have a score of their own.
+      PartInWork part(sample, unit, user, stop);
+      part.tryBandwidth(k);
+      scores[k] += part.best().score;
+    }
+  }
+  return static_cast<std::size_t>(std::min_element(scores.begin(), scores.end()) -
+                                  scores.begin());
+}
+
+/** \brief Tries the bandwidths one after the other. */
+void
+tryBandwidths(PartInWork& part, const std::function<void(double)>& progress)
+{
+  bool hopeless = false;
+  for (std::size_t k = 0; k < bandwidths.size(); ++k) {
+    if (k == first_upwards)
+      hopeless = false;
+    if (!hopeless) {
+      const double score = part.tryBandwidth(k);
+      hopeless = score > part.best().score + hopeless_score;
+    }
+    progress(static_cast<double>(k + 1) / (2.0 + bandwidths.size()));
+  }
+}
+
+} // namespace
+
+EmFit
+refinePart(const Points& points,
+           const RefinedSettings& user,
+           const ScaleField* scales,
+           const std::function<bool()>& stop,
+           const std::function<void(double)>& progress)
+{
+  const double scale_unit =
+      points.size() < least_part ? 0 : scaleUnit(points, 1024, 1, 1);
+  if (!(scale_unit > 0))
+    return {};
+  PartInWork part(points, scale_unit, user, stop);
+  const double size = part.curveSize();
+  if (size > 1)
+    return refineThinned(points, size, user, stop, progress);
+  if (size == 0)
+    return {};
+
+  // What costs many fits, or integrals of every pair, is no work for millions.
+  const bool sampled = points.size() > sampled_part;
+  if (sampled) {
+    const std::size_t chosen = bandwidthOfSamples(points, part.grid(), user, stop);
+    progress(0.4);
+    part.tryBandwidth(chosen);
+  }
+  else {
+    tryBandwidths(part, progress);
+    if (scales) {
+      part.vary(scales, false);
+      for (const std::size_t k : varied_bandwidths)
+        part.tryBandwidth(k);
+    }
+    followNoise(part, scales);
+  }
+  if (points.size() <= simplified_part)
+    simplify(part);
+  const EmFit rejected = doubleCurves(part);
+  if (!sampled)
+    rejoin(part);
+  if (points.size() <= (scales ? simplified_part : spanned_part))
+    part.trySpanning();
+  traceTheRest(part);
+  if (points.size() <= simplified_part)
+    simplify(part);
+  if (!sampled) {
+    fitShell(part, rejected);
+    sharpen(part);
+  }
+  return part.release();
+}
+
+} // namespace linelet

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "scale_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ridge_field.h"
+
+namespace linelet {
+
+namespace {
+
+constexpr std::size_t spacing_neighbours = 6;
+constexpr std::size_t smoothing_neighbours = 12;
+// Points whose neighbourhood is this linear tell of the spacing along curves; so large
+// a share of all there must be.
+constexpr double least_linearity = 0.6;
+constexpr double least_linear = 0.3;
+
+} // namespace
+
+ScaleField::ScaleField(const Points& points, double scale_unit)
+    : tree_(std::make_shared<KdTree>(points)), unit_(scale_unit)
+{
+  std::vector<double> logarithms(points.size());
+  std::vector<Indices> near(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // The point itself, or one in its place, is the nearest of all.
+    const double sixth = tree_->nearest(points[i], spacing_neighbours + 1, near[i]);
+    const double spacing = sixth / scale_unit;
+    tree_->nearest(points[i], smoothing_neighbours + 1, near[i]);
+    logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
+  }
+  std::vector<double> linear;
+  auto values = std::make_shared<std::vector<double>>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double sum = 0;
+    Point mean = Point::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (const Index j : near[i]) {
+      sum += logarithms[j];
+      const Point v = points[j] - points[i];
+      mean += v;
+      second += v * v.transpose();
+    }
+    const auto count = static_cast<double>(near[i].size());
+    values->push_back(std::exp(sum / count));
+    mean /= count;
+    if (linearityOf(second / count - mean * mean.transpose()) >= least_linearity)
+      linear.push_back(values->back());
+  }
+  values_ = std::move(values);
+  if (static_cast<double>(linear.size()) <
+      least_linear * static_cast<double>(points.size()))
+    return;
+  std::sort(linear.begin(), linear.end());
+  spread_ = linear[linear.size() * 9 / 10] / linear[linear.size() / 10];
+}
+
+// Asked of places far from all points too, where the rows of a grid are empty for long.
+double
+ScaleField::at(const Point& x) const
+{
+  if (!values_)
+    return 1;
+  thread_local Indices nearest;
+  tree_->nearest(x + origin_, 1, nearest);
+  return nearest.empty() ? 1 : (*values_)[nearest.front()];
+}
+
+} // namespace linelet

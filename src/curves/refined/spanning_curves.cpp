@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "spanning_curves.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <linelet/search/kd_tree.h>
+
+namespace linelet {
+
+namespace {
+
+constexpr std::size_t neighbours = 8;
+
+/** \brief The edges of a tree (of each connected part): per point those it is joined
+ * to. */
+std::vector<Indices>
+spanningTree(const Points& points)
+{
+  struct Link {
+    double length;
+    Index a, b;
+  };
+  const KdTree search(points);
+  std::vector<Link> links;
+  Indices near;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    search.nearest(points[i], neighbours + 1, near);
+    for (const Index j : near)
+      if (j != static_cast<Index>(i))
+        links.push_back(
+            {(points[j] - points[i]).squaredNorm(), static_cast<Index>(i), j});
+  }
+  std::sort(links.begin(), links.end(), [](const Link& l, const Link& m) {
+    return std::tie(l.length, l.a, l.b) < std::tie(m.length, m.a, m.b);
+  });
+  std::vector<Index> root(points.size());
+  std::iota(root.begin(), root.end(), Index(0));
+  const auto rootOf = [&](Index i) {
+    while (root[i] != i)
+      i = root[i] = root[root[i]];
+    return i;
+  };
+  std::vector<Indices> tree(points.size());
+  for (const Link& link : links) {
+    const Index a = rootOf(link.a), b = rootOf(link.b);
+    if (a == b)
+      continue;
+    root[a] = b;
+    tree[link.a].push_back(link.b);
+    tree[link.b].push_back(link.a);
+  }
+  return tree;
+}
+
+} // namespace
+
+Traces
+spanningCurves(const Points& points, std::size_t least_edges)
+{
+  const std::vector<Indices> tree = spanningTree(points);
+  std::vector<char> used(points.size(), 0); // by curves so far
+  std::vector<Index> before(points.size()); // on the way from where a search began
+
+  // The longest way from \a start that meets no used point again, last point first.
+  const auto longestFrom = [&](Index start) {
+    std::vector<std::pair<Index, std::size_t>> open{{start, 0}};
+    before[start] = start;
+    std::pair<Index, std::size_t> last = open.front();
+    while (!open.empty()) {
+      const auto [at, edges] = open.back();
+      open.pop_back();
+      if (edges > last.second)
+        last = {at, edges};
+      for (const Index next : tree[at])
+        if (next != before[at] && !used[next]) {
+          before[next] = at;
+          open.push_back({next, edges + 1});
+        }
+    }
+    Indices way{last.first};
+    while (way.back() != start)
+      way.push_back(before[way.back()]);
+    return way;
+  };
+
+  Traces traces;
+  Indices branching; // points of curves, from which more may leave
+  const auto keep = [&](const Indices& way) {
+    if (way.size() <= least_edges)
+      return false;
+    ModelCurve curve;
+    for (const Index i : way) {
+      used[i] = 1;
+      branching.push_back(i);
+      curve.nodes.push_back(points[i]);
+    }
+    traces.curves.push_back(std::move(curve));
+    return true;
+  };
+  std::vector<char> seen(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (seen[i])
+      continue;
+    Indices part{static_cast<Index>(i)};
+    seen[i] = 1;
+    for (std::size_t k = 0; k < part.size(); ++k)
+      for (const Index next : tree[part[k]])
+        if (!seen[next]) {
+          seen[next] = 1;
+          part.push_back(next);
+        }
+    keep(longestFrom(longestFrom(static_cast<Index>(i)).front()));
+    while (!branching.empty()) {
+      const Index at = branching.back();
+      if (keep(longestFrom(at)))
+        traces.meetings.push_back(points[at]);
+      else
+        branching.pop_back();
+    }
+  }
+  return traces;
+}
+
+} // namespace linelet
