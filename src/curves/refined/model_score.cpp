@@ -9,7 +9,8 @@ namespace linelet {
 
 namespace {
 
-constexpr double parameters_per_curve = 4;
+constexpr double parameters_per_curve = 2;
+constexpr double parameters_per_end = 1;   // where it lies along the curve
 constexpr double parameters_per_hinge = 1; // beside its coordinates: its place
 // A fit of at most this share of outliers does without them.
 constexpr double no_outliers = 1.1e-3;
@@ -21,7 +22,7 @@ scoreOf(const EmFit& fit, std::size_t points)
 {
   double parameters = fit.freedom + (fit.outlier_share > no_outliers ? 1 : 0);
   for (const ModelCurve& curve : fit.curves)
-    parameters += parameters_per_curve +
+    parameters += parameters_per_curve + (curve.closed ? 0 : 2 * parameters_per_end) +
                   parameters_per_hinge * static_cast<double>(curve.hinges.size());
   return -2 * fit.log_likelihood + fit.width_cost +
          parameters * std::log(static_cast<double>(points));

@@ -27,7 +27,7 @@ constexpr int most_simplifications = 8;
 constexpr double doubt_noise = 2;
 constexpr double doubt_unit = 0.6;
 // Up to so many places are rejoined each by itself, more of them all at once.
-constexpr std::size_t most_single_places = 12;
+constexpr std::size_t most_single_places = 8;
 constexpr double least_gain = 1; // of the score, by which another topology is better
 // Bends within so many standard deviations, or D, may be corners.
 constexpr std::array<double, 2> bend_noise = {1, 2};
