@@ -11,6 +11,8 @@
 
 #include <Eigen/Dense>
 
+#include "powerline/groups.h"
+
 namespace linelet::powerline {
 
 namespace {
@@ -21,31 +23,6 @@ constexpr double least_cosine = 0.98;
 constexpr double margin = 6;         // metres around the attachment points
 constexpr double farthest_carry = 8; // metres to the crossarm, without a partner
 constexpr double plan_cell = 32;     // metres
-
-struct Groups {
-  std::vector<std::size_t> parent;
-
-  explicit Groups(std::size_t count) : parent(count)
-  {
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-  }
-
-  std::size_t
-  root(std::size_t i)
-  {
-    while (parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  }
-
-  void
-  unite(std::size_t a, std::size_t b)
-  {
-    a = root(a);
-    b = root(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-};
 
 End&
 endOf(std::vector<Hanging>& wires, std::pair<int, int> id)
