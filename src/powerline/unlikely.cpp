@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "powerline/evidence.h"
+#include "powerline/groups.h"
 #include "powerline/joints.h"
 #include "powerline/lookalikes.h"
 
@@ -36,15 +37,16 @@ constexpr double least_hanging = 3;  // metres between attachment points
 constexpr double hanging_part = 0.5; // of the stretch with points, the same
 constexpr double farthest_off = 1.5; // metres of an attachment point from the wire
 
+/** Wires that run side by side or go on as one another: they speak for each other. */
 struct Family {
-  double longest = 0; ///< longest chain of joined wires, metres
-  double single = 0;  ///< longest wire, metres
-  double bend = 0, weight = 0;
-  double bends = 0, precision = 0; ///< of the points alone, weighted by precision
-  double clean = 0, occupied = 0, bins = 0;
-  bool border = false; ///< a wire leaves the data
-  bool clear = false;  ///< a wire hangs by itself with the view free to the ground
   std::size_t wires = 0;
+  double longest = 0;              ///< longest chain of joined wires, metres
+  double single = 0;               ///< longest wire, metres
+  double bend = 0, weight = 0;     ///< sums over the wires, weighted by length
+  double bends = 0, precision = 0; ///< of the points alone, weighted by precision
+  double clean = 0, occupied = 0, bins = 0; ///< sums of the evidence of short chains
+  bool border = false;                      ///< a wire leaves the data
+  bool clear = false;  ///< a wire hangs by itself with the view free to the ground
   bool joined = false; ///< some wires meet
 };
 
@@ -106,6 +108,121 @@ plausible(const Family& family)
                           family.clean >= clean_part * family.occupied);
 }
 
+Groups
+gatherFamilies(const std::vector<Hanging>& wires)
+{
+  Groups families(wires.size());
+  unitePartners(families, wires);
+  uniteNeighbours(
+      families, wires, company_reach, [](const Hanging& a, const Hanging& b) {
+        const Parallel parallel = compare(a.model(), b.model());
+        return parallel.distance <= company_reach &&
+               parallel.overlap >=
+                   company_part * std::max(a.model().length(), b.model().length());
+      });
+  return families;
+}
+
+/** What happens at the ends of a wire. */
+struct Surroundings {
+  bool joined = false; ///< another wire goes on there
+  bool border = false; ///< the data end there
+};
+
+Surroundings
+lookBeyond(const Hanging& wire, const Underside& underside)
+{
+  Surroundings beyond;
+  for (int side = 0; side < 2; ++side) {
+    beyond.joined =
+        beyond.joined || wire.ends[static_cast<std::size_t>(side)].partner >= 0;
+    beyond.border = beyond.border || leavesData(wire.model(), side, underside);
+  }
+  return beyond;
+}
+
+void
+addBend(Family& family, const Hanging& wire, const Points& points)
+{
+  const SpanModel& m = wire.model();
+  const double weight = std::pow(m.length(), 3);
+  // What the points say, not what the prior of the fit does.
+  const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
+  family.bend += weight * (m.z[2] - vague);
+  family.weight += weight;
+  if (m.length() >= telling_length) {
+    const Bend own = bendOf(wire.strand.piece, points);
+    family.bends += own.value / (own.spread * own.spread);
+    family.precision += 1 / (own.spread * own.spread);
+  }
+}
+
+void
+addEvidence(Family& family,
+            const SpanModel& m,
+            const Evidence& evidence,
+            const Underside& underside)
+{
+  family.clean += evidence.clean;
+  family.occupied += evidence.occupied;
+  family.bins += evidence.bins;
+  family.clear =
+      family.clear || (m.length() >= lone_length && evidence.slope <= steep &&
+                       evidence.clean >= lone_clean * evidence.occupied &&
+                       evidence.occupied >= lone_cover * evidence.bins &&
+                       openBelow(m, underside) >= lone_open);
+}
+
+// Weighs a wire as if its points were not yet its own.
+Evidence
+weighAnew(Growth& growth, const Piece& piece, const PowerLineSettings& settings)
+{
+  growth.claim(piece, Growth::nobody);
+  const Evidence evidence = weigh(growth, piece, settings);
+  growth.claim(piece, 0);
+  return evidence;
+}
+
+// Whether a wire of a short chain inside the data is a rope: steep from end to end, and
+// taut.
+bool
+isRope(const SpanModel& m, const Surroundings& beyond)
+{
+  const double rise = SpanModel::value(m.z, m.end) - SpanModel::value(m.z, m.begin);
+  return !beyond.border && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
+}
+
+// Whether a short wire ends at nothing and has few points.
+bool
+isStray(const SpanModel& m, const Evidence& evidence, const Surroundings& beyond)
+{
+  return evidence.occupied < lone_cover * evidence.bins && m.length() < stray_length &&
+         !beyond.joined && !beyond.border;
+}
+
+// Keeps the wires marked in \a keep, and frees the points of the others.
+void
+keepOnly(const std::vector<char>& keep, std::vector<Hanging>& wires, Growth& growth)
+{
+  std::vector<int> place(wires.size(), -1);
+  std::vector<Hanging> kept;
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    if (keep[w] == 0) {
+      release(wires[w], growth);
+      continue;
+    }
+    place[w] = static_cast<int>(kept.size());
+    kept.push_back(wires[w]);
+  }
+  for (Hanging& wire : kept)
+    for (End& end : wire.ends)
+      if (end.partner >= 0) {
+        end.partner = place[static_cast<std::size_t>(end.partner)];
+        end.fixed = end.partner >= 0;
+      }
+  wires = std::move(kept);
+}
+
 bool
 isMisled(const Hanging& wire)
 {
@@ -136,115 +253,30 @@ dropUnlikely(std::vector<Hanging>& wires,
              const Underside& underside,
              const PowerLineSettings& settings)
 {
-  const std::size_t n = wires.size();
-
-  std::vector<std::size_t> parent(n), order(n);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto root = [&](std::size_t w) {
-    while (parent[w] != w)
-      w = parent[w] = parent[parent[w]];
-    return w;
-  };
-  const auto unite = [&](std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
-  const auto left = [&](std::size_t w) {
-    return std::min(wires[w].ends[0].place.x(), wires[w].ends[1].place.x());
-  };
-  const auto right = [&](std::size_t w) {
-    return std::max(wires[w].ends[0].place.x(), wires[w].ends[1].place.x());
-  };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return left(a) != left(b) ? left(a) < left(b) : a < b;
-  });
-  for (std::size_t i = 0; i < n; ++i) {
-    const Hanging& a = wires[order[i]];
-    for (const End& end : a.ends)
-      if (end.partner >= 0)
-        unite(order[i], static_cast<std::size_t>(end.partner));
-    for (std::size_t k = i + 1;
-         k < n && left(order[k]) <= right(order[i]) + company_reach;
-         ++k) {
-      const Hanging& b = wires[order[k]];
-      const Parallel parallel = compare(a.model(), b.model());
-      if (parallel.distance <= company_reach &&
-          parallel.overlap >=
-              company_part * std::max(a.model().length(), b.model().length()))
-        unite(order[i], order[k]);
-    }
-  }
-
-  std::vector<Family> families(n);
-  std::vector<char> alone(n, 0); // unlikely whatever its family says
-  for (std::size_t w = 0; w < n; ++w) {
+  Groups family_of = gatherFamilies(wires);
+  std::vector<Family> families(wires.size());
+  std::vector<char> keep(wires.size(), 1);
+  for (std::size_t w = 0; w < wires.size(); ++w) {
     const SpanModel& m = wires[w].model();
-    Family& family = families[root(w)];
-    const double weight = std::pow(m.length(), 3);
-    // What the points say, not what the prior of the fit does.
-    const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
-    family.bend += weight * (m.z[2] - vague);
-    family.weight += weight;
-    if (m.length() >= telling_length) {
-      const Bend own = bendOf(wires[w].strand.piece, growth.candidates().points);
-      family.bends += own.value / (own.spread * own.spread);
-      family.precision += 1 / (own.spread * own.spread);
-    }
     const double chain = chainLength(wires, w);
-    bool thin = false;
+    const Surroundings beyond = lookBeyond(wires[w], underside);
+    Family& family = families[family_of.root(w)];
+    ++family.wires;
     family.longest = std::max(family.longest, chain);
     family.single = std::max(family.single, m.length());
-    ++family.wires;
-    if (chain < long_line) {
-      const Piece& piece = wires[w].strand.piece;
-      growth.claim(piece, Growth::nobody);
-      const Evidence evidence = weigh(growth, piece, settings);
-      growth.claim(piece, 0);
-      family.clean += evidence.clean;
-      family.occupied += evidence.occupied;
-      family.bins += evidence.bins;
-      thin =
-          evidence.occupied < lone_cover * evidence.bins && m.length() < stray_length;
-      family.clear =
-          family.clear || (m.length() >= lone_length && evidence.slope <= steep &&
-                           evidence.clean >= lone_clean * evidence.occupied &&
-                           evidence.occupied >= lone_cover * evidence.bins &&
-                           openBelow(m, underside) >= lone_open);
-    }
-    bool loose = chain < long_line;
-    for (int side = 0; side < 2; ++side) {
-      const bool joined = wires[w].ends[static_cast<std::size_t>(side)].partner >= 0;
-      const bool border = leavesData(m, side, underside);
-      family.border = family.border || border;
-      family.joined = family.joined || joined;
-      loose = loose && !border;
-      thin = thin && !joined && !border;
-    }
-    const double rise = SpanModel::value(m.z, m.end) - SpanModel::value(m.z, m.begin);
-    const bool rope =
-        loose && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
-    alone[w] = rope || thin;
+    family.joined = family.joined || beyond.joined;
+    family.border = family.border || beyond.border;
+    addBend(family, wires[w], growth.candidates().points);
+    if (chain >= long_line)
+      continue; // it speaks for itself
+    const Evidence evidence = weighAnew(growth, wires[w].strand.piece, settings);
+    addEvidence(family, m, evidence, underside);
+    // Unlikely whatever its family says.
+    keep[w] = !isRope(m, beyond) && !isStray(m, evidence, beyond);
   }
-
-  std::vector<int> place(n, -1);
-  std::vector<Hanging> kept;
-  for (std::size_t w = 0; w < n; ++w) {
-    if (alone[w] == 0 && plausible(families[root(w)])) {
-      place[w] = static_cast<int>(kept.size());
-      kept.push_back(wires[w]);
-      continue;
-    }
-    release(wires[w], growth);
-  }
-  for (Hanging& wire : kept)
-    for (End& end : wire.ends)
-      if (end.partner >= 0) {
-        end.partner = place[static_cast<std::size_t>(end.partner)];
-        end.fixed = end.partner >= 0;
-      }
-  wires = std::move(kept);
+  for (std::size_t w = 0; w < wires.size(); ++w)
+    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)]);
+  keepOnly(keep, wires, growth);
 }
 
 } // namespace linelet::powerline
