@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
 #include "powerline/describe.h"
 
@@ -19,50 +19,70 @@ constexpr double tube_part = 1.25;  // of the tolerance of a wire
 // turns the insulators, which then lie in line with the wire (longer ones at sharper
 // turns).
 constexpr double fittings = 1, strain_rate = 0.28, longest_strain = 4.5;
-constexpr double tension_angle =
-    10;                    // degrees; a line that turns less hangs below its arms
-constexpr double foot = 2; // metres above ground, below is grass
-constexpr double bundle_reach =
-    0.6; // metres from one conductor of a bundle to the next
+constexpr double tension_angle = 10;   // degrees, a line that turns less is suspended
+constexpr double foot = 2;             // metres above ground, below is grass
+constexpr double bundle_reach = 0.6;   // metres between conductors of a bundle
 constexpr double least_companion = 4;  // points
 constexpr double companion_part = 0.3; // of the points of the conductor that was found
 constexpr double plan_cell = 16;       // metres
 
-struct Best {
-  float distance = std::numeric_limits<float>::infinity();
-  std::int32_t wire = 0;
+/** The space around a stretch of a model in which a wire takes points. */
+struct Tube {
+  const SpanModel& model;
+  double from, to; ///< along the model
+  double reach;    ///< metres
 };
 
-// Offers every candidate in the tube around a model to a wire.
-template <class Distance>
-void
-offer(std::vector<Best>& best,
-      const Candidates& candidates,
-      const SpanModel& model,
-      double from,
-      double to,
-      double reach,
-      int wire,
-      Distance&& distance)
-{
-  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / bin_length)));
-  const double step = (to - from) / steps;
-  for (int k = 0; k < steps; ++k) {
-    const double begin = from + k * step, end = begin + step;
-    const double rise = step * std::abs(SpanModel::slope(model.z, begin + step / 2));
-    candidates.grid.forEachWithin(model.at(begin + step / 2),
-                                  std::hypot(step, rise) / 2 + 2 * reach,
-                                  [&](Index i, double) {
-                                    const double s = model.along(candidates.points[i]);
-                                    if (s < begin || s > end)
-                                      return;
-                                    const float d = static_cast<float>(
-                                        distance(candidates.points[i]));
-                                    if (d <= reach && d < best[i].distance)
-                                      best[i] = {d, wire};
-                                  });
+/** Which wire every candidate goes to: the nearest of those in whose tubes it lies. */
+class Claims {
+public:
+  explicit Claims(const Candidates& candidates)
+      : candidates_(candidates), best_(candidates.points.size())
+  {
   }
-}
+
+  /** Offers the candidates in \a tube to a wire; \a distance is theirs from it. */
+  template <class Distance>
+  void
+  offer(const Tube& tube, int wire, Distance&& distance)
+  {
+    const SpanModel& model = tube.model;
+    const int steps =
+        std::max(1, static_cast<int>(std::ceil((tube.to - tube.from) / bin_length)));
+    const double step = (tube.to - tube.from) / steps;
+    for (int k = 0; k < steps; ++k) {
+      const double begin = tube.from + k * step, end = begin + step;
+      const double rise = step * std::abs(SpanModel::slope(model.z, begin + step / 2));
+      candidates_.grid.forEachWithin(
+          model.at(begin + step / 2),
+          std::hypot(step, rise) / 2 + 2 * tube.reach,
+          [&](Index i, double) {
+            const double s = model.along(candidates_.points[i]);
+            if (s < begin || s > end)
+              return;
+            const auto d = static_cast<float>(distance(candidates_.points[i]));
+            if (d <= tube.reach && d < best_[i].distance)
+              best_[i] = {d, wire};
+          });
+    }
+  }
+
+  /** Id of the wire that candidate \a i goes to, 0: none. */
+  int
+  wireOf(Index i) const
+  {
+    return best_[i].wire;
+  }
+
+private:
+  struct Best {
+    float distance = std::numeric_limits<float>::infinity();
+    std::int32_t wire = 0;
+  };
+
+  const Candidates& candidates_;
+  std::vector<Best> best_;
+};
 
 // Whether points beside a wire, outside its tube, are another conductor of its bundle
 // that did not get a vector: they stand out from what is farther away.
@@ -89,6 +109,57 @@ hasCompanion(const Growth& growth, const Piece& piece, double reach)
          beside > expected + 3 * std::sqrt(expected);
 }
 
+// Offers a wire the points in its own tube, and those of conductors of its bundle that
+// did not get a vector.
+void
+offerAround(const Wire& wire,
+            const Hanging& hanging,
+            const Growth& growth,
+            Claims& claims)
+{
+  const SpanModel& m = hanging.model();
+  const Piece& piece = hanging.strand.piece;
+  const double reach =
+      std::max(std::min(widest_tube, tube_part * m.tolerance), piece.thickness);
+  const double front = m.along(wire.front), back = m.along(wire.back);
+  claims.offer({m, std::min(front, back), std::max(front, back), reach},
+               wire.id,
+               [&](const Point& p) { return wire.curve.distance(p); });
+  if (hasCompanion(growth, piece, reach))
+    claims.offer({m, m.begin, m.end, bundle_reach}, wire.id, [&](const Point& p) {
+      // Those in its own tube it has been offered.
+      const double d = wire.curve.distance(p);
+      return d > reach ? d : std::numeric_limits<double>::infinity();
+    });
+  for (const Piece& companion : hanging.strand.companions) {
+    const SpanModel& other = companion.model;
+    claims.offer({other, other.begin, other.end, reach}, wire.id, [&](const Point& p) {
+      return other.distance(p);
+    });
+  }
+}
+
+// Gives every wire the points that it claims.
+void
+labelWires(PowerLineNetwork& network,
+           const Points& points,
+           const Candidates& candidates,
+           const Claims& claims)
+{
+  for (std::size_t k = 0; k < candidates.points.size(); ++k) {
+    const int id = claims.wireOf(static_cast<Index>(k));
+    if (id == 0)
+      continue;
+    const Index i = candidates.input[k];
+    const Wire& wire = network.wires[static_cast<std::size_t>(id - 1)];
+    network.classes[i] = wire_class;
+    network.wire_id[i] = wire.id;
+    network.span_id[i] = wire.span;
+    network.wire_distance[i] = static_cast<float>(wire.curve.distance(points[i]));
+  }
+}
+
+// Metres of a wire's end that are given to the support there.
 double
 endPart(const Tower& tower)
 {
@@ -99,16 +170,15 @@ endPart(const Tower& tower)
 
 // Whether a point of a wire is so near its end that it belongs to the support there.
 bool
-endsAt(const Wire& wire, const Point& p, const std::vector<Tower>& towers, int support)
+endsAt(const Wire& wire, const Point& p, const Tower& tower, int tower_id)
 {
-  const Tower& tower = towers[static_cast<std::size_t>(support)];
   const auto within = [&](int id, const Point& end) {
-    return id == support + 1 && tower.seen &&
-           (p - end).head<2>().norm() <= endPart(tower);
+    return id == tower_id && tower.seen && (p - end).head<2>().norm() <= endPart(tower);
   };
   return within(wire.front_support, wire.front) || within(wire.back_support, wire.back);
 }
 
+/** Cells of the plan that know the supports near them. */
 class TowerIndex {
 public:
   explicit TowerIndex(const std::vector<Tower>& towers)
@@ -139,6 +209,38 @@ private:
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> cells_;
 };
 
+// Gives what stands above the grass at a support to it: its own points, and the ends of
+// its wires.
+void
+labelSupports(PowerLineNetwork& network,
+              const Points& points,
+              const std::vector<Hanging>& hanging,
+              const std::vector<Tower>& towers)
+{
+  const TowerIndex index(towers);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    const auto* near = p.allFinite() ? index.near(p) : nullptr;
+    if (near == nullptr || p.z() < network.ground.heightAt(p.x(), p.y()) + foot)
+      continue;
+    const int id = network.wire_id[i];
+    const auto isPartOf = [&](std::size_t t) {
+      return id == 0 ? belongsTo(towers[t], hanging, p)
+                     : endsAt(network.wires[static_cast<std::size_t>(id - 1)],
+                              p,
+                              towers[t],
+                              network.supports[t].id);
+    };
+    const auto tower = std::find_if(near->begin(), near->end(), isPartOf);
+    if (tower == near->end())
+      continue;
+    network.wire_id[i] = network.span_id[i] = 0;
+    network.wire_distance[i] = std::numeric_limits<float>::quiet_NaN();
+    network.classes[i] = pylon_class;
+    ++network.supports[*tower].points;
+  }
+}
+
 } // namespace
 
 void
@@ -149,77 +251,14 @@ labelPoints(PowerLineNetwork& network,
             const std::vector<Tower>& towers,
             const Growth& growth)
 {
-  const Candidates& candidates = growth.candidates();
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Best> best(candidates.points.size());
-  for (std::size_t w = 0; w < hanging.size(); ++w) {
-    const Wire& wire = network.wires[static_cast<std::size_t>(ids[w] - 1)];
-    const SpanModel& m = hanging[w].model();
-    const double reach = std::max(std::min(widest_tube, tube_part * m.tolerance),
-                                  hanging[w].strand.piece.thickness);
-    const double front = m.along(wire.front), back = m.along(wire.back);
-    offer(best,
-          candidates,
-          m,
-          std::min(front, back),
-          std::max(front, back),
-          reach,
-          wire.id,
-          [&](const Point& p) { return wire.curve.distance(p); });
-    if (hasCompanion(growth, hanging[w].strand.piece, reach))
-      offer(best,
-            candidates,
-            m,
-            m.begin,
-            m.end,
-            bundle_reach,
-            wire.id,
-            [&](const Point& p) {
-              const double d = wire.curve.distance(p);
-              return d > reach ? d : infinity;
-            });
-    for (const Piece& companion : hanging[w].strand.companions)
-      offer(best,
-            candidates,
-            companion.model,
-            companion.model.begin,
-            companion.model.end,
-            reach,
-            wire.id,
-            [&](const Point& p) { return companion.model.distance(p); });
-  }
-
-  for (std::size_t k = 0; k < best.size(); ++k) {
-    if (best[k].wire == 0)
-      continue;
-    const Index i = candidates.input[k];
-    const Wire& wire = network.wires[static_cast<std::size_t>(best[k].wire - 1)];
-    network.classes[i] = wire_class;
-    network.wire_id[i] = wire.id;
-    network.span_id[i] = wire.span;
-    network.wire_distance[i] = static_cast<float>(wire.curve.distance(points[i]));
-  }
-
-  const TowerIndex index(towers);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto* near = points[i].allFinite() ? index.near(points[i]) : nullptr;
-    if (near == nullptr ||
-        points[i].z() < network.ground.heightAt(points[i].x(), points[i].y()) + foot)
-      continue;
-    const int id = network.wire_id[i];
-    const Wire* wire =
-        id != 0 ? &network.wires[static_cast<std::size_t>(id - 1)] : nullptr;
-    for (const std::size_t t : *near) {
-      if (wire != nullptr ? !endsAt(*wire, points[i], towers, static_cast<int>(t))
-                          : !belongsTo(towers[t], hanging, points[i]))
-        continue;
-      network.wire_id[i] = network.span_id[i] = 0;
-      network.wire_distance[i] = std::numeric_limits<float>::quiet_NaN();
-      network.classes[i] = pylon_class;
-      ++network.supports[t].points;
-      break;
-    }
-  }
+  Claims claims(growth.candidates());
+  for (std::size_t w = 0; w < hanging.size(); ++w)
+    offerAround(network.wires[static_cast<std::size_t>(ids[w] - 1)],
+                hanging[w],
+                growth,
+                claims);
+  labelWires(network, points, growth.candidates(), claims);
+  labelSupports(network, points, hanging, towers);
 }
 
 } // namespace linelet::powerline
