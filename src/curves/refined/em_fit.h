@@ -196,6 +196,26 @@ private:
   measureShell(const EmSettings& settings);
   void
   maximiseCurve(CurveState& state, const EmSettings& settings);
+  /** \brief Adds to the system what the points say of the nodes of a curve. */
+  void
+  pullTowardsPoints(const CurveState& state);
+  EdgeSums
+  sumsOf(const Edge& edge, bool front, bool back);
+  /** \brief Adds to the system what the prior says of the bends of a curve. */
+  void
+  stiffen(const CurveState& state, double spacing);
+  /** \brief Solves the system, and measures how free each node is. */
+  void
+  moveNodes(CurveState& state);
+  /** \brief Estimates how strongly a curve bends from its solved bends. */
+  void
+  measureBending(CurveState& state, double spacing);
+  /** \brief What makes the square of bend \a i one at the scale 1. */
+  double
+  bendUnit(const CurveState& state, std::size_t i) const;
+  /** \brief Variance of what is unknown of bend \a i, per coordinate. */
+  double
+  bendVariance(const ModelCurve& curve, std::size_t i) const;
   void
   updateWeights();
 
