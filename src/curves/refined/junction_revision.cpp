@@ -25,80 +25,157 @@ constexpr double least_arc = 5;
 constexpr double near_gap = 3;
 constexpr double arm_reach = 3;
 
+/** \brief The nodes of all curves, one after another. */
+struct AllNodes {
+  Points at;
+  std::vector<std::size_t> curve;
+  std::vector<double> arc; // from the front of its curve
+};
+
+AllNodes
+allNodes(const ModelCurves& curves)
+{
+  AllNodes result;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const Points& nodes = curves[c].nodes;
+    double walked = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      if (k > 0)
+        walked += (nodes[k] - nodes[k - 1]).norm();
+      result.at.push_back(nodes[k]);
+      result.curve.push_back(c);
+      result.arc.push_back(walked);
+    }
+  }
+  return result;
+}
+
+/** \brief The nearest node of another stretch. */
+struct Passing {
+  double gap = std::numeric_limits<double>::infinity(); // squared; none: infinity
+  Point other = Point::Zero();
+};
+
+/** \brief For each node what passes it within \a distance. */
+std::vector<Passing>
+passingStretches(const ModelCurves& curves, double distance)
+{
+  const AllNodes nodes = allNodes(curves);
+  std::vector<double> lengths;
+  for (const ModelCurve& curve : curves)
+    lengths.push_back(length(curve));
+  const auto is_one_stretch = [&](std::size_t i, std::size_t j) {
+    const std::size_t c = nodes.curve[i];
+    if (nodes.curve[j] != c)
+      return false;
+    const double between = std::abs(nodes.arc[i] - nodes.arc[j]);
+    return (curves[c].closed ? std::min(between, lengths[c] - between) : between) <
+           least_arc * distance;
+  };
+  std::vector<Passing> result(nodes.at.size());
+  const UniformGrid grid(nodes.at, distance);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    grid.forEachWithin(nodes.at[i], distance, [&](Index j, double squared) {
+      if (squared < result[i].gap && !is_one_stretch(i, j))
+        result[i] = {squared, nodes.at[j]};
+    });
+  return result;
+}
+
+/** \brief A node of a curve, looked at with \a width nodes on either side. */
+struct Window {
+  const ModelCurve& curve;
+  std::size_t node, width;
+
+  bool
+  isRound() const
+  {
+    return curve.closed && curve.nodes.size() > 2 * width;
+  }
+  bool
+  hasBefore(std::size_t steps) const
+  {
+    return isRound() || node >= steps;
+  }
+  bool
+  hasAfter(std::size_t steps) const
+  {
+    return isRound() || node + steps < curve.nodes.size();
+  }
+  std::size_t
+  before(std::size_t steps) const
+  {
+    return (node + curve.nodes.size() - steps) % curve.nodes.size();
+  }
+  std::size_t
+  after(std::size_t steps) const
+  {
+    return (node + steps) % curve.nodes.size();
+  }
+};
+
+/** \brief Number of nodes over \a distance. */
+std::size_t
+nodesOver(double distance, const ModelCurve& curve)
+{
+  const double spacing =
+      curve.edges() > 0 ? length(curve) / static_cast<double>(curve.edges()) : 0;
+  return static_cast<std::size_t>(
+      std::clamp(std::round(distance / std::max(spacing, 1e-300)), 1.0, 20.0));
+}
+
+/** \brief Whether another stretch comes nearest here; of equals at the first node.
+ * \param[in] passing of the nodes of the curve */
+bool
+isNarrowest(const Passing* passing, const Window& window)
+{
+  const double gap = passing[window.node].gap;
+  if (!std::isfinite(gap))
+    return false;
+  for (std::size_t w = 1; w <= window.width; ++w)
+    if ((window.hasAfter(w) && gap > passing[window.after(w)].gap) ||
+        (window.hasBefore(w) && gap >= passing[window.before(w)].gap))
+      return false;
+  return true;
+}
+
+bool
+isBend(const Window& window)
+{
+  const std::size_t w = window.width;
+  if (!window.hasBefore(w) || !window.hasAfter(w))
+    return false;
+  const Points& nodes = window.curve.nodes;
+  const Point before = nodes[window.node] - nodes[window.before(w)];
+  const Point after = nodes[window.after(w)] - nodes[window.node];
+  return before.dot(after) < least_cosine * before.norm() * after.norm();
+}
+
 } // namespace
 
 Points
 doubtfulPlaces(const ModelCurves& curves, double distance)
 {
-  Points nodes;
-  std::vector<std::size_t> curve_of;
-  std::vector<double> arc;
-  std::vector<double> lengths;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    double walked = 0;
-    for (std::size_t k = 0; k < curves[c].nodes.size(); ++k) {
-      if (k > 0)
-        walked += (curves[c].nodes[k] - curves[c].nodes[k - 1]).norm();
-      nodes.push_back(curves[c].nodes[k]);
-      curve_of.push_back(c);
-      arc.push_back(walked);
-    }
-    lengths.push_back(length(curves[c]));
-  }
+  const std::vector<Passing> passing = passingStretches(curves, distance);
   Points result;
-  if (nodes.empty())
-    return result;
-  const UniformGrid grid(nodes, distance);
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> gap(nodes.size(), infinity);
-  std::vector<Index> other(nodes.size(), 0);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    grid.forEachWithin(nodes[i], distance, [&](Index j, double squared) {
-      if (squared >= gap[i])
-        return;
-      if (curve_of[i] == curve_of[j]) {
-        double between = std::abs(arc[i] - arc[j]);
-        if (curves[curve_of[i]].closed)
-          between = std::min(between, lengths[curve_of[i]] - between);
-        if (between < least_arc * distance)
-          return;
-      }
-      gap[i] = squared;
-      other[i] = j;
-    });
   std::size_t first = 0;
   for (const ModelCurve& curve : curves) {
-    const std::size_t n = curve.nodes.size();
-    const double spacing =
-        curve.edges() > 0 ? length(curve) / static_cast<double>(curve.edges()) : 0;
-    const auto window = static_cast<std::size_t>(
-        std::clamp(std::round(distance / std::max(spacing, 1e-300)), 1.0, 20.0));
-    for (std::size_t k = 0; k < n; ++k) {
-      const bool ring = curve.closed && n > 2 * window;
-      bool least = gap[first + k] < infinity, bend = false;
-      for (std::size_t w = 1; w <= window && least; ++w) {
-        if (ring || k + w < n)
-          least = least && gap[first + k] <= gap[first + (k + w) % n];
-        if (ring || k >= w)
-          least = least && gap[first + k] < gap[first + (k + n - w) % n];
-      }
-      if (ring || (k >= window && k + window < n)) {
-        const Point before = curve.nodes[k] - curve.nodes[(k + n - window) % n];
-        const Point after = curve.nodes[(k + window) % n] - curve.nodes[k];
-        bend = before.dot(after) < least_cosine * before.norm() * after.norm();
-      }
-      if (least)
-        result.push_back(0.5 * (curve.nodes[k] + nodes[other[first + k]]));
-      else if (bend)
+    const std::size_t width = nodesOver(distance, curve);
+    const Passing* const here = passing.data() + first;
+    for (std::size_t k = 0; k < curve.nodes.size(); ++k) {
+      const Window window{curve, k, width};
+      if (isNarrowest(here, window))
+        result.push_back(0.5 * (curve.nodes[k] + here[k].other));
+      else if (isBend(window))
         result.push_back(curve.nodes[k]);
     }
-    if (!curve.closed && n > 0) {
+    if (!curve.closed && !curve.nodes.empty()) {
       if (curve.junction[0] >= 0)
         result.push_back(curve.nodes.front());
       if (curve.junction[1] >= 0)
         result.push_back(curve.nodes.back());
     }
-    first += n;
+    first += curve.nodes.size();
   }
   return result;
 }
