@@ -47,9 +47,6 @@ constexpr double least_tails = 0.9;
 constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
 constexpr double most_peakedness = 2.2;
 constexpr std::size_t least_rest = 8;
-// Points of no curve seem to make some, too, the better the more of them there are: of
-// the score, by which such a curve has to be better for each.
-constexpr double least_rest_gain = 0.3;
 
 /** \brief The peakedness of normal noise (\ref EmFit): fourth moment over squared
  * second of the distance from a line. */
@@ -133,9 +130,7 @@ traceTheRest(PartInWork& part)
     start.insert(start.end(), traces.curves.begin(), traces.curves.end());
     EmSettings settings = part.best().settings;
     settings.noise = std::max(best.noise, 0.25 * unit);
-    if (!part.take(part.fit(start, settings),
-                   part.best().settings,
-                   least_rest_gain * static_cast<double>(rest.size())))
+    if (!part.take(part.fit(start, settings), part.best().settings))
       break;
   }
 }
