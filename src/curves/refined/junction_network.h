@@ -15,6 +15,9 @@ struct EndReach {
   double loop = 0; ///< along its own curve: nearer places are no meeting with itself
 };
 
+/** \brief By curve: of its front and of its back end. */
+using EndReaches = std::vector<std::array<EndReach, 2>>;
+
 /** \brief Finds where ends of curves meet and writes it down.
  *
  * An open end meets another end, or the inside of a curve, that lies within its
@@ -23,9 +26,8 @@ struct EndReach {
  * pass there; a curve whose own ends meet is closed. Curves that cross without an end
  * are no junction.
  * \param[in,out] network open curves of at least two vertices and closed ones; no
- * junctions
- * \param[in] reaches by curve: of its front and of its back end */
+ * junctions */
 void
-connectEnds(CurveNetwork& network, const std::vector<std::array<EndReach, 2>>& reaches);
+connectEnds(CurveNetwork& network, const EndReaches& reaches);
 
 } // namespace linelet
