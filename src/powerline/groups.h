@@ -9,38 +9,11 @@
 #include <tuple>
 #include <vector>
 
+#include <linelet/support/groups.h>
+
 #include "powerline/joints.h"
 
 namespace linelet::powerline {
-
-/** \brief Disjoint groups of things 0, 1, ...: each alone at first, until united. */
-class Groups {
-public:
-  explicit Groups(std::size_t count) : parent_(count)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  /** \brief The first member of the group of \a i, which stands for the group. */
-  std::size_t
-  root(std::size_t i)
-  {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void
-  unite(std::size_t a, std::size_t b)
-  {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 /** \brief Unites wires that go on as one another beyond their supports. */
 inline void

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <numeric>
 
 #include <linelet/search/uniform_grid.h>
+#include <linelet/support/groups.h>
 
 #include "occupied_cells.h"
 #include "refined_part.h"
@@ -46,28 +46,22 @@ connectedParts(const Points& points,
     return false;
   };
 
-  std::vector<std::size_t> root(cells.size());
-  std::iota(root.begin(), root.end(), std::size_t(0));
-  const auto rootOf = [&](std::size_t c) {
-    while (root[c] != c)
-      c = root[c] = root[root[c]];
-    return c;
-  };
+  Groups joined(cells.size()); // cells
   const UniformGrid grid(first, 2 * distance);
   for (std::size_t a = 0; a < cells.size(); ++a)
     grid.forEachWithin(
-        first[a], distance, [&](Index b, double) { root[rootOf(a)] = rootOf(b); });
+        first[a], distance, [&](Index b, double) { joined.unite(a, b); });
   // All points are compared only where that may join two parts still.
   for (std::size_t a = 0; a < cells.size(); ++a)
     grid.forEachWithin(first[a], widest[a] + 2 * distance, [&](Index b, double) {
-      if (rootOf(a) != rootOf(b) && linked(a, b))
-        root[rootOf(a)] = rootOf(b);
+      if (joined.root(a) != joined.root(b) && linked(a, b))
+        joined.unite(a, b);
     });
 
   std::vector<std::size_t> part_of(points.size(), cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::size_t k = cells.begin[c]; k < cells.begin[c + 1]; ++k)
-      part_of[cells.indices[k]] = rootOf(c);
+      part_of[cells.indices[k]] = joined.root(c);
   std::vector<Indices> members(cells.size()), parts;
   std::vector<std::size_t> order; // of the parts by their first points
   for (std::size_t i = 0; i < points.size(); ++i)

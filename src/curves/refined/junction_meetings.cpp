@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <linelet/search/uniform_grid.h>
+#include <linelet/support/groups.h>
 
 namespace linelet {
 
@@ -126,32 +126,6 @@ PlaceFinder::runsBeside(const Point& direction, const Place& place) const
   const Point edge = edgeOf(network_.curves[place.curve], place.edge);
   return std::abs(direction.dot(edge)) >= side_by_side * edge.norm();
 }
-
-/** \brief Disjoint groups of things 0, 1, ...: each alone at first, until united. */
-class Groups {
-public:
-  explicit Groups(std::size_t count) : parent_(count)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-  }
-  /** \brief The first of the group of \a i. */
-  std::size_t
-  root(std::size_t i)
-  {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void
-  unite(std::size_t i, std::size_t j)
-  {
-    const std::size_t a = root(i), b = root(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 /** \brief An end that looks for others, and the place inside a curve that it meets. */
 struct OpenEnd {

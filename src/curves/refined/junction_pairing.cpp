@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <linelet/search/uniform_grid.h>
+#include <linelet/support/groups.h>
 
 #include "line_meeting.h"
 
@@ -36,34 +36,26 @@ struct Link {
 std::vector<Centre>
 clusterMeetings(const Points& meetings, double distance, double cut)
 {
-  std::vector<std::size_t> parent(meetings.size());
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  Groups groups(meetings.size());
   const UniformGrid grid(meetings, distance);
   for (std::size_t i = 0; i < meetings.size(); ++i)
-    grid.forEachWithin(meetings[i], distance, [&](Index j, double) {
-      const std::size_t a = root(i), b = root(j);
-      parent[std::max(a, b)] = std::min(a, b);
-    });
+    grid.forEachWithin(
+        meetings[i], distance, [&](Index j, double) { groups.unite(i, j); });
   std::vector<std::size_t> number(meetings.size());
   std::vector<Centre> centres;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
-    if (root(i) == i) {
+    if (groups.root(i) == i) {
       number[i] = centres.size();
       centres.emplace_back();
     }
-    Centre& centre = centres[number[root(i)]];
+    Centre& centre = centres[number[groups.root(i)]];
     centre.at += meetings[i];
     ++centre.meetings;
   }
   for (Centre& centre : centres)
     centre.at /= static_cast<double>(centre.meetings);
   for (std::size_t i = 0; i < meetings.size(); ++i) {
-    Centre& centre = centres[number[root(i)]];
+    Centre& centre = centres[number[groups.root(i)]];
     centre.radius = std::max(centre.radius, (meetings[i] - centre.at).norm());
   }
   for (Centre& centre : centres)

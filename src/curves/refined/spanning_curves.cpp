@@ -4,12 +4,12 @@
 #include "spanning_curves.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <linelet/search/kd_tree.h>
+#include <linelet/support/groups.h>
 
 namespace linelet {
 
@@ -39,19 +39,11 @@ spanningTree(const Points& points)
   std::sort(links.begin(), links.end(), [](const Link& l, const Link& m) {
     return std::tie(l.length, l.a, l.b) < std::tie(m.length, m.a, m.b);
   });
-  std::vector<Index> root(points.size());
-  std::iota(root.begin(), root.end(), Index(0));
-  const auto rootOf = [&](Index i) {
-    while (root[i] != i)
-      i = root[i] = root[root[i]];
-    return i;
-  };
+  Groups trees(points.size());
   std::vector<Indices> tree(points.size());
   for (const Link& link : links) {
-    const Index a = rootOf(link.a), b = rootOf(link.b);
-    if (a == b)
+    if (!trees.unite(link.a, link.b))
       continue;
-    root[a] = b;
     tree[link.a].push_back(link.b);
     tree[link.b].push_back(link.a);
   }
