@@ -8,7 +8,7 @@
 
 namespace linelet {
 
-/** \brief \a value as messages show it, with up to six digits: "-1", "0.25", "1e-09". */
+/** \brief \a value as messages show it, up to six digits: "-1", "0.25", "1e-09". */
 inline std::string
 textOf(double value)
 {

@@ -17,10 +17,14 @@ namespace {
 
 constexpr std::size_t neighbours = 8;
 
-/** \brief The edges of a tree (of each connected part): per point those it is joined
- * to. */
-std::vector<Indices>
-spanningTree(const Points& points)
+/** \brief The shortest tree of each connected part. */
+struct SpanningTrees {
+  std::vector<Indices> joined; ///< per point those it is joined to
+  Indices roots;               ///< a point of each tree
+};
+
+SpanningTrees
+spanningTrees(const Points& points)
 {
   struct Link {
     double length;
@@ -39,15 +43,19 @@ spanningTree(const Points& points)
   std::sort(links.begin(), links.end(), [](const Link& l, const Link& m) {
     return std::tie(l.length, l.a, l.b) < std::tie(m.length, m.a, m.b);
   });
-  Groups trees(points.size());
-  std::vector<Indices> tree(points.size());
+  Groups groups(points.size());
+  SpanningTrees trees;
+  trees.joined.resize(points.size());
   for (const Link& link : links) {
-    if (!trees.unite(link.a, link.b))
+    if (!groups.unite(link.a, link.b))
       continue;
-    tree[link.a].push_back(link.b);
-    tree[link.b].push_back(link.a);
+    trees.joined[link.a].push_back(link.b);
+    trees.joined[link.b].push_back(link.a);
   }
-  return tree;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (groups.root(i) == i)
+      trees.roots.push_back(static_cast<Index>(i));
+  return trees;
 }
 
 } // namespace
@@ -55,7 +63,7 @@ spanningTree(const Points& points)
 Traces
 spanningCurves(const Points& points, std::size_t least_edges)
 {
-  const std::vector<Indices> tree = spanningTree(points);
+  const SpanningTrees trees = spanningTrees(points);
   std::vector<char> used(points.size(), 0); // by curves so far
   std::vector<Index> before(points.size()); // on the way from where a search began
 
@@ -69,7 +77,7 @@ spanningCurves(const Points& points, std::size_t least_edges)
       open.pop_back();
       if (edges > last.second)
         last = {at, edges};
-      for (const Index next : tree[at])
+      for (const Index next : trees.joined[at])
         if (next != before[at] && !used[next]) {
           before[next] = at;
           open.push_back({next, edges + 1});
@@ -95,19 +103,8 @@ spanningCurves(const Points& points, std::size_t least_edges)
     traces.curves.push_back(std::move(curve));
     return true;
   };
-  std::vector<char> seen(points.size(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (seen[i])
-      continue;
-    Indices part{static_cast<Index>(i)};
-    seen[i] = 1;
-    for (std::size_t k = 0; k < part.size(); ++k)
-      for (const Index next : tree[part[k]])
-        if (!seen[next]) {
-          seen[next] = 1;
-          part.push_back(next);
-        }
-    keep(longestFrom(longestFrom(static_cast<Index>(i)).front()));
+  for (const Index root : trees.roots) {
+    keep(longestFrom(longestFrom(root).front()));
     while (!branching.empty()) {
       const Index at = branching.back();
       if (keep(longestFrom(at)))
