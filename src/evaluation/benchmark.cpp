@@ -79,7 +79,9 @@ perform(const std::string& method,
   MultiScaleSettings shape; // with the centroid that the noise rate is defined for
   shape.engine = ScaleEngine::Grid; // exact enough for a rate, and no second job
   shape.threads = 1;
-  row.noise_rate = points.size() > 1 && scaleUnit(points, 0, 1, 1) > 0
+  shape.scale_unit =
+      scaleUnit(points, shape.scale_unit_sample, shape.scale_unit_seed, shape.threads);
+  row.noise_rate = shape.scale_unit > 0
                        ? noiseRate(multiScaleShapes(points, points, shape).shapes)
                        : std::numeric_limits<double>::quiet_NaN();
   return row;

@@ -12,6 +12,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
+#include <linelet/search/nearest_walk.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
 
@@ -67,22 +68,30 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
     chosen.resize(sample);
   }
 
-  std::vector<double> distances(chosen.size());
-  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(chosen.size());
+  constexpr std::size_t block = 256; // of one thread
+  std::vector<double> squares;
+  const auto blocks = static_cast<std::ptrdiff_t>((chosen.size() + block - 1) / block);
 #pragma omp parallel num_threads(threadCount(threads))
   {
-#pragma omp for schedule(dynamic, 64)
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-      // The point itself, or one in its place, is the nearest of all.
-      const std::size_t at = static_cast<std::size_t>(i);
-      const Point& point = points[chosen[at]];
-      distances[at] =
-          (points[grid.nearestK(point, neighbours + 1).back()] - point).norm();
+    NearestWalk walk(points, grid, neighbours + 1);
+    std::vector<double> own;
+#pragma omp for schedule(dynamic)
+    for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+      const std::size_t begin = static_cast<std::size_t>(b) * block;
+      const std::size_t end = std::min(begin + block, chosen.size());
+      walk(chosen.data() + begin,
+           chosen.data() + end,
+           [&](Index, const std::vector<UniformGrid::Neighbour>& nearest) {
+             own.push_back(nearest.back().first);
+           });
     }
+#pragma omp critical(linelet_scale_unit)
+    squares.insert(squares.end(), own.begin(), own.end());
   }
-  const auto middle = distances.begin() + (count - 1) / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  const auto middle =
+      squares.begin() + static_cast<std::ptrdiff_t>((squares.size() - 1) / 2);
+  std::nth_element(squares.begin(), middle, squares.end());
+  return std::sqrt(*middle);
 }
 
 } // namespace linelet

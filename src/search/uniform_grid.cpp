@@ -122,14 +122,6 @@ UniformGrid::layRows(const Points& points)
     rows_[axis] = static_cast<std::size_t>(extent[axis + 1] / row_size_) + 1;
 }
 
-std::size_t
-UniformGrid::row(double coordinate, int axis) const
-{
-  const double last = static_cast<double>(rows_[axis - 1] - 1);
-  const double r = std::floor((coordinate - row_low_[axis]) / row_size_);
-  return static_cast<std::size_t>(std::clamp(r, 0.0, last));
-}
-
 Indices
 UniformGrid::within(const Point& query, double radius) const
 {
@@ -222,32 +214,65 @@ UniformGrid::nearest(const Point& query, double max_distance) const
 Indices
 UniformGrid::nearestK(const Point& query, std::size_t count) const
 {
-  Indices result;
-  if (points_.empty() || count == 0 || !query.allFinite())
-    return result;
-  if (count == 1)
+  if (count == 1 && !points_.empty() && query.allFinite())
     return {nearest(query)};
+  std::vector<Neighbour> found;
+  nearestK(query, count, row_size_, found);
+  Indices result;
+  result.reserve(found.size());
+  for (const auto& [squared, index] : found)
+    result.push_back(index);
+  return result;
+}
+
+void
+UniformGrid::nearestK(const Point& query,
+                      std::size_t count,
+                      double radius,
+                      std::vector<Neighbour>& found) const
+{
+  found.clear();
+  if (points_.empty() || count == 0 || !query.allFinite())
+    return;
   count = std::min(count, points_.size());
   const double reach = std::max((query - min_).cwiseAbs().maxCoeff(),
                                 (query - max_).cwiseAbs().maxCoeff()) *
                            2 +
                        row_size_;
-  std::vector<std::pair<double, Index>> found;
-  for (double radius = row_size_;; radius *= 2) {
-    found.clear();
-    forEachWithin(query, radius, [&](Index i, double squared) {
-      found.emplace_back(squared, i);
+  std::size_t held = 0;
+  const auto keepNearest = [&] {
+    if (held <= count)
+      return;
+    const auto end = found.begin() + static_cast<std::ptrdiff_t>(held);
+    held = count;
+    std::nth_element(
+        found.begin(), found.begin() + static_cast<std::ptrdiff_t>(held) - 1, end);
+  };
+  const std::size_t most = 2 * count + 16; // held at once
+  found.resize(most);
+  for (;; radius *= 2) {
+    held = 0;
+    double wanted = radius * radius;
+    const double high = query.x() + radius;
+    forEachRow(query, radius, [&](std::size_t slot, std::size_t end) {
+      for (; slot < end && points_[slot].x() <= high; ++slot) {
+        // Every point is written, and written over where it is not wanted: a branch
+        // here would be guessed wrongly every third time.
+        const double squared = (points_[slot] - query).squaredNorm();
+        found[held] = {squared, indices_[slot]};
+        held += squared <= wanted ? 1 : 0;
+        if (held == most) {
+          keepNearest();
+          wanted = found[held - 1].first;
+        }
+      }
     });
-    if (found.size() >= count || radius >= reach)
+    if (held >= count || radius >= reach)
       break;
   }
-  count = std::min(count, found.size());
-  using Offset = std::vector<std::pair<double, Index>>::difference_type;
-  std::partial_sort(
-      found.begin(), found.begin() + static_cast<Offset>(count), found.end());
-  for (std::size_t k = 0; k < count; ++k)
-    result.push_back(found[k].second);
-  return result;
+  keepNearest();
+  found.resize(held);
+  std::sort(found.begin(), found.end());
 }
 
 } // namespace linelet

@@ -8,6 +8,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
+#include <linelet/search/nearest_walk.h>
 #include <linelet/search/uniform_grid.h>
 
 using namespace linelet;
@@ -134,4 +135,64 @@ TEST(UniformGrid, FindsTheNearestPoint)
       EXPECT_EQ(grid.nearest(query, distance * (1 - 1e-9) - 1e-12), UniformGrid::none);
     }
   }
+}
+
+TEST(UniformGrid, FindsTheNearestWhateverRadiusItBeginsWith)
+{
+  const Points points = randomPoints(200, Point(10, 10, 10), 3);
+  const UniformGrid grid(points, 1);
+  std::vector<UniformGrid::Neighbour> found;
+  for (const double radius : {1e-3, 1.0, 5.0, 100.0})
+    for (const std::size_t count : {1u, 7u, 150u, 500u}) {
+      const Point query(4, 5, 6);
+      grid.nearestK(query, count, radius, found);
+      std::vector<UniformGrid::Neighbour> all;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        all.emplace_back((points[i] - query).squaredNorm(), static_cast<Index>(i));
+      std::sort(all.begin(), all.end());
+      all.resize(std::min(count, all.size()));
+      EXPECT_EQ(found, all) << "radius " << radius << ", count " << count;
+    }
+}
+
+TEST(NearestWalk, VisitsEachPointOnceWithItsNearest)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Points points =
+        randomPoints(250, seed % 2 ? Point(10, 10, 10) : Point(100, 0.1, 0), seed);
+    points.insert(points.end(), 10, points.front()); // copies
+    const UniformGrid grid(points, 0.3 * seed);
+    NearestWalk walk(points, grid, 7);
+    std::vector<int> visits(points.size(), 0);
+    Indices some; // not all
+    for (Index i = 20; i < points.size(); ++i)
+      some.push_back(i);
+    walk(some.data(), some.data() + some.size(), [&](Index i, const auto& found) {
+      ++visits[i];
+      std::vector<UniformGrid::Neighbour> all;
+      for (std::size_t k = 0; k < points.size(); ++k)
+        all.emplace_back((points[k] - points[i]).squaredNorm(), static_cast<Index>(k));
+      std::partial_sort(all.begin(), all.begin() + 7, all.end());
+      all.resize(7);
+      EXPECT_EQ(found, all);
+    });
+    for (Index i = 0; i < points.size(); ++i)
+      EXPECT_EQ(visits[i], i < 20 ? 0 : 1) << i;
+  }
+}
+
+TEST(NearestWalk, OfFewPointsFindsAll)
+{
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {5, 0, 0}};
+  const UniformGrid grid(points, 0.5);
+  NearestWalk walk(points, grid, 7);
+  const Indices all = {0, 1, 2};
+  std::size_t visits = 0;
+  walk(all.data(), all.data() + 3, [&](Index i, const auto& found) {
+    EXPECT_EQ(found.size(), 3u);
+    EXPECT_EQ(found.front().second, i);
+    ++visits;
+  });
+  EXPECT_EQ(visits, 3u);
 }

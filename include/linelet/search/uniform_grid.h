@@ -3,9 +3,12 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <linelet/support/points.h>
 
@@ -98,9 +101,29 @@ public:
   Indices
   nearestK(const Point& query, std::size_t count) const;
 
+  /** \brief A point that was found: its squared distance and its index. */
+  using Neighbour = std::pair<double, Index>;
+
+  /** \brief As above.
+   * \param[in] radius > 0 that is looked in first, then twice as far and so on: best a
+   * little more than the distance of the last one found
+   * \param[out] found near to far, equals by index */
+  void
+  nearestK(const Point& query,
+           std::size_t count,
+           double radius,
+           std::vector<Neighbour>& found) const;
+
+  /** \brief Width of a row. */
+  double
+  rowSize() const
+  {
+    return row_size_;
+  }
+
 private:
   /** \brief Calls visit(begin, end) for every row that \a radius around \a query
-   * reaches: its slots from the first that is not left of the ball. */
+   * reaches: its slots from the first that is not left of the ball, or a few before. */
   template <class Visit>
   void
   forEachRow(const Point& query, double radius, Visit&& visit) const;
@@ -129,7 +152,15 @@ private:
   sortIntoRows(const Points& points);
 
   std::size_t
-  row(double coordinate, int axis) const;
+  row(double coordinate, int axis) const
+  {
+    const double last = static_cast<double>(rows_[axis - 1] - 1);
+    const double place = (coordinate - row_low_[axis]) / row_size_;
+    return static_cast<std::size_t>(std::clamp(place, 0.0, last));
+  }
+
+  /// So many points are looked at rather than cut down any more.
+  static constexpr std::size_t few = 4;
 
   Points points_;                      // sorted by row, then x
   Indices indices_;                    // input index of each sorted point
@@ -154,10 +185,11 @@ UniformGrid::forEachRow(const Point& query, double radius, Visit&& visit) const
   const std::size_t z_end = row(high.z(), 2);
   for (std::size_t z = row(low.z(), 2); z <= z_end; ++z) {
     for (std::size_t y = y_begin; y <= y_end; ++y) {
-      const std::size_t begin = row_begin_[z * rows_[0] + y];
+      std::size_t slot = row_begin_[z * rows_[0] + y];
       const std::size_t end = row_begin_[z * rows_[0] + y + 1];
-      std::size_t slot = begin;
-      for (std::size_t count = end - begin; count > 0;) {
+      if (slot == end || points_[end - 1].x() < low.x())
+        continue;
+      for (std::size_t count = end - slot; count > few;) {
         const std::size_t half = count / 2;
         if (points_[slot + half].x() < low.x()) {
           slot += half + 1;
@@ -166,8 +198,7 @@ UniformGrid::forEachRow(const Point& query, double radius, Visit&& visit) const
         else
           count = half;
       }
-      if (slot < end)
-        visit(slot, end);
+      visit(slot, end);
     }
   }
 }
@@ -192,24 +223,25 @@ UniformGrid::forEachRun(const Point& query, double radius, Visit&& visit) const
 {
   const double high = query.x() + radius;
   forEachRow(query, radius, [&](std::size_t begin, std::size_t end) {
+    if (points_[begin].x() > high)
+      return;
     // Most runs are short: look for their end in growing steps.
     std::size_t slot = begin;
-    for (std::size_t step = 8; slot + step < end; step *= 2) {
+    for (std::size_t step = 2 * few; slot + step < end; step *= 2) {
       if (points_[slot + step].x() > high) {
         end = slot + step;
         break;
       }
       slot += step;
     }
-    while (slot < end) {
+    while (end - slot > 2 * few) {
       const std::size_t half = slot + (end - slot) / 2;
       if (points_[half].x() <= high)
         slot = half + 1;
       else
         end = half;
     }
-    if (begin < end)
-      visit(begin, end);
+    visit(begin, end);
   });
 }
 

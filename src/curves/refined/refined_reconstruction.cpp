@@ -145,7 +145,7 @@ reconstructRefined(const Points& all, const RefinedSettings& settings, Monitor* 
                                                    : link_distance * scale_unit;
   ScaleField field;
   if (points.size() <= most_varied)
-    field = ScaleField(points, scale_unit);
+    field = ScaleField(points, scale_unit, uneven);
   const ScaleField* scales = field.spread() > uneven ? &field : nullptr;
   const std::vector<Indices> parts = connectedParts(points, link, least_part, scales);
   ModelCurves curves;

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include <linelet/search/nearest_walk.h>
+#include <linelet/search/sort_indices.h>
+
 #include "ridge_field.h"
 
 namespace linelet {
@@ -22,18 +25,26 @@ constexpr double least_linear = 0.3;
 
 } // namespace
 
-ScaleField::ScaleField(const Points& points, double scale_unit)
-    : tree_(std::make_shared<KdTree>(points)), unit_(scale_unit)
+ScaleField::ScaleField(const Points& points, double scale_unit, double least_spread)
+    : unit_(scale_unit)
 {
   std::vector<double> logarithms(points.size());
   std::vector<Indices> near(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    // The point itself, or one in its place, is the nearest of all.
-    const double sixth = tree_->nearest(points[i], spacing_neighbours + 1, near[i]);
-    const double spacing = sixth / scale_unit;
-    tree_->nearest(points[i], smoothing_neighbours + 1, near[i]);
-    logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
-  }
+  const UniformGrid grid(points, scale_unit);
+  NearestWalk walk(points, grid, smoothing_neighbours + 1);
+  const Indices& all = grid.slotIndices();
+  walk(all.data(),
+       all.data() + all.size(),
+       [&](Index i, const std::vector<UniformGrid::Neighbour>& nearest) {
+         // The point itself, or one in its place, is the nearest of all.
+         const std::size_t sixth = std::min(spacing_neighbours, nearest.size() - 1);
+         const double spacing = std::sqrt(nearest[sixth].first) / scale_unit;
+         logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
+         near[i].reserve(nearest.size());
+         for (const auto& [squared, j] : nearest)
+           near[i].push_back(j);
+         sortIndices(near[i]);
+       });
   std::vector<double> linear;
   auto values = std::make_shared<std::vector<double>>();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -52,12 +63,15 @@ ScaleField::ScaleField(const Points& points, double scale_unit)
     if (linearityOf(second / count - mean * mean.transpose()) >= least_linearity)
       linear.push_back(values->back());
   }
-  values_ = std::move(values);
-  if (static_cast<double>(linear.size()) <
-      least_linear * static_cast<double>(points.size()))
+  if (static_cast<double>(linear.size()) >=
+      least_linear * static_cast<double>(points.size())) {
+    std::sort(linear.begin(), linear.end());
+    spread_ = linear[linear.size() * 9 / 10] / linear[linear.size() / 10];
+  }
+  if (spread_ < least_spread)
     return;
-  std::sort(linear.begin(), linear.end());
-  spread_ = linear[linear.size() * 9 / 10] / linear[linear.size() / 10];
+  tree_ = std::make_shared<KdTree>(points);
+  values_ = std::move(values);
 }
 
 // Asked of places far from all points too, where the rows of a grid are empty for long.

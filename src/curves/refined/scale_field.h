@@ -22,8 +22,10 @@ public:
 
   /** \brief The distance of every point to its sixth neighbour, smoothed over its
    * neighbourhood, beside \a scale_unit; between 1/8 and 8.
-   * \param[in] points finite points */
-  ScaleField(const Points& points, double scale_unit);
+   * \param[in] points finite points
+   * \param[in] least_spread where the \ref spread is less, the field stays without
+   * points */
+  ScaleField(const Points& points, double scale_unit, double least_spread = 1);
 
   /** \brief This field for coordinates that count from \a origin; it shares memory. */
   ScaleField
