@@ -24,22 +24,24 @@ void
 BandedSystem::factorise()
 {
   pivot_.resize(band_);
+  inverse_pivot_.resize(band_);
   lower1_.assign(band_, 0);
   lower2_.assign(band_, 0);
   for (std::size_t i = 0; i < band_; ++i) {
     double pivot = diagonal_[i];
     if (i > 1) {
-      lower2_[i] = after_next_[i - 2] / pivot_[i - 2];
+      lower2_[i] = after_next_[i - 2] * inverse_pivot_[i - 2];
       pivot -= lower2_[i] * lower2_[i] * pivot_[i - 2];
     }
     if (i > 0) {
       double coupling = next_[i - 1];
       if (i > 1)
         coupling -= lower2_[i] * pivot_[i - 2] * lower1_[i - 1];
-      lower1_[i] = coupling / pivot_[i - 1];
+      lower1_[i] = coupling * inverse_pivot_[i - 1];
       pivot -= lower1_[i] * lower1_[i] * pivot_[i - 1];
     }
     pivot_[i] = pivot;
+    inverse_pivot_[i] = 1 / pivot;
   }
   if (!closed_)
     return;
@@ -72,9 +74,8 @@ BandedSystem::bandSolve(std::vector<Vector>& x) const
     if (i > 1)
       x[i] -= lower2_[i] * x[i - 2];
   }
-  for (std::size_t i = 0; i < band_; ++i)
-    x[i] /= pivot_[i];
   for (std::size_t i = band_; i-- > 0;) {
+    x[i] *= inverse_pivot_[i];
     if (i + 1 < band_)
       x[i] -= lower1_[i + 1] * x[i + 1];
     if (i + 2 < band_)
@@ -127,7 +128,7 @@ BandedSystem::inverseBand(std::vector<double>& diagonal,
   for (std::size_t i = band_; i-- > 0;) {
     const double l1 = i + 1 < band_ ? lower1_[i + 1] : 0;
     const double l2 = i + 2 < band_ ? lower2_[i + 2] : 0;
-    double value = 1 / pivot_[i];
+    double value = inverse_pivot_[i];
     if (i + 2 < band_)
       after_next[i] = -(l1 * next[i + 1] + l2 * diagonal[i + 2]);
     if (i + 1 < band_) {

@@ -67,8 +67,9 @@ private:
   std::size_t nodes_ = 0; // all
   std::size_t band_ = 0;  // without the border
   std::vector<double> diagonal_, next_, after_next_;
-  std::vector<double> pivot_, lower1_, lower2_; // LDL^T of the band
-  std::vector<Eigen::Vector2d> border_;         // band^-1 * coupling with the border
+  // LDL^T of the band
+  std::vector<double> pivot_, inverse_pivot_, lower1_, lower2_;
+  std::vector<Eigen::Vector2d> border_; // band^-1 * coupling with the border
   Eigen::Matrix2d corner_inverse_ = Eigen::Matrix2d::Zero();
 };
 

@@ -10,6 +10,8 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include "quick_exp-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace linelet {
 namespace HWY_NAMESPACE {
@@ -34,7 +36,7 @@ normalOdds(V z)
 {
   const V slope = hn::MulAdd(hn::Mul(z, z), constant(-0.07056), constant(-1.5976));
   const V exponent = hn::Min(hn::Max(hn::Mul(z, slope), constant(-300)), constant(300));
-  return hn::Exp(D(), exponent);
+  return quickExp(D(), exponent);
 }
 
 /** \brief Points seen from an edge. */
@@ -97,7 +99,7 @@ densities(const EdgeShape& edge, const EdgePoints& points, double* density)
                                hn::Mul(hn::Add(one, before), hn::Add(one, after)));
       value = hn::Mul(factor, within);
     }
-    value = hn::Mul(value, hn::Exp(d, hn::Max(exponent, least)));
+    value = hn::Mul(value, quickExp(d, hn::Max(exponent, least)));
     hn::StoreU(value, d, density + k);
   }
 }

@@ -101,11 +101,9 @@ linearityOf(const Eigen::Matrix3d& m)
     return 0;
   const Eigen::Matrix3d b = (m - q * Eigen::Matrix3d::Identity()) / p;
   const double r = std::clamp(b.determinant() / 2, -1.0, 1.0);
-  const double phi = std::acos(r) / 3;
-  const double largest = q + 2 * p * std::cos(phi);
-  const double smallest = q + 2 * p * std::cos(phi + 2 * M_PI / 3);
-  const double middle = 3 * q - largest - smallest;
-  return (largest - middle) / trace;
+  // The largest is q + 2p cos(phi), the middle one q + 2p cos(phi - 2 pi / 3), where
+  // phi = acos(r) / 3.
+  return 2 * std::sqrt(3.0) * p * std::sin(std::acos(-r) / 3) / trace;
 }
 
 Point

@@ -7,8 +7,9 @@
 #define HWY_TARGET_INCLUDE "curves/refined/shell_kernels.cpp"
 #include <hwy/foreach_target.h> // includes this file once per instruction set
 
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
+
+#include "quick_exp-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace linelet {
@@ -54,7 +55,7 @@ markAt(V place, V distance, V radius, V inverse_width)
   const V one = constant(1);
   const V u = hn::Mul(hn::Sub(distance, radius), inverse_width);
   const V power =
-      hn::Exp(d, hn::Max(hn::Mul(constant(-0.5), hn::Mul(u, u)), constant(-700)));
+      quickExp(d, hn::Max(hn::Mul(constant(-0.5), hn::Mul(u, u)), constant(-700)));
   // Abramowitz and Stegun 7.1.26, to 1e-7.
   const V t = hn::Div(one, hn::MulAdd(constant(0.23164190), hn::Abs(u), one));
   V tail = constant(0.5 * 1.061405429);

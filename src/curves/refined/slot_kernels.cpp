@@ -95,6 +95,8 @@ nearEdge(const SlotArrays& points,
       const V off = hn::MulAdd(over, over, hn::NegMulAdd(along, along, squared));
       const V rest = constant(static_cast<double>(run.end - k));
       const auto near = hn::And(hn::Le(off, most), hn::Lt(lanes, rest));
+      if (hn::AllFalse(d, near))
+        continue;
       // Faster than to compress vectors: every slot is written, and written over where
       // it was not near.
       std::uint8_t bits[8] = {};
