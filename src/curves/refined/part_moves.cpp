@@ -190,7 +190,7 @@ fitShell(PartInWork& part, const EmFit& other)
     EmSettings shell = settings;
     shell.shell = std::sqrt(3.0) * start->noise;
     shell.noise = shell_width * shell.shell;
-    part.take(part.fit(start->curves, shell), shell);
+    part.take(part.fit(start->curves, shell, part.best().score), shell);
   }
   // What normal noise hides: a curve whose points lie beside it rather than around it.
   const EmFit& best = part.best().fit;
@@ -202,7 +202,7 @@ fitShell(PartInWork& part, const EmFit& other)
   EmSettings shell = settings;
   shell.shell = pair_share * std::sqrt(3.0) * noise;
   shell.noise = shell_width * shell.shell;
-  part.take(part.fit(pairs, shell), shell);
+  part.take(part.fit(pairs, shell, part.best().score), shell);
 }
 
 void
