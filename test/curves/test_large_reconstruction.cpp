@@ -5,7 +5,10 @@
 #include <atomic>
 #include <cmath>
 
+#include <sys/resource.h>
+
 #include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
@@ -138,6 +141,35 @@ TEST(LargeReconstruction, CrowdsDoNotMultiplyTheWork)
         1e-4 * uniform(random), 1 + 1e-4 * uniform(random), 1e-4 * uniform(random));
   const CurveNetwork found = reconstructRefined(cloud);
   EXPECT_NEAR(length(found), 200, 2);
+}
+
+/** \brief The most memory that this program has held so far, in megabytes. */
+long
+peakMemory()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
+TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
+{
+  // A net of noisy wires as one part. Its farthest points are left unexplained, a
+  // hundred times as sparse as the others; a fit that begins with noise as wide as they
+  // are apart pairs each point with hundreds of places.
+  boost::random::mt19937 random(5);
+  boost::random::uniform_real_distribution<double> uniform(-50, 50);
+  boost::random::normal_distribution<double> noise(0, 0.03);
+  Points cloud;
+  for (int i = 0; i < 200000; ++i) {
+    const double along = uniform(random), wire = 2.0 * (i % 51) - 50;
+    const Point p = i % 2 == 0 ? Point(along, wire, 0) : Point(wire, along, 0);
+    cloud.push_back(p + Point(noise(random), noise(random), noise(random)));
+  }
+  const long before = peakMemory();
+  const CurveNetwork found = reconstructRefined(cloud);
+  EXPECT_LT(peakMemory() - before, 600);
+  EXPECT_NEAR(length(found), 102 * 100, 102);
 }
 
 TEST(LargeReconstruction, PointsOnOthersCountAsOneForTheScale)

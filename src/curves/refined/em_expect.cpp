@@ -37,11 +37,9 @@ EmFitter::collectPairs()
           runs.push_back({begin, end});
           most += end - begin;
         });
-    if (pair_slot_.size() < most) {
-      pair_slot_.resize(2 * most);
-      for (auto& coordinate : pair_at_)
-        coordinate.resize(2 * most);
-    }
+    pair_slot_.makeRoom(most);
+    for (auto& coordinate : pair_at_)
+      coordinate.makeRoom(most);
     const EdgeShape shape = shapeOf(edge);
     NearEdge near;
     std::copy_n(shape.from, 3, near.from);
@@ -62,10 +60,10 @@ EmFitter::collectPairs()
       count = edge.pairs_end;
     }
   }
-  pair_density_.resize(count + EdgePoints::padding);
+  pair_density_.makeRoom(count + EdgePoints::padding);
   if (shell_ > 0)
     for (auto* values : {&pair_place_, &pair_residual_, &pair_spread_})
-      values->resize(count + EdgePoints::padding);
+      values->makeRoom(count + EdgePoints::padding);
 }
 
 bool

@@ -16,6 +16,7 @@
 #include "em_banded.h"
 #include "model_curve.h"
 #include "scale_field.h"
+#include "work_array.h"
 
 namespace linelet {
 
@@ -229,12 +230,12 @@ private:
   std::vector<Edge> edges_;
   // Pairs of an edge and a point near it, those of an edge together. The arrays end
   // with padding for vectors.
-  Indices pair_slot_;                          // of the point, in the grid
-  std::array<std::vector<double>, 3> pair_at_; // coordinates of the point
-  std::vector<double> pair_density_;           // then responsibility
+  WorkArray<Index> pair_slot_;               // of the point, in the grid
+  std::array<WorkArray<double>, 3> pair_at_; // coordinates of the point
+  WorkArray<double> pair_density_;           // then responsibility
   // With noise of one length: the place of the source on the edge, mean and mean square
   // of what its distance from the point differs from that length.
-  std::vector<double> pair_place_, pair_residual_, pair_spread_;
+  WorkArray<double> pair_place_, pair_residual_, pair_spread_;
   std::vector<double> inlier_, residual_, information_; // per slot
   std::vector<double> removed_; // per point, the share that a cut takes away
   std::vector<double> density_; // per slot; after expect() its inverse

@@ -107,7 +107,7 @@ rejoin(PartInWork& part)
 }
 
 void
-traceTheRest(PartInWork& part)
+traceTheRest(PartInWork& part, double widest_unit)
 {
   const Points& points = part.points();
   const EmFit& best = part.best().fit;
@@ -119,7 +119,7 @@ traceTheRest(PartInWork& part)
     if (rest.size() < least_rest)
       break;
     const double unit = scaleUnit(rest, 1024, 1, 1);
-    if (!(unit > 0))
+    if (!(unit > 0) || unit > widest_unit)
       break;
     Traces traces = traceRidges(RidgeField(rest, unit), {});
     if (traces.curves.empty())

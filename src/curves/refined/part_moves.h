@@ -23,9 +23,10 @@ void
 rejoin(PartInWork& part);
 
 /** \brief Curves among the points that the fit leaves unexplained, such as a sparser
- * part of a curve. */
+ * part of a curve.
+ * \param[in] widest_unit points of a greater scale unit than this are left alone */
 void
-traceTheRest(PartInWork& part);
+traceTheRest(PartInWork& part, double widest_unit);
 
 /** \brief Where the noise seems to vary along the curves, lets it, and chooses among
  * the bandwidths once more. */

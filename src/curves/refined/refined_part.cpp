@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <linelet/search/scale_unit.h>
 
@@ -23,6 +24,10 @@ constexpr std::size_t least_part = 5;
 constexpr std::size_t sampled_part = 60000;
 constexpr std::size_t sample_size = 8000;
 constexpr std::size_t samples = 3;
+// In such a part, unexplained points whose scale unit is more than this, in D, are
+// left: a fit of all points would begin with noise so wide that each is near
+// everything.
+constexpr double widest_rest = 15;
 // Networks with fewer ends or curves are tried in parts up to this size.
 constexpr std::size_t simplified_part = 5000;
 // Points so few may be too sparse for ridges, however even their spacing.
@@ -112,7 +117,8 @@ refinePart(const Points& points,
     rejoin(part);
   if (points.size() <= (scales ? simplified_part : spanned_part))
     part.trySpanning();
-  traceTheRest(part);
+  constexpr double any = std::numeric_limits<double>::infinity();
+  traceTheRest(part, sampled ? widest_rest * scale_unit : any);
   if (points.size() <= simplified_part)
     simplify(part);
   if (!sampled) {
