@@ -111,17 +111,15 @@ EmFitter::expect()
   }
 
   log_likelihood_ = emKernels().invert(density_.data(), n);
-  double outliers = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    outliers += background * density_[i];
-  edge_count_.assign(edges_.size(), 0);
+  edge_count_.resize(edges_.size());
+  double outliers = static_cast<double>(n);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
-    double count = 0;
-    for (std::size_t k = edges_[e].pairs_begin; k < edges_[e].pairs_end; ++k) {
-      pair_density_[k] *= density_[pair_slot_[k]];
-      count += pair_density_[k];
-    }
-    edge_count_[e] = count;
+    const std::size_t begin = edges_[e].pairs_begin;
+    edge_count_[e] = emKernels().share(density_.data(),
+                                       pair_slot_.data() + begin,
+                                       pair_density_.data() + begin,
+                                       edges_[e].pairs_end - begin);
+    outliers -= edge_count_[e];
   }
   if (shell_ > 0)
     measureInformation();

@@ -214,8 +214,7 @@ EmFitter::scaledLength(const CurveState& state) const
 {
   double sum = 0;
   for (std::size_t e = 0; e < state.curve.edges(); ++e)
-    sum += (state.curve.to(e) - state.curve.from(e)).norm() /
-           edges_[state.first_edge + e].scale;
+    sum += edges_[state.first_edge + e].length / edges_[state.first_edge + e].scale;
   return sum;
 }
 
@@ -229,8 +228,9 @@ EmFitter::updateEdges()
       const Point chord = state.curve.to(e) - edge.from;
       edge.length = std::max(chord.norm(), 1e-12 * frame_.diagonal);
       edge.direction = chord / edge.length;
-      edge.noise =
-          std::max(noise_ * std::exp(widthAt(state, e)), least_noise_) * edge.scale;
+      const double noise =
+          state.width.empty() ? noise_ : noise_ * std::exp(widthAt(state, e));
+      edge.noise = std::max(noise, least_noise_) * edge.scale;
     }
 }
 

@@ -186,10 +186,34 @@ invert(double* densities, std::size_t count)
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }
 
+double
+share(const double* inverse, const Index* slot, double* densities, std::size_t count)
+{
+  const D d;
+  const hn::RebindToUnsigned<D> u;
+  const hn::RebindToSigned<D> i;
+  const hn::Rebind<Index, D> h;
+  V sum = hn::Zero(d);
+  std::size_t k = 0;
+  for (; k + hn::Lanes(d) <= count; k += hn::Lanes(d)) {
+    const auto at = hn::BitCast(i, hn::PromoteTo(u, hn::LoadU(h, slot + k)));
+    const V part =
+        hn::Mul(hn::LoadU(d, densities + k), hn::GatherIndex(d, inverse, at));
+    hn::StoreU(part, d, densities + k);
+    sum = hn::Add(sum, part);
+  }
+  double total = hn::GetLane(hn::SumOfLanes(d, sum));
+  for (; k < count; ++k) { // beyond lie the densities of the next edge
+    densities[k] *= inverse[slot[k]];
+    total += densities[k];
+  }
+  return total;
+}
+
 EmKernels
 emLoops()
 {
-  return {densities, sums, invert};
+  return {densities, sums, invert, share};
 }
 
 } // namespace HWY_NAMESPACE

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include <linelet/support/points.h>
+
 namespace linelet {
 
 /** \brief Points near an edge, one array a coordinate; each with room for \ref padding
@@ -55,6 +57,14 @@ struct EmKernels {
   /** \brief Replaces every one of \a count densities by its inverse (1e300 at most);
    * \return the sum of their logarithms. The padding is overwritten. */
   double (*invert)(double* densities, std::size_t count);
+
+  /** \brief Multiplies the densities of an edge at \a count points by the \a inverse of
+   * the whole density at each, which stands at its \a slot: the edge's share of the
+   * point. \return the sum of the shares */
+  double (*share)(const double* inverse,
+                  const Index* slot,
+                  double* densities,
+                  std::size_t count);
 };
 
 /** \brief The kernels for this machine. */

@@ -69,8 +69,8 @@ EmFitter::maximise(const EmSettings& settings)
   if (settings.varied_noise)
     for (CurveState& state : states_)
       measureWidths(state);
-  updateWeights();
   updateEdges();
+  updateWeights();
 }
 
 void

@@ -41,6 +41,7 @@ constexpr double doubled_shell_spread = 1.3;
 // a width of this share of its length. The peakedness is 2 for normal noise.
 constexpr double least_shell = 1.2;
 constexpr double shell_width = 0.2;
+constexpr int shell_iterations = 10; // the start is near
 // Noise that varies is tried where the peakedness is at least this share of that of
 // normal noise: what lies farthest out is taken for outliers, and missing in it.
 constexpr double least_tails = 0.9;
@@ -190,6 +191,7 @@ fitShell(PartInWork& part, const EmFit& other)
     EmSettings shell = settings;
     shell.shell = std::sqrt(3.0) * start->noise;
     shell.noise = shell_width * shell.shell;
+    shell.iterations = shell_iterations;
     part.take(part.fit(start->curves, shell, part.best().score), shell);
   }
   // What normal noise hides: a curve whose points lie beside it rather than around it.
@@ -202,6 +204,7 @@ fitShell(PartInWork& part, const EmFit& other)
   EmSettings shell = settings;
   shell.shell = pair_share * std::sqrt(3.0) * noise;
   shell.noise = shell_width * shell.shell;
+  shell.iterations = shell_iterations;
   part.take(part.fit(pairs, shell, part.best().score), shell);
 }
 
