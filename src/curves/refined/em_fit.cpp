@@ -196,6 +196,7 @@ EmFitter::resampleCurves(double spacing, const ScaleField* scales)
           stretched(state.width, state.curve.nodes.size(), state.curve.closed);
     state.first_edge = edges_.size();
     state.bend_variance.clear();
+    state.bend_weight.clear();
     Edge edge;
     edge.weight = (1 - outlier_share_) * share[c] /
                   (std::max(total, 1e-300) * static_cast<double>(state.curve.edges()));

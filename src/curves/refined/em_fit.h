@@ -41,6 +41,7 @@ struct EmSettings {
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
   double shell = 0; ///< radius of noise of one length to begin with; 0: normal noise
+  bool arched = false;       ///< whether the curves are thought to bend evenly
   bool varied_noise = false;          ///< whether the noise varies along the curves
   const ScaleField* scales = nullptr; ///< by which spacing and noise grow from place to
                                       ///< place; null: nowhere
@@ -90,7 +91,8 @@ struct ShellMeans;
  * estimated, too). The prior on a curve is a
  * Student distribution with 3 degrees of freedom of its second differences, whose scale
  * (q spacing^3) is estimated per curve over the posterior of the bends: smooth curves
- * stay round, corners survive. Every few iterations open ends are grown by one edge and
+ * stay round, corners survive. Its mean is none, or that of the bends around
+ * (\ref EmSettings::arched). Every few iterations open ends are grown by one edge and
  * cut back where the likelihood gains by it. One object fits one cloud many times and
  * keeps its memory. */
 class EmFitter {
@@ -130,7 +132,9 @@ private:
     ModelCurve curve;
     std::size_t first_edge = 0;
     double bending = 1, first_bending = 1;
-    std::vector<double> bend_variance;
+    std::vector<double> bend_variance, bend_weight;
+    Points bend_mean;        // of the prior
+    double mean_freedom = 0; // effective parameters of these means
     std::vector<double> node_freedom; // effective parameters of each node
     // Per node the logarithm of the noise beside that of all (empty: the same), and the
     // variance of its change over the whole curve.
@@ -202,9 +206,13 @@ private:
   pullTowardsPoints(const CurveState& state);
   EdgeSums
   sumsOf(const Edge& edge, bool front, bool back);
+  /** \brief Measures how a curve bends around each of its bends (\ref
+   * EmSettings::arched). */
+  void
+  measureArches(CurveState& state, double spacing);
   /** \brief Adds to the system what the prior says of the bends of a curve. */
   void
-  stiffen(const CurveState& state, double spacing);
+  stiffen(CurveState& state, double spacing);
   /** \brief Solves the system, and measures how free each node is. */
   void
   moveNodes(CurveState& state);
@@ -246,7 +254,7 @@ private:
   double square_ = 0, share_ = 0; // of the distances from the curves, by shares
   BandedSystem system_;
   Points solution_;
-  std::vector<double> inverse_after_next_, bend_weight_;
+  std::vector<double> inverse_after_next_;
   std::vector<double> inverse_diagonal_, inverse_next_, data_diagonal_, data_next_;
 };
 

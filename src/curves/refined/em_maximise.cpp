@@ -15,42 +15,8 @@ namespace {
 // Points per edge that the density along a curve is drawn towards its mean with, as a
 // share of the mean.
 constexpr double density_prior = 0.5;
-constexpr double tail = 3; // degrees of freedom of the bending prior
-// Bends that the first guess of the prior's scale counts for.
-constexpr double bending_prior = 3;
 // Pull of a node to where it was, so that one without points stays determined.
 constexpr double anchor = 1e-4;
-
-/** \brief Inverse variance of the second differences under the prior. */
-double
-rigidityOf(double bending, double spacing)
-{
-  return 1 / (bending * spacing * spacing * spacing);
-}
-
-/** \brief Number of bends; bend i lies over node i and the two after it. */
-std::size_t
-bendsOf(const ModelCurve& curve)
-{
-  const std::size_t n = curve.nodes.size();
-  return curve.closed ? n : n < 3 ? 0 : n - 2;
-}
-
-/** \brief The two nodes after node \a i, around the ring. */
-std::pair<std::size_t, std::size_t>
-nextNodes(const ModelCurve& curve, std::size_t i)
-{
-  const std::size_t n = curve.nodes.size();
-  return {i + 1 < n ? i + 1 : i + 1 - n, i + 2 < n ? i + 2 : i + 2 - n};
-}
-
-/** \brief Square of the second difference at bend \a i. */
-double
-squaredBend(const ModelCurve& curve, std::size_t i)
-{
-  const auto [j, k] = nextNodes(curve, i);
-  return (curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k]).squaredNorm();
-}
 
 } // namespace
 
@@ -81,9 +47,14 @@ EmFitter::maximiseCurve(CurveState& state, const EmSettings& settings)
   pullTowardsPoints(state);
   const double spacing = std::max(
       0.1 * settings.spacing, scaledLength(state) / static_cast<double>(curve.edges()));
+  state.bend_mean.assign(curve.nodes.size(), Point::Zero());
+  state.mean_freedom = 0;
+  if (settings.arched)
+    measureArches(state, spacing);
   stiffen(state, spacing);
   moveNodes(state);
   measureBending(state, spacing);
+  freedom_ += state.mean_freedom;
 }
 
 void
@@ -130,44 +101,6 @@ EmFitter::sumsOf(const Edge& edge, bool front, bool back)
                           back);
 }
 
-double
-EmFitter::bendUnit(const CurveState& state, std::size_t i) const
-{
-  const double scale = edges_[state.first_edge + i].scale;
-  return 1 / (scale * scale);
-}
-
-void
-EmFitter::stiffen(const CurveState& state, double spacing)
-{
-  const ModelCurve& curve = state.curve;
-  const double rigidity = rigidityOf(state.bending, spacing);
-  const std::size_t bends = bendsOf(curve);
-  const bool known = state.bend_variance.size() == bends;
-  const double across = frame_.dimensions - 1;
-  bend_weight_.resize(bends);
-  for (std::size_t i = 0; i < bends; ++i) {
-    const auto [j, k] = nextNodes(curve, i);
-    if (std::binary_search(curve.hinges.begin(), curve.hinges.end(), j)) {
-      bend_weight_[i] = 0;
-      continue;
-    }
-    const double unit = bendUnit(state, i);
-    double square = squaredBend(curve, i);
-    if (known)
-      square += across * state.bend_variance[i];
-    // A Student distribution is a normal one that a greater bend makes wider.
-    bend_weight_[i] = (tail + across) / (tail + rigidity * square * unit);
-    const double w = noise_ * noise_ * rigidity * bend_weight_[i] * unit;
-    system_.addDiagonal(i, w);
-    system_.addDiagonal(j, 4 * w);
-    system_.addDiagonal(k, w);
-    system_.addNext(i, -2 * w);
-    system_.addNext(j, -2 * w);
-    system_.addAfterNext(i, w);
-  }
-}
-
 void
 EmFitter::moveNodes(CurveState& state)
 {
@@ -182,41 +115,6 @@ EmFitter::moveNodes(CurveState& state)
     freedom_ += freedom;
     nodes[i] += stride * (solution_[i] - nodes[i]);
   }
-}
-
-double
-EmFitter::bendVariance(const ModelCurve& curve, std::size_t i) const
-{
-  const auto [j, k] = nextNodes(curve, i);
-  return noise_ * noise_ *
-         std::max(0.0,
-                  inverse_diagonal_[i] + 4 * inverse_diagonal_[j] +
-                      inverse_diagonal_[k] - 4 * inverse_next_[i] -
-                      4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
-}
-
-void
-EmFitter::measureBending(CurveState& state, double spacing)
-{
-  // The scale of the prior: that at which its bends and what is unknown of them are as
-  // wide as it says (MacKay). Expectation maximisation has the same fixed point and
-  // creeps.
-  const double rigidity = rigidityOf(state.bending, spacing);
-  const std::size_t bends = bendsOf(state.curve);
-  const double across = frame_.dimensions - 1;
-  const double first_square = bending_prior * across * state.first_bending;
-  double square = 0, known_bends = bending_prior;
-  state.bend_variance.resize(bends);
-  for (std::size_t i = 0; i < bends; ++i) {
-    const double unit = bendUnit(state, i), weight = bend_weight_[i];
-    const double variance = bendVariance(state.curve, i);
-    state.bend_variance[i] = variance;
-    square += weight * squaredBend(state.curve, i) * unit;
-    if (weight > 0)
-      known_bends += std::max(0.0, 1 - rigidity * weight * variance * unit);
-  }
-  state.bending =
-      (first_square + square / (spacing * spacing * spacing)) / (known_bends * across);
 }
 
 void

@@ -42,6 +42,7 @@ hashOf(const ModelCurves& start, const EmSettings& settings)
   boost::hash_combine(hash, settings.noise);
   boost::hash_combine(hash, settings.shell);
   boost::hash_combine(hash, settings.varied_noise);
+  boost::hash_combine(hash, settings.arched);
   boost::hash_combine(hash, settings.scales);
   boost::hash_combine(hash, settings.iterations);
   return hash;
@@ -156,6 +157,7 @@ PartInWork::tryTraces(const Traces& traces, double b, double gain)
   settings.least_noise = 0.1 * unit();
   settings.bending = 1 / frame_.diagonal;
   settings.varied_noise = varied_noise_;
+  settings.arched = best_.settings.arched;
   EmFit fit = fitter_.fit(start, settings, best_.score);
   const double score = scoreOf(fit, points_.size());
   take(std::move(fit), settings, gain);

@@ -32,7 +32,7 @@ constexpr double least_gain = 1; // of the score, by which another topology is b
 // Bends within so many standard deviations, or D, may be corners.
 constexpr std::array<double, 2> bend_noise = {1, 2};
 constexpr double bend_unit = 0.5;
-constexpr int corner_iterations = 8; // the start is near
+constexpr int near_iterations = 8; // where the start is near
 // A curve is doubled where the variance of its points one way is this many times that
 // the other way; for noise of one length it is smaller beside the distance of a pair.
 constexpr double doubled_spread = 2;
@@ -45,6 +45,9 @@ constexpr int shell_iterations = 10; // the start is near
 // Noise that varies is tried where the peakedness is at least this share of that of
 // normal noise: what lies farthest out is taken for outliers, and missing in it.
 constexpr double least_tails = 0.9;
+// The curves' effective parameters across them, per curve, from which on they may be
+// thought to bend evenly: an arc has three.
+constexpr double least_arched = 6;
 constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
 constexpr double most_peakedness = 2.2;
 constexpr std::size_t least_rest = 8;
@@ -209,6 +212,19 @@ fitShell(PartInWork& part, const EmFit& other)
 }
 
 void
+arch(PartInWork& part)
+{
+  const EmFit& best = part.best().fit;
+  const auto across = static_cast<double>(part.dimensions() - 1);
+  if (best.freedom <= least_arched * across * static_cast<double>(best.curves.size()))
+    return;
+  EmSettings settings = part.best().settings;
+  settings.arched = true;
+  settings.noise = best.noise;
+  part.take(part.fit(best.curves, settings), settings, least_gain);
+}
+
+void
 sharpen(PartInWork& part)
 {
   const EmFit& best = part.best().fit;
@@ -221,7 +237,7 @@ sharpen(PartInWork& part)
     EmSettings settings = part.best().settings;
     settings.noise = best.noise;
     settings.shell = best.shell;
-    settings.iterations = corner_iterations;
+    settings.iterations = near_iterations;
     part.improve(start, settings, least_gain);
   }
 }

@@ -43,6 +43,11 @@ simplify(PartInWork& part);
 void
 fitShell(PartInWork& part, const EmFit& other);
 
+/** \brief Curves thought to bend evenly (\ref EmSettings::arched), where their shape
+ * takes more parameters than such curves need. */
+void
+arch(PartInWork& part);
+
 /** \brief Sharp corners where the curves bend strongly. */
 void
 sharpen(PartInWork& part);

@@ -108,6 +108,7 @@ refinePart(const Points& points,
       for (const std::size_t k : varied_bandwidths)
         part.tryBandwidth(k);
     }
+    arch(part);
     followNoise(part, scales);
   }
   if (points.size() <= simplified_part)
