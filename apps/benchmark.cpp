@@ -49,7 +49,39 @@ describe(BenchmarkOptions& s, const OptionAdder& visit)
         s.plot,
         "picture (.png) of the success by geometry and noise; other methods whose rows "
         "of the same runs stand in --out are drawn beside");
-  visit("label", s.label, "name of the method in the rows; empty: the preset");
+  visit("label",
+        s.label,
+        "name of the method in the rows; empty: the preset and what else is set");
+}
+
+/** \brief What tells rows of these settings from others: the preset, and every option
+ * of the reconstruction that is not as it is anyway. */
+std::string
+methodOf(const CLI::App& app, ReconstructionSettings& settings)
+{
+  std::string method(nameOf(settings.preset));
+  describe(settings, [&](const std::string& name, const auto&, const auto&) {
+    const CLI::Option* option = app.get_option("--" + name);
+    const std::vector<std::string>& values = option->results();
+    if (name == "preset" || values.empty() ||
+        values == std::vector<std::string>{option->get_default_str()})
+      return;
+    method += ' ' + name;
+    for (const std::string& value : values)
+      method += ' ' + value;
+  });
+  return method;
+}
+
+/** \brief The name of the method in a row; a row's fields end at commas. */
+std::string
+checkedLabel(const std::string& label)
+{
+  if (label.find_first_of(",\"\r\n") != std::string::npos)
+    throw std::runtime_error("--label " + label +
+                             " would break the file of rows: leave out commas, quotes "
+                             "and line ends");
+  return label;
 }
 
 std::vector<evaluation::Geometry>
@@ -220,8 +252,8 @@ runBenchmark(const std::vector<std::string>& arguments)
   settings.threads = 1;
   if (!options.plot.empty())
     checkPictureOutput(options.plot);
-  const std::string method =
-      options.label.empty() ? std::string(nameOf(settings.preset)) : options.label;
+  const std::string method = options.label.empty() ? methodOf(frame.app, settings)
+                                                   : checkedLabel(options.label);
 
   const std::vector<BenchmarkRun> wanted = runsOf(options);
   RowFile file(options.out);

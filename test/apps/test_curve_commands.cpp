@@ -188,3 +188,20 @@ TEST_F(CurveCommands, ABenchmarkGoesOnWhereItWasStopped)
   EXPECT_EQ(json(path("runs.json"))["resumed"], 4);
   EXPECT_EQ(lines(contents(rows)), 21);
 }
+
+TEST_F(CurveCommands, RowsOfOtherSettingsAreNotTakenForThese)
+{
+  const std::string command = "benchmark --sample 10 --seed 3 --out " +
+                              path("rows.csv") + " --json " + path("runs.json") +
+                              " --preset published";
+  runWell(command);
+  runWell(command + " --scheme euler");
+  EXPECT_EQ(json(path("runs.json"))["resumed"], 0);
+  EXPECT_EQ(json(path("runs.json"))["method"], "published scheme euler");
+  // Said aloud, the default is what it was.
+  runWell(command + " --scheme rk32");
+  EXPECT_EQ(json(path("runs.json"))["resumed"], 10);
+  EXPECT_EQ(json(path("runs.json"))["method"], "published");
+  EXPECT_EQ(lines(contents(path("rows.csv"))), 21);
+  expectOneLineOf(command + " --label a,b", "--label a,b");
+}
