@@ -3,6 +3,7 @@
 
 #include <linelet/powerline/extract_power_lines.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -16,10 +17,13 @@
 #include "powerline/describe.h"
 #include "powerline/find_ground.h"
 #include "powerline/lookalikes.h"
+#include "powerline/shows_terrain.h"
 
 namespace linelet::powerline {
 
 namespace {
+
+constexpr double wire_height = 4; // metres, wires hang higher in the mean
 
 void
 require(bool in_order, const char* name, double value, const char* range)
@@ -84,6 +88,23 @@ private:
   Clock::time_point begun_;
 };
 
+// The ground that heights are measured from. The network gets it too, unless there is
+// none: then it is put so low that every point may be part of a wire.
+Ground
+groundUnder(const Points& points,
+            const std::vector<std::uint8_t>& classes,
+            const PowerLineSettings& settings,
+            PowerLineNetwork& network)
+{
+  Ground ground = findGround(points, classes, settings.use_classes);
+  if (showsTerrain(points, classes))
+    network.ground = ground;
+  else
+    for (float& height : ground.heights)
+      height -= static_cast<float>(std::max(settings.min_height, wire_height) + 1);
+  return ground;
+}
+
 } // namespace
 
 PowerLineNetwork
@@ -106,10 +127,9 @@ extractPowerLines(const Points& points,
   {
     Stages stages(network, monitor);
     stages.begin("ground");
-    network.ground = findGround(points, classes, settings.use_classes);
+    const Ground ground = groundUnder(points, classes, settings, network);
     stages.begin("index");
-    const Candidates candidates =
-        findCandidates(points, network.ground, settings.min_height);
+    const Candidates candidates = findCandidates(points, ground, settings.min_height);
     const Underside underside(points);
     stages.begin("seeds");
     const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
@@ -126,18 +146,19 @@ extractPowerLines(const Points& points,
       hanging.push_back({std::move(strand), {}});
     stages.begin("supports");
     completeByCompany(hanging, growth, settings);
+    matchEnds(hanging);
     splitAtPoles(hanging, growth);
-    dropLookalikes(hanging, growth, points, network.ground);
+    dropLookalikes(hanging, growth, points, ground);
     matchEnds(hanging);
     dropUnlikely(hanging, growth, underside, settings);
     addStubs(hanging, growth, seeds, underside, settings);
     matchEnds(hanging);
     if (mendBreaks(hanging, growth, settings))
       matchEnds(hanging);
-    std::vector<Tower> towers = buildTowers(hanging, growth, network.ground, settings);
+    std::vector<Tower> towers = buildTowers(hanging, growth, ground, settings);
     if (dropMisled(hanging, growth)) {
       matchEnds(hanging);
-      towers = buildTowers(hanging, growth, network.ground, settings);
+      towers = buildTowers(hanging, growth, ground, settings);
     }
     stages.begin("catenaries");
     network.wires = describeWires(hanging, growth, settings);

@@ -237,7 +237,10 @@ labelSupports(PowerLineNetwork& network,
     network.wire_id[i] = network.span_id[i] = 0;
     network.wire_distance[i] = std::numeric_limits<float>::quiet_NaN();
     network.classes[i] = pylon_class;
-    ++network.supports[*tower].points;
+    Support& support = network.supports[*tower];
+    ++support.points;
+    if (network.ground.heights.empty()) // its foot, as far as anybody knows
+      support.base.z() = std::min(support.base.z(), p.z());
   }
 }
 

@@ -138,9 +138,12 @@ mergePieces(Growth& growth,
         growth.claim(pieces[i], Growth::nobody);
         growth.claim(pieces[k], Growth::nobody);
         joined.model = joined.model.reframed();
+        const auto parts =
+            static_cast<double>(pieces[i].members.size() + pieces[k].members.size());
         if (!growth.collect(joined,
                             std::max(joined.model.tolerance, joined.thickness)) ||
-            !growth.extend(joined)) {
+            !growth.extend(joined) ||
+            static_cast<double>(joined.members.size()) < explained_part * parts) {
           growth.claim(pieces[i], 0);
           growth.claim(pieces[k], 0);
           continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -208,16 +209,19 @@ private:
   std::vector<Wire> ordered_;
 };
 
+// Without terrain nobody knows how high it is; its foot is then its lowest point, which
+// the labels will tell.
 Support
-describeSupport(const Tower& tower, int id)
+describeSupport(const Tower& tower, int id, bool has_terrain)
 {
   const Eigen::Vector2d& axis = tower.arm.centre;
   Support support;
   support.id = id;
   support.kind = tower.pole ? Support::Kind::Pole : Support::Kind::Pylon;
-  support.base = {axis.x(), axis.y(), tower.base};
+  support.base = {axis.x(), axis.y(), has_terrain ? tower.base : tower.lowest_arm};
   support.top = {axis.x(), axis.y(), tower.top};
-  support.height = tower.top - tower.base;
+  support.height =
+      has_terrain ? tower.top - tower.base : std::numeric_limits<double>::quiet_NaN();
   support.confidence = tower.confidence;
   return support;
 }
@@ -231,7 +235,9 @@ numberWires(PowerLineNetwork& network,
 {
   for (const Tower& tower : towers)
     network.supports.push_back(
-        describeSupport(tower, static_cast<int>(network.supports.size()) + 1));
+        describeSupport(tower,
+                        static_cast<int>(network.supports.size()) + 1,
+                        !network.ground.heights.empty()));
   return Numbering(network, hanging).run();
 }
 

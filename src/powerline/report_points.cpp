@@ -130,7 +130,7 @@ pointsOfSpans(const Content& content)
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
     const Point p = content.point(i);
     // The terrain is drawn as an area; its points would only hide the rest.
-    if (!p.allFinite() || !(p.z() - network.ground.heightAt(p.x(), p.y()) > terrain))
+    if (!p.allFinite() || p.z() - network.ground.heightAt(p.x(), p.y()) <= terrain)
       continue;
     for (const std::uint32_t k : cells.near(p)) {
       // Wires of other spans are drawn there.

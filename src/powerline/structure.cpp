@@ -20,7 +20,6 @@ constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be e
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
 constexpr double filled_alone = 0.4;         // the same where nothing else stands
 constexpr double contrast = 3;      // density of the body over that of its surroundings
-constexpr double lowest_pylon = 12; // metres, lines on lower supports hang from poles
 constexpr double arm_depth = 3;     // metres, crossarms reach below their wires
 constexpr double arm_tip = 2;       // metres, and beyond them
 constexpr double widest_foot = 8;   // metres, half width

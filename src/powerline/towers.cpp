@@ -199,41 +199,6 @@ settle(const Tower& tower, std::vector<Hanging>& wires, double max_gap)
 
 } // namespace
 
-void
-fitCrossarm(Tower& tower, const std::vector<Hanging>& wires)
-{
-  Crossarm& arm = tower.arm;
-  const Eigen::Vector2d across(-arm.along.y(), arm.along.x());
-  std::vector<Eigen::Vector2d> places;
-  for (const auto& id : tower.ends)
-    if (endOf(wires, id).partner >= 0) {
-      const Eigen::Vector2d offset = endOf(wires, id).place.head<2>() - arm.centre;
-      places.emplace_back(across.dot(offset), arm.along.dot(offset));
-    }
-  if (places.size() < 2)
-    return;
-  Eigen::Vector2d line(0, 0); // place along the line of the crossarm: line0 + line1 u
-  for (int iteration = 0; iteration < 5; ++iteration) {
-    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-    normal(1, 1) = 20; // the crossarm is about square to the line
-    Eigen::Vector2d right = Eigen::Vector2d::Zero();
-    double total = 0, squares = 0;
-    for (const Eigen::Vector2d& p : places) {
-      const Eigen::Vector2d x(1, p[0]);
-      const double off = p[1] - line.dot(x);
-      const double w = 1 / (1 + off * off / 0.25);
-      normal += w * x * x.transpose();
-      right += w * p[1] * x;
-      squares += w * off * off;
-      total += w;
-    }
-    line = normal.ldlt().solve(right);
-    arm.spread = std::clamp(std::sqrt(squares / total), 0.15, 1.0);
-  }
-  arm.centre += line[0] * arm.along;
-  arm.turn = line[1];
-}
-
 std::vector<Tower>
 buildTowers(std::vector<Hanging>& wires,
             const Growth& growth,
@@ -243,13 +208,15 @@ buildTowers(std::vector<Hanging>& wires,
   std::vector<Tower> towers = clusterEnds(wires);
   for (Tower& tower : towers) {
     orient(tower, wires);
+    tower.base = ground.heightAt(tower.arm.centre.x(), tower.arm.centre.y());
     fitCrossarm(tower, wires);
+    if (tower.top - tower.base < lowest_pylon)
+      moveToKink(tower, wires, growth.candidates().points);
   }
   const std::vector<Indices> near = pointsNear(towers, growth);
   std::vector<Tower> kept;
   for (std::size_t t = 0; t < towers.size(); ++t) {
     Tower& tower = towers[t];
-    tower.base = ground.heightAt(tower.arm.centre.x(), tower.arm.centre.y());
     findStructure(tower, growth.candidates().points, near[t]);
     const bool joined = std::any_of(tower.ends.begin(), tower.ends.end(), [&](auto id) {
       return endOf(wires, id).partner >= 0;

@@ -51,4 +51,11 @@ findStructure(Tower& tower, const Points& points, const Indices& near);
 void
 fitCrossarm(Tower& tower, const std::vector<Hanging>& wires);
 
+/** \brief Moves the crossarm of \a tower along the line to where its wires, all
+ * together, bend most clearly: in a dip of the terrain, each by itself tells little. */
+void
+moveToKink(Tower& tower, const std::vector<Hanging>& wires, const Points& points);
+
+constexpr double lowest_pylon = 12; ///< metres, lines on lower supports hang from poles
+
 } // namespace linelet::powerline

@@ -116,9 +116,9 @@ struct Support {
   };
   int id = 0; ///< place in PowerLineNetwork::supports + 1
   Kind kind = Kind::Pylon;
-  Point base = Point::Zero(); ///< on the ground
+  Point base = Point::Zero(); ///< on the ground; its lowest point where none is known
   Point top = Point::Zero();  ///< straight above, as high as its highest point
-  double height = 0;          ///< top - base, metres
+  double height = 0;          ///< top - base, metres; NaN where no ground is known
   std::size_t points = 0; ///< cloud points given to it; 0: inferred from wires alone
   double confidence = 1;  ///< [0, 1]
 };
@@ -152,7 +152,8 @@ struct PowerLineNetwork {
   std::vector<float> wire_distance;  ///< to its wire, metres; NaN: none
   /// @}
 
-  Ground ground;                 ///< terrain, for profiles and clearances
+  Ground ground; ///< terrain, for profiles and clearances; without a height where the
+                 ///< cloud has none, as where only wires were kept
   std::vector<StageTime> stages; ///< in order
 };
 

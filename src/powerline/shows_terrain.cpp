@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/shows_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include "powerline/plan_extent.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double plan_cell = 8; // metres, of which the lowest point is looked at
+constexpr double reach = 1.5;   // metres around it
+constexpr double linear = 0.7;  // share of the largest variance no other has
+constexpr std::size_t least_points = 5; // there, to tell a line from a surface
+
+// Wire guards, conductors, towers and connectors (ASPRS).
+constexpr std::uint8_t first_part = 13, last_part = 16;
+
+/** A place and what is around it. */
+struct Place {
+  Point lowest = Point::Constant(std::numeric_limits<double>::infinity());
+  Point sum = Point::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  std::size_t count = 0;
+
+  void
+  add(const Point& p)
+  {
+    const Point v = p - lowest;
+    if (v.squaredNorm() > reach * reach)
+      return;
+    sum += v;
+    squares.noalias() += v * v.transpose();
+    ++count;
+  }
+
+  bool
+  isLinear() const
+  {
+    const double n = static_cast<double>(count);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(squares / n - sum * sum.transpose() / (n * n),
+                         Eigen::EigenvaluesOnly);
+    const Point& values = solver.eigenvalues();
+    return values[2] - values[1] >= linear * values[2];
+  }
+};
+
+bool
+surfaceLiesLowest(const Points& points)
+{
+  const PlanExtent extent = planExtent(points, plan_cell);
+  if (extent.points == 0)
+    return true;
+  const double most = static_cast<double>(extent.points) / 64 + 1e4;
+  double cell = plan_cell;
+  while (extent.cells(cell) > most)
+    cell *= 2;
+  const auto columns =
+      static_cast<std::size_t>((extent.high.x() - extent.low.x()) / cell) + 1;
+  std::vector<Place> places(static_cast<std::size_t>(extent.cells(cell)));
+  const auto placeOf = [&](const Point& p) -> Place& {
+    const Eigen::Vector2d at = (p.head<2>() - extent.low) / cell;
+    return places[static_cast<std::size_t>(at.y()) * columns +
+                  static_cast<std::size_t>(at.x())];
+  };
+  const auto takesPart = [&](const Point& p) {
+    return p.allFinite() && extent.contains(p);
+  };
+  for (const Point& p : points)
+    if (takesPart(p))
+      if (Place& place = placeOf(p); p.z() < place.lowest.z())
+        place.lowest = p;
+  for (const Point& p : points)
+    if (takesPart(p))
+      placeOf(p).add(p);
+  std::size_t lines = 0, others = 0;
+  for (const Place& place : places)
+    if (place.count >= least_points)
+      ++(place.isLinear() ? lines : others);
+  return lines <= others;
+}
+
+} // namespace
+
+bool
+showsTerrain(const Points& points, const std::vector<std::uint8_t>& classes)
+{
+  const bool only_parts =
+      !classes.empty() &&
+      std::all_of(classes.begin(), classes.end(), [](std::uint8_t c) {
+        return c >= first_part && c <= last_part;
+      });
+  return !only_parts && surfaceLiesLowest(points);
+}
+
+} // namespace linelet::powerline
