@@ -15,6 +15,17 @@ namespace {
 // Of the box of the outliers, beside the diagonal of the points.
 constexpr double least_width = 0.4;
 
+/** \brief Volume (of two dimensions: area) of a box with the sides \a extent, smallest
+ * first, none of them less than \a width. A box that hugs a single straight tube of
+ * points would explain it as well as a curve does, so outliers are given some width in
+ * every direction. */
+double
+volumeOf(const Point& extent, double width, int dimensions)
+{
+  const Point sides = extent.cwiseMax(width);
+  return dimensions == 3 ? sides.prod() : sides.y() * sides.z();
+}
+
 } // namespace
 
 CloudFrame
@@ -45,12 +56,16 @@ frameOf(const Points& points, double scale_unit)
   const Point extent = most - least; // smallest first
   const double thin = 0.01 * scale_unit;
   frame.dimensions = extent.x() > thin ? 3 : 2;
-  // A box that hugs a single straight tube of points would explain it as well as a
-  // curve does, so outliers are given some width in every direction.
+  // Outliers are uniform in a box, mostly one along the axes. Where the points spread
+  // alike in every direction, the principal ones are arbitrary, and a box along them is
+  // up to twice as large: with the smaller of both, curves through outliers gain least.
   const double width = least_width * frame.diagonal;
-  frame.volume = std::max(extent.z(), width) * std::max(extent.y(), width);
-  if (frame.dimensions == 3)
-    frame.volume *= std::max(extent.x(), width);
+  frame.volume = volumeOf(extent, width, frame.dimensions);
+  Point along_axes = high - low;
+  std::sort(along_axes.data(), along_axes.data() + 3);
+  if (frame.dimensions == 3 || along_axes.x() <= thin)
+    frame.volume =
+        std::min(frame.volume, volumeOf(along_axes, width, frame.dimensions));
   return frame;
 }
 
