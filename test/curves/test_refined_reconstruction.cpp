@@ -133,6 +133,24 @@ TEST(RefinedReconstruction, ParallelCablesStayTwo)
   EXPECT_EQ(network.curves.size(), 2u);
 }
 
+TEST(RefinedReconstruction, ParallelCablesStayTwoWhereTheirPointsAreDense)
+{
+  // Ridges narrow enough to tell them apart break at every gap of the points, and wide
+  // ones run between the two.
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    Points points = cable(280, 10, 0.05, 0, 100 + seed);
+    for (const Point& p : cable(280, 10, 0.05, 0.5, 200 + seed))
+      points.push_back(p);
+    const CurveNetwork network = reconstructRefined(points);
+    ASSERT_EQ(network.curves.size(), 2u) << "seed " << seed;
+    for (const Curve& curve : network.curves) {
+      const double offset = curve.points.front().y() < 0.25 ? 0 : 0.5;
+      for (const Point& p : curve.points)
+        EXPECT_NEAR(p.y(), offset, 0.1) << "seed " << seed << " at " << p.x();
+    }
+  }
+}
+
 /** \brief Arms of length 10 from the origin, a point every 0.1, none twice. */
 Points
 arms(const Points& directions)

@@ -160,6 +160,8 @@ PartInWork::tryTraces(const Traces& traces, double b, double gain)
   settings.arched = best_.settings.arched;
   EmFit fit = fitter_.fit(start, settings, best_.score);
   const double score = scoreOf(fit, points_.size());
+  if (!fit.curves.empty())
+    traced_.push_back({fit, settings, score});
   take(std::move(fit), settings, gain);
   return score;
 }

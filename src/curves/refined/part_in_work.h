@@ -9,6 +9,7 @@
 #include <limits>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include <linelet/curves/refined_reconstruction.h>
 
@@ -47,6 +48,12 @@ public:
   best() const
   {
     return best_;
+  }
+  /** \brief One fit of each bandwidth that was fitted, as it came. */
+  const std::vector<Fitted>&
+  traced() const
+  {
+    return traced_;
   }
   const Points&
   points() const
@@ -130,6 +137,7 @@ private:
   const ScaleField* scales_ = nullptr;
   bool varied_noise_ = false;
   Fitted best_;
+  std::vector<Fitted> traced_;
   std::unordered_set<std::size_t> tried_; // starts of improve(), by their hash
 };
 

@@ -75,20 +75,41 @@ placesToRejoin(const ModelCurves& curves, double size)
   return result.size() > most_single_places ? std::vector<Points>{places} : result;
 }
 
+/** \brief The fit that \a fitted becomes when every curve is doubled whose points lie
+ * to two sides of it; no curve where there is none. */
+EmFit
+doubledFit(PartInWork& part, const Fitted& fitted)
+{
+  const double noise = fitted.fit.noise;
+  const ModelCurves pairs =
+      doubled(fitted.fit.curves, part.points(), part.grid(), 4 * noise, doubled_spread);
+  if (pairs.empty())
+    return {};
+  EmSettings settings = fitted.settings;
+  settings.noise = 0.6 * noise;
+  return part.fit(pairs, settings);
+}
+
 } // namespace
 
 EmFit
 doubleCurves(PartInWork& part)
 {
-  const EmFit& best = part.best().fit;
-  const ModelCurves pairs =
-      doubled(best.curves, part.points(), part.grid(), 4 * best.noise, doubled_spread);
-  if (pairs.empty())
-    return {};
-  EmSettings settings = part.best().settings;
-  settings.noise = 0.6 * best.noise;
-  EmFit fit = part.fit(pairs, settings);
-  return part.take(fit, part.best().settings) ? EmFit{} : fit;
+  const EmSettings settings = part.best().settings;
+  EmFit fit = doubledFit(part, part.best());
+  const bool taken = part.take(fit, settings);
+  // One curve between two explains their points badly, and a narrower bandwidth, that
+  // leaves both in pieces, better; yet doubled it is both of them.
+  ModelCurves last;
+  for (const Fitted& other : part.traced()) {
+    const ModelCurves& curves = other.fit.curves;
+    if (curves.size() >= part.best().fit.curves.size() ||
+        ofOneCourse(curves, last, other.fit.noise))
+      continue;
+    part.take(doubledFit(part, other), other.settings);
+    last = curves;
+  }
+  return taken ? EmFit{} : fit;
 }
 
 void

@@ -12,8 +12,9 @@ namespace linelet {
  * noise, and keeps what the criterion (\ref scoreOf) prefers. */
 ///@{
 
-/** \brief Curves that explain close parallel ones together are doubled.
- * \return the fit of the doubled curves where the criterion has rejected it */
+/** \brief Curves that explain close parallel ones together are doubled: those of the
+ * best fit, and those of other bandwidths where they are fewer.
+ * \return the best fit's doubled one where the criterion has rejected it */
 EmFit
 doubleCurves(PartInWork& part);
 
