@@ -27,6 +27,8 @@ constexpr double contrast = 4; // points of the pole per points around
 constexpr double alone_from = 0.6, alone_to = 3.0; // metres, empty around a pole ...
 constexpr double filled_alone = 0.4;               // ... that may fill so little
 constexpr double least_piece = 6;                  // metres, a shorter rest is cut off
+constexpr std::size_t least_points = 8;            // of a part
+constexpr double thin_part = 0.3;     // of the points a metre of the whole, a part has
 constexpr std::size_t crowded = 3000; // points below, too many for a pole in the open
 
 constexpr double same_line = 3;         // metres between wires that share their poles
@@ -329,6 +331,12 @@ private:
   std::vector<double> found_;
 };
 
+double
+density(const Piece& piece)
+{
+  return static_cast<double>(piece.members.size()) / piece.model.length();
+}
+
 // What hangs between two poles of a wire that was taken for one: fitted anew, as far
 // from what it was fitted to before as a wire over a pole is. Empty if nothing does.
 Piece
@@ -341,9 +349,13 @@ partOf(const Piece& whole, double low, double high, const Growth& growth)
   m.begin = low;
   m.end = high;
   m = m.reframed();
+  const double begin = m.begin, end = m.end;
   if (!growth.collect(part, std::max(around_wire, whole.thickness)) ||
-      !growth.collect(part, std::max(m.tolerance, whole.thickness)))
+      !growth.collect(part, std::max(m.tolerance, whole.thickness)) ||
+      density(part) < thin_part * density(whole))
     part.members.clear();
+  m.begin = begin; // up to the poles, also where these hide it
+  m.end = end;
   return part;
 }
 
