@@ -172,6 +172,29 @@ TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
   EXPECT_NEAR(length(found), 102 * 100, 102);
 }
 
+TEST(LargeReconstruction, WiresThatTouchAreToldApartInALargeNet)
+{
+  // Wires that sway and cross, about 65,000 points in one part: at every crossing they
+  // may be joined wrongly, or end.
+  boost::random::mt19937 random(21);
+  boost::random::uniform_real_distribution<double> uniform(0, 1);
+  boost::random::normal_distribution<double> noise(0, 0.03);
+  constexpr std::size_t wires = 34, points = 1900;
+  constexpr double side = 60;
+  Points cloud;
+  for (std::size_t w = 0; w < wires; ++w) {
+    const double from = side * uniform(random), to = side * uniform(random);
+    for (std::size_t i = 0; i < points; ++i) {
+      const double t = uniform(random), along = side * t;
+      const double across =
+          from + (to - from) * t + 1.5 * std::sin(6 * t + static_cast<double>(w));
+      const Point p = w % 2 == 0 ? Point(along, across, 0) : Point(across, along, 0);
+      cloud.push_back(p + Point(noise(random), noise(random), noise(random)));
+    }
+  }
+  EXPECT_LE(reconstructRefined(cloud).curves.size(), 2 * wires);
+}
+
 TEST(LargeReconstruction, PointsOnOthersCountAsOneForTheScale)
 {
   SamplingSettings settings;

@@ -114,8 +114,7 @@ refinePart(const Points& points,
   if (points.size() <= simplified_part)
     simplify(part);
   const EmFit rejected = doubleCurves(part);
-  if (!sampled)
-    rejoin(part);
+  rejoin(part);
   if (points.size() <= (scales ? simplified_part : spanned_part))
     part.trySpanning();
   constexpr double any = std::numeric_limits<double>::infinity();
