@@ -27,7 +27,6 @@ constexpr double contrast = 4; // points of the pole per points around
 constexpr double alone_from = 0.6, alone_to = 3.0; // metres, empty around a pole ...
 constexpr double filled_alone = 0.4;               // ... that may fill so little
 constexpr double least_piece = 6;                  // metres, a shorter rest is cut off
-constexpr std::size_t least_points = 8;            // of a part
 constexpr double thin_part = 0.3;     // of the points a metre of the whole, a part has
 constexpr std::size_t crowded = 3000; // points below, too many for a pole in the open
 
@@ -241,26 +240,47 @@ private:
       columns_.push_back(axis_.along(m.at(s)));
   }
 
-  // Log-likelihood that all wires between \a low and \a high have a kink at \a s over
-  // that they have none; 0 unless it points downwards.
-  double
-  kinkAt(double s, double low, double high) const
+  /** The part of a wire that is searched, as one span. */
+  struct Stretch {
+    const Profile& profile;
+    double from, to;
+    double count;   ///< of its points
+    double squares; ///< of their deviations from one parabola
+  };
+
+  std::vector<Stretch>
+  stretches(double low, double high) const
   {
-    double evidence = 0, jumps = 0, wires = 0;
+    std::vector<Stretch> result;
     for (const Seen& wire : wires_) {
       const double from = std::max(low, wire.begin), to = std::min(high, wire.end);
-      if (s < from + least_rest || s > to - least_rest)
-        continue;
-      const Hinge hinge = wire.profile.hingeAt(s, from, to);
-      const double count = wire.profile.count(from, to);
-      const double floor = count * least_residual * least_residual;
-      const double ratio =
-          (wire.profile.squaresOfOne(from, to) + floor) / (hinge.squares + floor);
-      evidence += std::min(count, independent * (to - from)) / 2 * std::log(ratio);
-      jumps += hinge.jump;
-      wires += 1;
+      if (to - from > 2 * least_rest)
+        result.push_back({wire.profile,
+                          from,
+                          to,
+                          wire.profile.count(from, to),
+                          wire.profile.squaresOfOne(from, to)});
     }
-    return jumps <= -least_kink * wires ? evidence : 0;
+    return result;
+  }
+
+  // Log-likelihood that all of \a wires have a kink at \a s over that they have none; 0
+  // unless it points downwards.
+  static double
+  kinkAt(double s, const std::vector<Stretch>& wires)
+  {
+    double evidence = 0, jumps = 0, count = 0;
+    for (const Stretch& wire : wires) {
+      if (s < wire.from + least_rest || s > wire.to - least_rest)
+        continue;
+      const Hinge hinge = wire.profile.hingeAt(s, wire.from, wire.to);
+      const double floor = wire.count * least_residual * least_residual;
+      evidence += std::min(wire.count, independent * (wire.to - wire.from)) / 2 *
+                  std::log((wire.squares + floor) / (hinge.squares + floor));
+      jumps += hinge.jump;
+      count += 1;
+    }
+    return jumps <= -least_kink * count ? evidence : 0;
   }
 
   // Log-likelihood that a pole stands at \a s, by the metres below a wire that have
@@ -300,10 +320,11 @@ private:
   void
   search(double low, double high)
   {
+    const std::vector<Stretch> wires = stretches(low, high);
     double best = 0, place = 0;
     bool column = false;
     for (double s = low + least_rest; s < high - least_rest; s += profile_step) {
-      const double kink = kinkAt(s, low, high);
+      const double kink = kinkAt(s, wires);
       if (const double evidence = kink + poleAt(s);
           kink >= telling && evidence >= enough && evidence > best) {
         best = evidence;
@@ -311,7 +332,7 @@ private:
       }
     }
     for (const double s : columns_)
-      if (const double evidence = kinkAt(s, low, high) + poleAt(s);
+      if (const double evidence = kinkAt(s, wires) + poleAt(s);
           s > low + least_rest && s < high - least_rest && evidence > best) {
         best = evidence;
         place = s;
