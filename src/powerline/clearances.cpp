@@ -28,6 +28,8 @@ measureClearances(PowerLineNetwork& network,
                   const Candidates& candidates,
                   const PowerLineSettings& settings)
 {
+  if (network.ground.heights.empty())
+    return; // nothing but the line: what was not taken for a wire is the rest of one
   Points others;
   for (std::size_t k = 0; k < candidates.points.size(); ++k) {
     const std::uint8_t c = network.classes[candidates.input[k]];

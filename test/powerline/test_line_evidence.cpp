@@ -101,11 +101,15 @@ TEST(OnlyTheLine, GivesTheSameWiresAsWithItsSurroundings)
 
 TEST(OnlyTheLine, HasUnknownClearancesAndHeights)
 {
-  const PowerLineNetwork network = extractPowerLines(pylonLine(false).points);
+  SceneBuilder scene = pylonLine(false);
+  scene.box({40, 5.2, 18.4}, {42, 6.8, 19}, 20); // spacers, say: no vegetation
+  const PowerLineNetwork network = extractPowerLines(scene.points);
   ASSERT_FALSE(network.wires.empty());
   EXPECT_TRUE(network.ground.heights.empty());
-  for (const Wire& wire : network.wires)
+  for (const Wire& wire : network.wires) {
     EXPECT_FALSE(wire.ground.known());
+    EXPECT_FALSE(wire.vegetation.known());
+  }
   for (const Support& support : network.supports)
     EXPECT_TRUE(std::isnan(support.height));
 }
