@@ -122,6 +122,17 @@ PartInWork::trySpanning()
             least_spanning_gain);
 }
 
+std::optional<Fitted>
+PartInWork::runnerUp(double most_behind) const
+{
+  const Fitted* result = nullptr;
+  for (const Fitted& other : traced_)
+    if (other.score < (result ? result->score : best_.score + most_behind) &&
+        !ofOneCourse(other.fit.curves, best_.fit.curves, scale_unit_))
+      result = &other;
+  return result ? std::optional<Fitted>(*result) : std::nullopt;
+}
+
 double
 PartInWork::unit() const
 {

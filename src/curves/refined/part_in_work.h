@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -112,6 +113,18 @@ public:
    * kept where they are clearly better. */
   void
   trySpanning();
+
+  /** \brief The best fit of traces whose curves take another course than those of the
+   * best of all, if its score is behind by at most \a most_behind. */
+  std::optional<Fitted>
+  runnerUp(double most_behind) const;
+
+  /** \brief From here on \a fitted is the best. */
+  void
+  goOnFrom(Fitted fitted)
+  {
+    best_ = std::move(fitted);
+  }
 
   /** \brief Hands the best fit out; the part is done. */
   EmFit

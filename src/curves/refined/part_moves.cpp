@@ -21,6 +21,7 @@ namespace linelet {
 namespace {
 
 constexpr int most_rounds = 3;
+constexpr int most_rejoinings = 2;
 constexpr int most_simplifications = 8;
 // Curves may be joined wrongly where they pass within so many standard deviations, or
 // D.
@@ -76,6 +77,29 @@ placesToRejoin(const ModelCurves& curves, double size)
   return result.size() > most_single_places ? std::vector<Points>{places} : result;
 }
 
+/** \brief Rejoins every doubtful place once.
+ * \return whether anything was better */
+bool
+rejoinOnce(PartInWork& part)
+{
+  const EmFit& best = part.best().fit;
+  bool better = false;
+  for (const double factor : {1.0, 2.0}) {
+    const double size =
+        factor * std::max(doubt_noise * best.noise, doubt_unit * part.scaleUnit());
+    for (const Points& places : placesToRejoin(best.curves, size))
+      for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
+        const ModelCurves start = rejoined(best.curves, places, size, rejoining);
+        if (ofOneCourse(start, best.curves, size))
+          continue;
+        EmSettings settings = part.best().settings;
+        settings.noise = best.noise;
+        better = part.improve(start, settings, least_gain) || better;
+      }
+  }
+  return better;
+}
+
 /** \brief The fit that \a fitted becomes when every curve is doubled whose points lie
  * to two sides of it; no curve where there is none. */
 EmFit
@@ -116,19 +140,8 @@ doubleCurves(PartInWork& part)
 void
 rejoin(PartInWork& part)
 {
-  const EmFit& best = part.best().fit;
-  for (const double factor : {1.0, 2.0}) {
-    const double size =
-        factor * std::max(doubt_noise * best.noise, doubt_unit * part.scaleUnit());
-    for (const Points& places : placesToRejoin(best.curves, size))
-      for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
-        const ModelCurves start = rejoined(best.curves, places, size, rejoining);
-        if (ofOneCourse(start, best.curves, size))
-          continue;
-        EmSettings settings = part.best().settings;
-        settings.noise = best.noise;
-        part.improve(start, settings, least_gain);
-      }
+  // What is joined in one place may show what is wrong in another.
+  for (int round = 0; round < most_rejoinings && rejoinOnce(part); ++round) {
   }
 }
 

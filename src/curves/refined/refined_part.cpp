@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include <linelet/search/scale_unit.h>
 
@@ -28,6 +29,10 @@ constexpr std::size_t samples = 3;
 // left: a fit of all points would begin with noise so wide that each is near
 // everything.
 constexpr double widest_rest = 15;
+// Two fits are revised in parts up to this size, the second one where its score is
+// behind by no more than this.
+constexpr std::size_t revised_part = 5000;
+constexpr double most_behind = 50;
 // Networks with fewer ends or curves are tried in parts up to this size.
 constexpr std::size_t simplified_part = 5000;
 // Points so few may be too sparse for ridges, however even their spacing.
@@ -74,6 +79,50 @@ tryBandwidths(PartInWork& part, const std::function<void(double)>& progress)
   }
 }
 
+/** \brief Lets the best fit try other topologies.
+ * \return the fit that \ref doubleCurves rejected */
+EmFit
+revise(PartInWork& part, const ScaleField* scales)
+{
+  const std::size_t size = part.points().size();
+  const bool sampled = size > sampled_part;
+  if (size <= simplified_part)
+    simplify(part);
+  EmFit rejected = doubleCurves(part);
+  rejoin(part);
+  if (size <= (scales ? simplified_part : spanned_part))
+    part.trySpanning();
+  constexpr double any = std::numeric_limits<double>::infinity();
+  traceTheRest(part, sampled ? widest_rest * part.scaleUnit() : any);
+  if (size <= simplified_part)
+    simplify(part);
+  return rejected;
+}
+
+/** \brief Lets the best fit try noise of one length, and corners. */
+void
+finish(PartInWork& part, const EmFit& rejected)
+{
+  fitShell(part, rejected);
+  sharpen(part);
+}
+
+/** \brief Revises the runner-up of the bandwidths as well as the best fit: what is
+ * behind at first is often ahead of it in the end. */
+void
+reviseBoth(PartInWork& part, const ScaleField* scales)
+{
+  const std::optional<Fitted> runner_up = part.runnerUp(most_behind);
+  finish(part, revise(part, scales));
+  if (!runner_up)
+    return;
+  const Fitted best = part.best();
+  part.goOnFrom(*runner_up);
+  finish(part, revise(part, scales));
+  if (best.score <= part.best().score)
+    part.goOnFrom(best);
+}
+
 } // namespace
 
 EmFit
@@ -111,19 +160,12 @@ refinePart(const Points& points,
     arch(part);
     followNoise(part, scales);
   }
-  if (points.size() <= simplified_part)
-    simplify(part);
-  const EmFit rejected = doubleCurves(part);
-  rejoin(part);
-  if (points.size() <= (scales ? simplified_part : spanned_part))
-    part.trySpanning();
-  constexpr double any = std::numeric_limits<double>::infinity();
-  traceTheRest(part, sampled ? widest_rest * scale_unit : any);
-  if (points.size() <= simplified_part)
-    simplify(part);
-  if (!sampled) {
-    fitShell(part, rejected);
-    sharpen(part);
+  if (points.size() <= revised_part)
+    reviseBoth(part, scales);
+  else {
+    const EmFit rejected = revise(part, scales);
+    if (!sampled)
+      finish(part, rejected);
   }
   return part.release();
 }
