@@ -49,8 +49,7 @@ constexpr double least_tails = 0.9;
 // The curves' effective parameters across them, per curve, from which on they may be
 // thought to bend evenly: an arc has three.
 constexpr double least_arched = 6;
-constexpr double least_arched_noise = 1.2; // beside the least that a fit has
-constexpr double pair_share = 0.7;         // of the noise of one curve, to begin with
+constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
 constexpr double most_peakedness = 2.2;
 constexpr std::size_t least_rest = 8;
 
@@ -253,7 +252,7 @@ arch(PartInWork& part)
   EmSettings settings = part.best().settings;
   const double curves = static_cast<double>(best.curves.size());
   // Without noise the points say all of the shape.
-  if (best.noise < least_arched_noise * settings.least_noise ||
+  if (best.noise <= settings.least_noise ||
       best.freedom <= least_arched * (part.dimensions() - 1) * curves)
     return;
   settings.arched = true;
