@@ -110,8 +110,11 @@ double
 PartInWork::tryBandwidth(std::size_t k)
 {
   const double b = bandwidths[k] * unit();
-  const RidgeField field(points_, b, scales_);
-  return tryTraces(traceRidges(field, {user_.start_points, user_.max_iterations}), b);
+  std::optional<Traces>& traces = traces_[scales_ ? 1 : 0][k];
+  if (!traces)
+    traces = traceRidges(RidgeField(points_, b, scales_),
+                         {user_.start_points, user_.max_iterations});
+  return tryTraces(*traces, b);
 }
 
 void

@@ -99,12 +99,12 @@ public:
   bool
   improve(const ModelCurves& start, const EmSettings& settings, double gain);
 
-  /** \brief From here on lets bandwidth, spacing and noise vary by \a scales, and the
-   * noise by itself. */
+  /** \brief From here on lets bandwidth, spacing and noise vary by \a scales (the same
+   * ones whenever they are not null), and the noise by itself. */
   void
   vary(const ScaleField* scales, bool noise);
 
-  /** \brief Traces and fits with bandwidth number \a k.
+  /** \brief Traces (once) and fits with bandwidth number \a k.
    * \return the score; where nothing new was to be fitted, that of the best */
   double
   tryBandwidth(std::size_t k);
@@ -151,6 +151,9 @@ private:
   bool varied_noise_ = false;
   Fitted best_;
   std::vector<Fitted> traced_;
+  // Of each bandwidth, the same everywhere or varying: noise that varies is fitted
+  // along the same ridges.
+  std::array<std::array<std::optional<Traces>, bandwidths.size()>, 2> traces_;
   std::unordered_set<std::size_t> tried_; // starts of improve(), by their hash
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <linelet/search/scale_unit.h>
 
@@ -100,9 +101,10 @@ rejoinOnce(PartInWork& part)
 }
 
 /** \brief The fit that \a fitted becomes when every curve is doubled whose points lie
- * to two sides of it; no curve where there is none. */
+ * to two sides of it; no curve where there is none. What falls far behind the score
+ * \a rival is given up. */
 EmFit
-doubledFit(PartInWork& part, const Fitted& fitted)
+doubledFit(PartInWork& part, const Fitted& fitted, double rival)
 {
   const double noise = fitted.fit.noise;
   const ModelCurves pairs =
@@ -111,7 +113,7 @@ doubledFit(PartInWork& part, const Fitted& fitted)
     return {};
   EmSettings settings = fitted.settings;
   settings.noise = 0.6 * noise;
-  return part.fit(pairs, settings);
+  return part.fit(pairs, settings, rival);
 }
 
 } // namespace
@@ -120,7 +122,10 @@ EmFit
 doubleCurves(PartInWork& part)
 {
   const EmSettings settings = part.best().settings;
-  EmFit fit = doubledFit(part, part.best());
+  // In space, noise of one length may make another fit of it.
+  const double rival = part.dimensions() == 3 ? std::numeric_limits<double>::infinity()
+                                              : part.best().score;
+  EmFit fit = doubledFit(part, part.best(), rival);
   const bool taken = part.take(fit, settings);
   // One curve between two explains their points badly, and a narrower bandwidth, that
   // leaves both in pieces, better; yet doubled it is both of them.
@@ -130,7 +135,7 @@ doubleCurves(PartInWork& part)
     if (curves.size() >= part.best().fit.curves.size() ||
         ofOneCourse(curves, last, other.fit.noise))
       continue;
-    part.take(doubledFit(part, other), other.settings);
+    part.take(doubledFit(part, other, part.best().score), other.settings);
     last = curves;
   }
   return taken ? EmFit{} : fit;
