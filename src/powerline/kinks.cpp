@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Dense>
+#include "powerline/profile.h"
 
 namespace linelet::powerline {
 
@@ -18,44 +18,6 @@ constexpr double least_kink = 0.025; // change of slope
 constexpr double better = 1.2;       // ratio of residuals, one parabola to two
 constexpr double widest_step = 0.4;  // metres between the parabolas where they meet
 constexpr double least_residual = 0.02; // metres, finer differences are noise
-
-/** Sums of a least squares fit of a parabola; two of them subtract. */
-struct Moments {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  double squares = 0;
-  double count = 0;
-
-  void
-  add(double s, double z)
-  {
-    const Eigen::Vector3d x(1, s, s * s);
-    normal += x * x.transpose();
-    right += z * x;
-    squares += z * z;
-    count += 1;
-  }
-
-  Moments
-  operator-(const Moments& other) const
-  {
-    Moments m = *this;
-    m.normal -= other.normal;
-    m.right -= other.right;
-    m.squares -= other.squares;
-    m.count -= other.count;
-    return m;
-  }
-
-  std::pair<Eigen::Vector3d, double>
-  solve() const
-  {
-    Eigen::Matrix3d regular = normal;
-    regular(2, 2) += 1e2; // 0.05 m of noise, bends of 5e-3 are usual
-    const Eigen::Vector3d c = regular.ldlt().solve(right);
-    return {c, std::max(0.0, squares - 2 * c.dot(right) + c.dot(normal * c))};
-  }
-};
 
 } // namespace
 
