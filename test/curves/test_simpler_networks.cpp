@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -52,6 +53,22 @@ TEST(SimplerNetworks, ARingWithEndsLedAstrayIsClosedWithoutThem)
   }
   // The chord over the gap and what is cut off, about 2.7 long, sags by 2.7^2 / 40.
   EXPECT_LT(least, 0.2);
+}
+
+TEST(SimplerNetworks, AWideGapIsBridgedOnlyWhereTheEndsAgree)
+{
+  // A bridge through empty space costs a fit less than the ends that it saves.
+  const auto joined = [](const Point& from, const Point& to) {
+    const auto networks =
+        simplerNetworks({straight({0, 0, 0}, {20, 0, 0}), straight(from, to)}, 1);
+    return std::any_of(
+        networks.begin(), networks.end(), [](const ModelCurves& network) {
+          return network.size() == 1 && length(network[0]) > 30;
+        });
+  };
+  EXPECT_TRUE(joined({21, 1, 0}, {21, 20, 0})) << "a corner";
+  EXPECT_TRUE(joined({25, 0, 0}, {45, 0, 0})) << "a hole in a line";
+  EXPECT_FALSE(joined({21, 5, 0}, {21, 25, 0})) << "a corner far from either end";
 }
 
 TEST(SimplerNetworks, EveryShortCurveIsLeftOutOnce)

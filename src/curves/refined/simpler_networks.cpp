@@ -15,6 +15,9 @@ namespace linelet {
 namespace {
 
 constexpr std::array<double, 4> gaps = {1.5, 3, 6, 12}; // in units
+// Across a narrow gap there may be a corner; ends that lie farther apart have to agree.
+constexpr double widest_corner = 2;            // in units
+constexpr double most_disagreement = M_PI / 3; // of either end with the gap
 constexpr double end_reach = 0.5; // of a gap, over which the direction of ends is taken
 // Left out are curves of less than this share of the length of all.
 constexpr double short_share = 0.25;
@@ -81,7 +84,7 @@ simplerNetworks(const ModelCurves& curves, double scale_unit, const ScaleField* 
                                       (gap + cut) * unit,
                                       0,
                                       end_reach * gap * unit,
-                                      M_PI);
+                                      gap > widest_corner ? most_disagreement : M_PI);
       if (freeEnds(joined) < ends)
         result.push_back(std::move(joined));
     }
