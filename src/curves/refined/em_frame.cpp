@@ -14,6 +14,8 @@ namespace {
 
 // Of the box of the outliers, beside the diagonal of the points.
 constexpr double least_width = 0.4;
+// Principal directions are arbitrary whose variances have this ratio or more.
+constexpr double alike = 0.5;
 
 /** \brief Volume (of two dimensions: area) of a box with the sides \a extent, smallest
  * first, none of them less than \a width. A box that hugs a single straight tube of
@@ -63,7 +65,8 @@ frameOf(const Points& points, double scale_unit)
   frame.volume = volumeOf(extent, width, frame.dimensions);
   Point along_axes = high - low;
   std::sort(along_axes.data(), along_axes.data() + 3);
-  if (frame.dimensions == 3 || along_axes.x() <= thin)
+  const bool arbitrary = eigen.eigenvalues().y() > alike * eigen.eigenvalues().z();
+  if (arbitrary && (frame.dimensions == 3 || along_axes.x() <= thin))
     frame.volume =
         std::min(frame.volume, volumeOf(along_axes, width, frame.dimensions));
   return frame;
