@@ -16,9 +16,9 @@ namespace linelet {
  * Free ends near each other are joined over gaps of 1.5 units whatever their
  * directions, and of 3, 6 and 12 units where these agree; with the ends as they are,
  * and with ends cut back as far as the gap, as those that scattered points have led
- * astray. And each short curve is left
- * out. The unit is \a scale_unit times the widest of the \a scales (may be null) at a
- * free end: a ring is open where its points are sparsest. */
+ * astray. And each short curve is left out. The unit is \a scale_unit times the widest
+ * of the \a scales (may be null) at a free end: a ring is open where its points are
+ * sparsest. */
 std::vector<ModelCurves>
 simplerNetworks(const ModelCurves& curves,
                 double scale_unit,
