@@ -94,6 +94,10 @@ TEST(GridEngine, AgreesOnRandomClouds)
       settings.weighting = i % 4 == 0 ? Kernel::Const : Kernel::FermiDirac1;
     settings.centroid =
         Names<Centroid>::table[static_cast<std::size_t>(uniform(0, 2.99))].first;
+    // A point of a lattice may lie on the mean of its neighbours, and then rounding
+    // decides on which side of the step at distance 0 its weight is.
+    if (step > 0 && settings.weighting.name() == "ease-exponential")
+      settings.centroid = Centroid::QueryPoint;
     SCOPED_TRACE(std::to_string(count) + " points, radius " +
                  std::to_string(settings.radius) + ", " + settings.weighting.name() +
                  ", " + std::string(nameOf(settings.centroid)));
