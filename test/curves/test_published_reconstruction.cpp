@@ -174,6 +174,42 @@ TEST(Published, UserParametersBoundTheLineLets)
   EXPECT_NEAR(whole, std::sqrt(136.0), 0.3);
 }
 
+TEST(Published, AnEndSaysWhyItStopped)
+{
+  // From its one start a line reaches the bounds of the cloud on one side, and a hole
+  // wider than the cutoff on the other.
+  evaluation::SamplingSettings sampling;
+  sampling.hole = {0.45, 0.55};
+  StreamlineSettings settings;
+  settings.start_points = 1;
+  const CurveNetwork network =
+      reconstructPublished(evaluation::sample(Geometry::Line, sampling), settings);
+  ASSERT_EQ(network.curves.size(), 1u);
+  const Curve& half = network.curves[0];
+  const bool turned = half.front.kind == EndKind::Cutoff;
+  EXPECT_EQ((turned ? half.back : half.front).kind, EndKind::Bounds);
+  EXPECT_EQ((turned ? half.front : half.back).kind, EndKind::Cutoff);
+  // The line is centred at the origin, and so is its hole.
+  EXPECT_LT((turned ? half.points.front() : half.points.back()).norm(),
+            (turned ? half.points.back() : half.points.front()).norm());
+}
+
+TEST(Published, ATurnBeyondTheBranchAngleIsACornerOfTheSameCurve)
+{
+  // The corners of the rectangle turn by about 31 degrees a step.
+  StreamlineSettings settings;
+  const CurveNetwork smooth = reconstruct(Geometry::Rectangle, 256, settings);
+  settings.branch_angle = 179;
+  expectSame(smooth, reconstruct(Geometry::Rectangle, 256, settings));
+  settings.branch_angle = 20;
+  const CurveNetwork branched = reconstruct(Geometry::Rectangle, 256, settings);
+  ASSERT_EQ(smooth.curves.size(), 1u);
+  ASSERT_EQ(branched.curves.size(), 1u);
+  EXPECT_TRUE(branched.curves[0].closed);
+  EXPECT_NE(branched.curves[0].points, smooth.curves[0].points);
+  EXPECT_NEAR(length(branched), length(smooth), 0.01 * length(smooth));
+}
+
 TEST(Published, DegenerateInputGivesNoCurveAndNoFailure)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
