@@ -164,7 +164,6 @@ LinePoles::search(double low, double high)
 {
   const std::vector<Stretch> wires = stretches(low, high);
   double best = 0, place = 0;
-  bool column = false;
   for (double s = low + least_rest; s < high - least_rest; s += profile_step) {
     const double kink = kinkAt(s, wires);
     if (const double evidence = kink + poleAt(s);
@@ -178,12 +177,10 @@ LinePoles::search(double low, double high)
         s > low + least_rest && s < high - least_rest && evidence > best) {
       best = evidence;
       place = s;
-      column = true;
     }
   if (best == 0)
     return;
-  if (column || (place >= low + least_piece && place <= high - least_piece))
-    found_.push_back(place);
+  found_.push_back(place);
   search(low, place);
   search(place, high);
 }
