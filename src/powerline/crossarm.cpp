@@ -14,10 +14,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double independent = 2;             // points a metre that tell something new
-constexpr double least_residual = 0.02;       // metres, finer differences are noise
 constexpr double kink_reach = 6;              // metres from where wires meet one by one
-constexpr double kink_step = 0.25;            // metres
 constexpr double vague_kink = 1.5;            // metres; a vaguer place is left as it is
 constexpr double firmest = 0.15, loosest = 1; // metres, spread of attachment points
 
@@ -104,7 +101,7 @@ moveToKink(Tower& tower, const std::vector<Hanging>& wires, const Points& points
   if (pairs.empty())
     return;
   std::vector<std::pair<double, double>> tried; // place, log-likelihood
-  for (double s = -kink_reach; s <= kink_reach; s += kink_step)
+  for (double s = -kink_reach; s <= kink_reach; s += profile_step)
     tried.emplace_back(s, likelihoodAt(pairs, s));
   // Mean and deviation of the place, as likely as each is.
   const double best =
@@ -157,7 +154,7 @@ fitCrossarm(Tower& tower, const std::vector<Hanging>& wires)
       total += w;
     }
     line = normal.ldlt().solve(right);
-    arm.spread = std::clamp(std::sqrt(squares / total), 0.15, 1.0);
+    arm.spread = std::clamp(std::sqrt(squares / total), firmest, loosest);
   }
   arm.centre += line[0] * arm.along;
   arm.turn = line[1];

@@ -17,7 +17,6 @@ constexpr double filled = 0.7;      // of the metres from candidates to wire
 constexpr double contrast = 4;      // points of the pole per points around
 constexpr double alone_from = 0.6, alone_to = 3.0; // metres, empty around a pole ...
 constexpr double filled_alone = 0.4;               // ... that may fill so little
-constexpr double apart = 6;                        // metres between poles
 constexpr std::size_t crowded = 3000; // points below, too many for a pole in the open
 
 } // namespace
@@ -100,7 +99,7 @@ findColumns(const std::vector<Below>& points)
   });
   for (const Pole& pole : poles)
     if (std::none_of(found.begin(), found.end(), [&](double s) {
-          return std::abs(s - pole.s) < apart;
+          return std::abs(s - pole.s) < least_piece;
         }))
       found.push_back(pole.s);
   std::sort(found.begin(), found.end());

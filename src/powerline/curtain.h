@@ -17,6 +17,7 @@ struct Below {
 
 constexpr double level = 0.5; ///< metres above and below, of what is level with a wire
 constexpr double pole_radius = 0.4; ///< metres
+constexpr double least_piece = 6;   ///< metres between poles, and of a wire beyond one
 constexpr double clear_from = 0.9,
                  clear_to = 2.0; ///< metres around a pole, along the wire, that tell it
 

@@ -17,7 +17,6 @@ constexpr double end_stretch = 6;    // metres, no kink is looked for nearer to 
 constexpr double least_kink = 0.025; // change of slope
 constexpr double better = 1.2;       // ratio of residuals, one parabola to two
 constexpr double widest_step = 0.4;  // metres between the parabolas where they meet
-constexpr double least_residual = 0.02; // metres, finer differences are noise
 
 } // namespace
 

@@ -15,13 +15,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double profile_step = 0.25;   // metres between the places tried
-constexpr double independent = 2;       // points a metre that tell something new
-constexpr double least_residual = 0.02; // metres, finer differences are noise
-constexpr double least_kink = 0.008;    // change of slope, mean of the wires
-constexpr double telling = 8;           // evidence of a kink ...
-constexpr double enough = 25;           // evidence for a pole
-constexpr double least_rest = 2;        // metres on both sides of a kink
+constexpr double least_kink = 0.008; // change of slope, mean of the wires
+constexpr double telling = 8;        // evidence of a kink ...
+constexpr double enough = 25;        // evidence for a pole
+constexpr double least_rest = 2;     // metres on both sides of a kink
 // Log-likelihood ratios of pole to none: six of ten metres of a pole show points, and
 // three of a hundred elsewhere.
 constexpr double hit_metre = 3.0, missed_metre = -0.9;

@@ -10,7 +10,6 @@
 
 namespace linelet::powerline {
 
-constexpr double least_piece = 6;    ///< metres between poles, and of a wire beyond one
 constexpr double around_wire = 0.35; ///< metres, of the points that may be its own
 
 /** \brief Where poles stand along a line.

@@ -10,6 +10,10 @@
 
 namespace linelet::powerline {
 
+constexpr double independent = 2;       ///< points a metre that tell something new
+constexpr double least_residual = 0.02; ///< metres, finer differences are noise
+constexpr double profile_step = 0.25;   ///< metres between the places tried for a kink
+
 /** \brief Sums of a least squares fit of a parabola; two of them subtract. */
 struct Moments {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

@@ -9,6 +9,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <linelet/tensor/shape_factors.h>
+
 #include "powerline/plan_extent.h"
 
 namespace linelet::powerline {
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double plan_cell = 8; // metres, of which the lowest point is looked at
 constexpr double reach = 1.5;   // metres around it
-constexpr double linear = 0.7;  // share of the largest variance no other has
+constexpr double linear = 0.7;  // linearity of what belongs to a line
 constexpr std::size_t least_points = 5; // there, to tell a line from a surface
 
 // Wire guards, conductors, towers and connectors (ASPRS).
@@ -48,8 +50,7 @@ struct Place {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(squares / n - sum * sum.transpose() / (n * n),
                          Eigen::EigenvaluesOnly);
-    const Point& values = solver.eigenvalues();
-    return values[2] - values[1] >= linear * values[2];
+    return shapeFactors(solver.eigenvalues().cwiseMax(0)).linearity >= linear;
   }
 };
 

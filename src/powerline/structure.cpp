@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "powerline/curtain.h"
 #include "powerline/towers.h"
 
 namespace linelet::powerline {
@@ -12,17 +13,16 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double slice = 1;                  // metres of height
-constexpr double pole_radius = 0.4;          // metres
 constexpr double pole_search = 2;            // metres around the attachment points
 constexpr double body_search = 2.5;          // metres around the axis
 constexpr double body_flare = 0.12;          // growth of that per metre downwards
 constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
 constexpr double filled_alone = 0.4;         // the same where nothing else stands
-constexpr double contrast = 3;      // density of the body over that of its surroundings
-constexpr double arm_depth = 3;     // metres, crossarms reach below their wires
-constexpr double arm_tip = 2;       // metres, and beyond them
-constexpr double widest_foot = 8;   // metres, half width
+constexpr double contrast = 3;    // density of the body over that of its surroundings
+constexpr double arm_depth = 3;   // metres, crossarms reach below their wires
+constexpr double arm_tip = 2;     // metres, and beyond them
+constexpr double widest_foot = 8; // metres, half width
 
 struct Local {
   double u, v, z; // across the line, along it, height

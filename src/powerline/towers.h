@@ -13,6 +13,8 @@
 
 namespace linelet::powerline {
 
+constexpr double lowest_pylon = 12; ///< metres, lines on lower supports hang from poles
+
 /** \brief A pylon or pole: where wires end, and the points that stand there. */
 struct Tower {
   std::vector<std::pair<int, int>> ends; ///< wire, side
@@ -55,7 +57,5 @@ fitCrossarm(Tower& tower, const std::vector<Hanging>& wires);
  * together, bend most clearly: in a dip of the terrain, each by itself tells little. */
 void
 moveToKink(Tower& tower, const std::vector<Hanging>& wires, const Points& points);
-
-constexpr double lowest_pylon = 12; ///< metres, lines on lower supports hang from poles
 
 } // namespace linelet::powerline

@@ -11,9 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <linelet/curves/refined_reconstruction.h>
-#include <linelet/search/scale_unit.h>
 
-#include "curves/refined/em_fit.h"
+#include "curves/fit_of_start.h"
 #include "curves/refined/model_score.h"
 
 using namespace linelet;
@@ -59,19 +58,12 @@ square()
 EmFit
 fitRing(const Points& points, const Points& start, bool arched)
 {
-  const double unit = scaleUnit(points, 1024, 1, 1);
-  const CloudFrame frame = frameOf(points, unit);
-  const UniformGrid grid(points, 2 * unit);
   ModelCurve curve;
   curve.nodes = start;
   curve.closed = true;
   EmSettings settings;
-  settings.spacing = 0.4 * unit;
-  settings.noise = 0.5 * unit;
-  settings.least_noise = 0.1 * unit;
-  settings.bending = 1 / frame.diagonal;
   settings.arched = arched;
-  return EmFitter(points, grid, frame).fit({curve}, settings);
+  return fitOf(points, curve, 0.1, settings);
 }
 
 /** \brief Root mean square of the distances of the nodes of the only curve from the

@@ -12,9 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <linelet/curves/refined_reconstruction.h>
-#include <linelet/search/scale_unit.h>
 
-#include "curves/refined/em_fit.h"
+#include "curves/fit_of_start.h"
 #include "curves/refined/model_score.h"
 
 using namespace linelet;
@@ -44,18 +43,11 @@ noisyLine(double growth, unsigned seed)
 EmFit
 fitLine(const Points& points, bool varied_noise)
 {
-  const double unit = scaleUnit(points, 1024, 1, 1);
-  const CloudFrame frame = frameOf(points, unit);
-  const UniformGrid grid(points, 2 * unit);
   ModelCurve start;
   start.nodes = {{0, 0, 0}, {line_length, 0, 0}};
   EmSettings settings;
-  settings.spacing = 0.4 * unit;
-  settings.noise = 0.5 * unit;
-  settings.least_noise = 0.01 * unit;
-  settings.bending = 1 / frame.diagonal;
   settings.varied_noise = varied_noise;
-  return EmFitter(points, grid, frame).fit({start}, settings);
+  return fitOf(points, start, 0.01, settings);
 }
 
 TEST(VariedNoise, WidthsFollowNoiseThatGrowsTenfold)

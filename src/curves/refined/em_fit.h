@@ -40,8 +40,8 @@ struct EmSettings {
   double least_noise = 0;     ///< the standard deviation never falls below this
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
-  double shell = 0; ///< radius of noise of one length to begin with; 0: normal noise
-  bool arched = false;       ///< whether the curves are thought to bend evenly
+  double shell = 0;    ///< radius of noise of one length to begin with; 0: normal noise
+  bool arched = false; ///< whether the curves are thought to bend evenly
   bool varied_noise = false;          ///< whether the noise varies along the curves
   const ScaleField* scales = nullptr; ///< by which spacing and noise grow from place to
                                       ///< place; null: nowhere
@@ -133,8 +133,8 @@ private:
     std::size_t first_edge = 0;
     double bending = 1, first_bending = 1;
     std::vector<double> bend_variance, bend_weight;
-    Points bend_mean;        // of the prior
-    double mean_freedom = 0; // effective parameters of these means
+    Points bend_mean;                 // of the prior
+    double mean_freedom = 0;          // effective parameters of these means
     std::vector<double> node_freedom; // effective parameters of each node
     // Per node the logarithm of the noise beside that of all (empty: the same), and the
     // variance of its change over the whole curve.

@@ -36,7 +36,7 @@ EmFitter::maximise(const EmSettings& settings)
     for (CurveState& state : states_)
       measureWidths(state);
   updateEdges();
-  updateWeights();
+  updateWeights(); // by the lengths of the edges as they are now
 }
 
 void

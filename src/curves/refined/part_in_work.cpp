@@ -120,9 +120,9 @@ PartInWork::tryBandwidth(std::size_t k)
 void
 PartInWork::trySpanning()
 {
-  tryTraces(spanningCurves(points_, least_spanned),
-            spanning_bandwidth * unit(),
-            least_spanning_gain);
+  if (!spanning_)
+    spanning_ = spanningCurves(points_, least_spanned);
+  tryTraces(*spanning_, spanning_bandwidth * unit(), least_spanning_gain);
 }
 
 std::optional<Fitted>

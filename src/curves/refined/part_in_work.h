@@ -50,7 +50,7 @@ public:
   {
     return best_;
   }
-  /** \brief One fit of each bandwidth that was fitted, as it came. */
+  /** \brief The fits of ridges and of the shortest tree, as they came. */
   const std::vector<Fitted>&
   traced() const
   {
@@ -154,6 +154,7 @@ private:
   // Of each bandwidth, the same everywhere or varying: noise that varies is fitted
   // along the same ridges.
   std::array<std::array<std::optional<Traces>, bandwidths.size()>, 2> traces_;
+  std::optional<Traces> spanning_;        // along the shortest tree
   std::unordered_set<std::size_t> tried_; // starts of improve(), by their hash
 };
 
