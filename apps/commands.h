@@ -30,6 +30,9 @@ runImage(const std::vector<std::string>& arguments);
 /** \brief `generate corridor`: gets the arguments behind that name. */
 int
 runGenerateCorridor(const std::vector<std::string>& arguments);
+/** \brief `generate scene`: gets the arguments behind that name. */
+int
+runGenerateScene(const std::vector<std::string>& arguments);
 
 int
 runCurves(const std::vector<std::string>& arguments);

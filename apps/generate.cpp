@@ -32,16 +32,18 @@ geometryNames()
 int
 generateGeometry(const std::vector<std::string>& arguments)
 {
-  Frame frame("generate",
-              "Makes noisy samples of a known curve, for tests and measurements; or, "
-              "as linelet generate corridor, which has options of its own (linelet "
-              "generate corridor --help), a scene with power lines.");
+  Frame frame(
+      "generate",
+      "Makes noisy samples of a known curve, for tests and measurements; or, "
+      "as linelet generate corridor or linelet generate scene, which have options of "
+      "their own (linelet generate scene --help), a scene with power lines.");
   evaluation::SamplingSettings settings;
   auto geometry = evaluation::Geometry::Circle;
   std::string truth;
   std::vector<double> hole;
   const OptionAdder add(frame.app);
-  add.argument("NAME", geometry, "the curve" + geometryNames() + "; or corridor");
+  add.argument(
+      "NAME", geometry, "the curve" + geometryNames() + "; or corridor; or scene");
   CloudOutput output(frame);
   add("truth", truth, "file for the true curves (.obj and others)");
   frame.app
@@ -84,6 +86,8 @@ runGenerate(const std::vector<std::string>& arguments)
 {
   if (!arguments.empty() && arguments.front() == "corridor")
     return runGenerateCorridor({arguments.begin() + 1, arguments.end()});
+  if (!arguments.empty() && arguments.front() == "scene")
+    return runGenerateScene({arguments.begin() + 1, arguments.end()});
   return generateGeometry(arguments);
 }
 

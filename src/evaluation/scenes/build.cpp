@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include "buildings.h"
+#include "recipe.h"
+
+namespace linelet::evaluation::scenes {
+
+namespace {
+
+/** A line of lattice pylons with six conductors. */
+LinePlan
+highVoltage(double voltage, int number, Random& random)
+{
+  LinePlan plan;
+  drawTower(plan, voltage, random);
+  plan.number = number;
+  plan.a = (950 + 1.6 * voltage) * random.uniform(0.9, 1.1);
+  return plan;
+}
+
+/** A line of wood poles with three wires on a crossarm. */
+LinePlan
+mediumVoltage(int number, Random& random)
+{
+  LinePlan plan;
+  plan.number = number;
+  plan.style = SupportStyle::Wood;
+  plan.kind = WireKind::LowVoltage;
+  plan.arm_height = random.uniform(9, 12);
+  const double half = random.uniform(0.7, 1.2);
+  plan.arms = {{-half, 0}, {0, random.integer(0, 1) * 0.6}, {half, 0}};
+  plan.insulator = 0;
+  plan.a = random.uniform(450, 900);
+  plan.clearance = 5.5;
+  return plan;
+}
+
+void
+addHouses(World& world, int count, Random& random)
+{
+  for (int i = 0; i < 20 * count && count > 0; ++i) {
+    const double x = random.uniform(0, world.length);
+    const double y = random.uniform(-0.5, 0.5) * world.width;
+    const Point p = world.relief.at(x, y);
+    const double turn = random.uniform(0, pi);
+    if (world.lowestWire(x, y, 11) < p.z() + 14 || !world.take(x, y, 10))
+      continue;
+    addHouse(world, Plot(p, turn), random);
+    --count;
+  }
+}
+
+void
+addFences(World& world, int count, Random& random)
+{
+  for (int i = 0; i < count; ++i) {
+    const double x = random.uniform(0, 0.8) * world.length;
+    const double y = random.uniform(-0.45, 0.45) * world.width;
+    const double turn = random.uniform(0, 2 * pi);
+    const double length = random.uniform(20, 80);
+    addFence(world, Plot(world.relief.at(x, y), turn), length, random);
+  }
+}
+
+/** The line along the extent that most scenes have. */
+void
+addMainLine(World& world, LinePlan plan, double span, double bend, Random& random)
+{
+  const Point through(0, random.uniform(-3, 3), 0);
+  const double angle = random.uniform(-1.5, 1.5) * pi / 180;
+  plan.places = linePlaces(world, through, angle, span, {0, bend}, random);
+  addLine(world, plan, random);
+}
+
+void
+addFields(World& world, Random& random)
+{
+  addHouses(world, random.integer(2, 7), random);
+  addFences(world, random.integer(1, 3), random);
+  const double trees = random.uniform(15, 80);
+  const double bushes = random.uniform(10, 40);
+  scatterTrees(world, trees, bushes, random);
+}
+
+void
+addPoleLineAcross(World& world, int number, Random& random)
+{
+  LinePlan plan = mediumVoltage(number, random);
+  const Point through(random.uniform(0.2, 0.8) * world.length, 0, 0);
+  const double angle = random.uniform(60, 120) * pi / 180;
+  const double span = random.uniform(34, 60);
+  plan.places = linePlaces(world, through, angle, span, {}, random);
+  plan.arm_height = random.uniform(7.5, 9.5);
+  addLine(world, plan, random);
+}
+
+} // namespace
+
+std::vector<Point>
+linePlaces(const World& world,
+           const Point& through,
+           double angle,
+           double span,
+           const std::vector<double>& bends,
+           Random& random)
+{
+  // Back to one span before the extent, then ahead to one behind it.
+  const double reach = std::abs(std::cos(angle)) * through.x() +
+                       std::abs(std::sin(angle)) * 0.5 * world.width;
+  const double total = std::abs(std::cos(angle)) * world.length +
+                       std::abs(std::sin(angle)) * world.width;
+  const Point start = through - (reach + span * random.uniform(0.2, 0.9)) *
+                                    Point(std::cos(angle), std::sin(angle), 0);
+  std::vector<Point> places{start};
+  double direction = angle, run = 0;
+  for (std::size_t i = 0; run < total + 1.2 * span; ++i) {
+    if (i > 0 && i <= bends.size())
+      direction += bends[i - 1];
+    const double step = span * random.uniform(0.85, 1.15);
+    places.push_back(places.back() +
+                     step * Point(std::cos(direction), std::sin(direction), 0));
+    run += step;
+  }
+  return places;
+}
+
+void
+build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
+{
+  const auto bundle = [&](int conductors, double spacing) {
+    LinePlan plan = highVoltage(380, 0, random);
+    plan.conductors = conductors;
+    plan.spacing = spacing;
+    addMainLine(
+        world, plan, random.uniform(300, 430), random.uniform(-0.2, 0.2), random);
+    addFields(world, random);
+  };
+  const double slight = random.uniform(-0.15, 0.15);
+  switch (kind) {
+  case SceneKind::Standard:
+  case SceneKind::Sparse:
+  case SceneKind::Strips:
+    addMainLine(
+        world, highVoltage(110, 0, random), random.uniform(200, 330), slight, random);
+    addPoleLineAcross(world, 1, random);
+    addFields(world, random);
+    break;
+  case SceneKind::Helicopter:
+    addMainLine(
+        world, highVoltage(110, 0, random), random.uniform(150, 220), slight, random);
+    addFields(world, random);
+    break;
+  case SceneKind::Uav:
+    addMainLine(
+        world, mediumVoltage(0, random), random.uniform(30, 50), slight, random);
+    scatterTrees(world, 120, 100, random);
+    addFences(world, 1, random);
+    break;
+  case SceneKind::Stubs: {
+    LinePlan plan = highVoltage(110, 0, random);
+    const double before = random.uniform(200, 300), behind = random.uniform(200, 300);
+    const double bend = random.integer(0, 1) * random.uniform(0.1, 0.5);
+    plan.places = {Point(20 - before, 0, 0),
+                   Point(20, 0, 0),
+                   Point(20 + behind * std::cos(bend), behind * std::sin(bend), 0)};
+    addLine(world, plan, random);
+    scatterTrees(world, 60, 150, random);
+    break;
+  }
+  case SceneKind::Twin:
+    bundle(2, random.uniform(0.38, 0.5));
+    break;
+  case SceneKind::Triple:
+    bundle(3, random.uniform(0.38, 0.5));
+    break;
+  case SceneKind::Quad:
+    bundle(4, random.uniform(0.4, 0.5));
+    break;
+  case SceneKind::River: {
+    LinePlan plan = highVoltage(220, 0, random);
+    plan.a = random.uniform(1700, 2300);
+    plan.clearance = 15;
+    const double near = recipe.relief.river_from - random.uniform(60, 120);
+    const double far = near + random.uniform(980, 1020);
+    const double y = random.uniform(-3, 3);
+    plan.places = {Point(near - 280, y, 0),
+                   Point(near, y, 0),
+                   Point(far, y, 0),
+                   Point(far + 300, y, 0)};
+    addLine(world, plan, random);
+    scatterTrees(world, 30, 20, random);
+    break;
+  }
+  case SceneKind::Mountain:
+    addMainLine(
+        world, highVoltage(110, 0, random), random.uniform(180, 360), slight, random);
+    scatterTrees(world, random.uniform(5, 60), 10, random);
+    break;
+  case SceneKind::MountainEmpty:
+    scatterTrees(world, random.uniform(0, 20), 5, random);
+    break;
+  case SceneKind::Street:
+    addStreet(world, random.uniform(-4, 4), 0, true, random);
+    scatterTrees(world, 70, 30, random);
+    break;
+  case SceneKind::Forest: {
+    const bool poles = random.integer(0, 1) == 0;
+    LinePlan plan = poles ? mediumVoltage(0, random) : highVoltage(110, 0, random);
+    plan.hidden = random.uniform(0.1, 0.2);
+    addMainLine(world,
+                plan,
+                poles ? random.uniform(60, 110) : random.uniform(180, 260),
+                0,
+                random);
+    ForestPlan forest;
+    forest.spacing = random.uniform(4.5, 6.5);
+    forest.cutting = poles ? random.uniform(5, 8) : random.uniform(10, 14);
+    forest.overhang = random.uniform(0.5, 0.9);
+    forest.high = poles ? 20 : 30;
+    addForest(world, forest, random);
+    break;
+  }
+  case SceneKind::ForestEmpty: {
+    ForestPlan forest;
+    forest.spacing = random.uniform(4.5, 7);
+    forest.cutting = random.integer(0, 1) * 8.0;
+    addForest(world, forest, random);
+    break;
+  }
+  case SceneKind::Crossings: {
+    addMainLine(
+        world, highVoltage(380, 0, random), random.uniform(280, 380), 0, random);
+    LinePlan second = highVoltage(110, 1, random);
+    const double angle = random.uniform(45, 80) * pi / 180;
+    second.places = linePlaces(world,
+                               Point(random.uniform(0.3, 0.5) * world.length, 0, 0),
+                               angle,
+                               random.uniform(180, 240),
+                               {},
+                               random);
+    second.arm_height = 13;
+    addLine(world, second, random);
+    addPoleLineAcross(world, 2, random);
+    addFields(world, random);
+    break;
+  }
+  case SceneKind::Turns: {
+    LinePlan plan = highVoltage(110, 0, random);
+    const double turn = pi / 3 * (random.integer(0, 1) == 0 ? 1 : -1);
+    const double span = random.uniform(150, 190);
+    const Point through(0, -0.5 * turn * 70, 0);
+    plan.places =
+        linePlaces(world, through, 0, span, {turn, -turn, -turn, turn}, random);
+    addLine(world, plan, random);
+    addFields(world, random);
+    break;
+  }
+  case SceneKind::Clutter:
+    addMainLine(
+        world, highVoltage(110, 0, random), random.uniform(180, 280), slight, random);
+    addClutter(world, random);
+    scatterTrees(world, 20, 20, random);
+    break;
+  case SceneKind::ClutterEmpty:
+    addClutter(world, random);
+    scatterTrees(world, 20, 20, random);
+    break;
+  case SceneKind::Town:
+  case SceneKind::TownEmpty: {
+    const bool wires = kind == SceneKind::Town;
+    addStreet(world, -58 + random.uniform(-3, 3), 0, wires, random);
+    addStreet(world, random.uniform(-3, 3), 100, false, random);
+    addStreet(world, 58 + random.uniform(-3, 3), 200, wires, random);
+    scatterTrees(world, 25, 15, random);
+    break;
+  }
+  }
+}
+
+} // namespace linelet::evaluation::scenes

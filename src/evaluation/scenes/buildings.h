@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+
+#include "world.h"
+
+namespace linelet::evaluation::scenes {
+
+/** \brief A place with a direction: u along, v across, heights above its base. */
+struct Plot {
+  Point base, u, v;
+
+  Plot(const Point& at, double direction)
+      : base(at),
+        u(std::cos(direction), std::sin(direction), 0),
+        v(-std::sin(direction), std::cos(direction), 0)
+  {
+  }
+
+  Point
+  at(double along, double across, double height) const
+  {
+    return base + along * u + across * v + height * Point::UnitZ();
+  }
+};
+
+/** \brief A dwelling with a gabled roof, eaves, chimney and now and then an aerial.
+ * \return height of the eaves above its base */
+double
+addHouse(World& world, const Plot& plot, Random& random);
+
+/** \brief A long hall: flat with a parapet, or with several ridges. */
+void
+addHall(World& world, const Plot& plot, Random& random);
+
+void
+addCrane(World& world, const Plot& plot, Random& random);
+
+/** \brief Two legs and a truss across, as over roads and tracks. */
+void
+addGantry(World& world, const Plot& plot, Random& random);
+
+/** \brief Pipes on trestles. */
+void
+addPipeBridge(World& world, const Plot& plot, double length, Random& random);
+
+/** \brief A slim mast held by guys. */
+void
+addGuyedMast(World& world, const Plot& plot, Random& random);
+
+/** \brief Posts and rails, on the ground. */
+void
+addFence(World& world, const Plot& plot, double length, Random& random);
+
+/** \brief A pair of rails, on the ground. */
+void
+addTrack(World& world, const Plot& plot, double length);
+
+} // namespace linelet::evaluation::scenes

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "world.h"
+
+namespace linelet::evaluation::scenes {
+
+/** \brief A wire or bundle between two attachments. */
+struct Strung {
+  WireKind kind = WireKind::Conductor;
+  int line = 0, span = 0, number = 0;
+  int conductors = 1;
+  double spacing = 0.4;    ///< of neighboring conductors of a bundle, metres
+  double a = 1000;         ///< catenary constant, metres
+  double share = 1;        ///< of the scene's points per metre
+  double front_string = 0; ///< insulators in line with the wire, metres
+  double back_string = 0;
+  double hidden = 0; ///< share of its length that returns nothing
+};
+
+/** \brief Hangs a wire or bundle from \a from to \a to. */
+void
+addWire(World& world,
+        const Strung& wire,
+        const Point& from,
+        const Point& to,
+        Random& random);
+
+/** \brief The lowest point of a catenary over a span, below its chord's level. */
+Point
+hangingPoint(const Point& from, const Point& to, double a, double share);
+
+/** \brief A place on a cross-arm where a conductor hangs. */
+struct Arm {
+  double offset, height; ///< across the line; above the lowest arm
+};
+
+enum class SupportStyle { Lattice, Wood };
+
+/** \brief A line from support to support. */
+struct LinePlan {
+  int number = 0;
+  std::vector<Point> places; ///< x and y of the supports
+  SupportStyle style = SupportStyle::Lattice;
+  double scale = 1;       ///< of lattices; 1: 110 kV
+  double arm_height = 20; ///< of the lowest arm above the ground
+  std::vector<Arm> arms;
+  double insulator = 1.5; ///< 0: the wire lies on top of the arm
+  WireKind kind = WireKind::Conductor;
+  int conductors = 1;
+  double spacing = 0.4;
+  double a = 1100;
+  int earth_wires = 1;
+  double peak = 9;      ///< above the lowest arm
+  double clearance = 7; ///< of the lowest wire above the ground, at least
+  double hidden = 0;
+};
+
+/** \brief Arms of a pylon with six conductors, one of three arrangements. */
+void
+drawTower(LinePlan& plan, double voltage, Random& random);
+
+/** \brief Supports and wires of a line; the supports are raised until the wires clear
+ * the ground.
+ * \return tops of the supports (where the lowest arm is) */
+std::vector<Point>
+addLine(World& world, const LinePlan& plan, Random& random);
+
+/** \brief A lattice of \a bays between two squares (four corners each). */
+void
+addLattice(World& world,
+           StructureKind kind,
+           const Point (&bottom)[4],
+           const Point (&top)[4],
+           int bays,
+           double radius);
+
+} // namespace linelet::evaluation::scenes

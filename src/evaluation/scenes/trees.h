@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "world.h"
+
+namespace linelet::evaluation::scenes {
+
+enum class TreeStyle { Broadleaf, Conifer };
+
+/** \brief A tree: trunk, branches, and leaves around them. */
+void
+addTree(World& world,
+        const Point& base,
+        double height,
+        double crown_radius,
+        TreeStyle style,
+        Random& random);
+
+/** \brief A low shrub. */
+void
+addBush(World& world, const Point& base, Random& random);
+
+/** \brief Where a wood stands and how close. */
+struct ForestPlan {
+  double spacing = 5; ///< of the trees, metres
+  double low = 14, high = 26;
+  double cutting = 0;      ///< width without trees about the x axis
+  double overhang = 0;     ///< share of the trees beside the cutting that lean over it
+  double understory = 0.3; ///< bushes a tree
+};
+
+/** \brief Trees at closed cover, all over the extent but for the cutting. */
+void
+addForest(World& world, const ForestPlan& plan, Random& random);
+
+/** \brief Trees in the open, lone and in groves; below and beside wires they are cut
+ * now and then, not always in time.
+ * \param[in] per_hectare how many of each */
+void
+scatterTrees(World& world,
+             double per_hectare,
+             double bushes_per_hectare,
+             Random& random);
+
+} // namespace linelet::evaluation::scenes

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <linelet/evaluation/scene.h>
+
+#include "relief.h"
+
+namespace linelet::evaluation::scenes {
+
+/** \brief Classes of the truth (ASPRS). */
+enum : std::uint8_t {
+  OtherClass = 1,
+  GroundClass = 2,
+  VegetationClass = 5,
+  BuildingClass = 6,
+  NoiseClass = 7,
+  WireClass = 14,
+  PylonClass = 15,
+  InsulatorClass = 16
+};
+
+/** \brief A straight round piece that pulses can meet. */
+struct Rod {
+  Point from, to;
+  double radius;
+  double reach; ///< a pulse farther than this from the axis misses it, metres
+  double cover; ///< share of a pulse's energy that it takes
+  std::uint8_t classification;
+  std::int32_t wire = -1;
+  double chance = 1; ///< of answering a pulse within reach
+};
+
+/** \brief A flat triangle of a roof or wall. */
+struct Facet {
+  Point a, b, c;
+};
+
+/** \brief Leaves in an ellipsoid, axes along x, y, z: dense outside, sparse inside. */
+struct Crown {
+  Point center, radii;
+  double free_path; ///< mean way of a pulse between leaves in the shell, metres
+};
+
+/** \brief A disc in plan where nothing else may stand. */
+struct Disc {
+  double x, y, radius;
+};
+
+/** \brief Everything of a scene. x runs along its main line; the extent is
+ * [0, length] x [-width/2, width/2]. */
+struct World {
+  double length, width;
+  Relief relief;
+  double beam;       ///< radius of a pulse where it meets things, metres
+  double wire_reach; ///< of a wire that answers every pulse and gives all points of
+                     ///< its phase, metres
+  std::vector<Rod> rods;
+  std::vector<Facet> facets;
+  std::vector<Crown> crowns;
+  std::vector<SceneWire> wires; ///< whole spans; clipped to the extent at the end
+  std::vector<SceneStructure> structures;
+  std::vector<Disc> taken;
+
+  /** \brief Adds a piece of something long and thin, and its truth. */
+  void
+  add(StructureKind kind, const Point& from, const Point& to, double radius);
+
+  /** \brief Whether a disc is free; if so, it is taken. */
+  bool
+  take(double x, double y, double radius);
+
+  /** \brief Height of the lowest wire within \a reach of a place (plan); infinite where
+   * there is none. */
+  double
+  lowestWire(double x, double y, double reach) const;
+};
+
+} // namespace linelet::evaluation::scenes
