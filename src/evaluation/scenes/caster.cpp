@@ -121,9 +121,11 @@ Caster::meetRod(const Rod& rod, const Pulse& pulse, Random& random)
   double u = 0;
   if (across > 1e-9 * length2)
     u = (off.dot(axis) - off.dot(pulse.direction) * slant) / across;
-  // Pieces follow each other: what lies beyond an end belongs to the next one.
-  if (u < 0 || u > 1)
+  // Pieces of a wire follow each other: what lies beyond an end belongs to the next
+  // one.
+  if (rod.wire >= 0 && (u < 0 || u > 1))
     return;
+  u = std::clamp(u, 0.0, 1.0);
   Point on = rod.from + u * axis;
   double t = (on - pulse.origin).dot(pulse.direction);
   const double d = (pulse.at(t) - on).norm();

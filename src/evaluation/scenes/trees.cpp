@@ -51,7 +51,7 @@ addBroadleaf(
   const double middle = 0.5 * (bare + height), half = 0.5 * (height - bare);
   world.crowns.push_back({base + middle * Point::UnitZ(),
                           Point(0.85 * crown, 0.85 * crown, half),
-                          random.uniform(0.5, 1.1)});
+                          random.uniform(0.8, 1.7)});
   const int lobes = random.integer(2, 5);
   for (int i = 0; i < lobes; ++i) {
     const double direction = random.uniform(0, 2 * pi),
@@ -61,7 +61,7 @@ addBroadleaf(
     world.crowns.push_back(
         {base + Point(aside * std::cos(direction), aside * std::sin(direction), z),
          Point(r, r, std::min(r, height - z)),
-         random.uniform(0.5, 1.1)});
+         random.uniform(0.8, 1.7)});
   }
 }
 
@@ -76,7 +76,7 @@ addConifer(World& world, const Point& base, double height, double crown, Random&
     const double z = bare + t * (height - bare);
     world.crowns.push_back({base + z * Point::UnitZ(),
                             Point(r, r, 0.75 * tall),
-                            random.uniform(0.5, 0.9)});
+                            random.uniform(0.7, 1.3)});
     for (int k = 0; k < 2; ++k) {
       const double direction = random.uniform(0, 2 * pi);
       addBranch(
