@@ -23,10 +23,10 @@ namespace linelet::apps {
 namespace {
 
 CurveNetwork
-wireNetwork(const evaluation::SceneScan& scan)
+wireNetwork(const bench::SceneScan& scan)
 {
   CurveNetwork network;
-  for (const evaluation::SceneWire& wire : scan.wires) {
+  for (const bench::SceneWire& wire : scan.wires) {
     Curve curve;
     curve.points = wire.points;
     network.curves.push_back(std::move(curve));
@@ -35,10 +35,10 @@ wireNetwork(const evaluation::SceneScan& scan)
 }
 
 CurveNetwork
-structureNetwork(const evaluation::SceneScan& scan)
+structureNetwork(const bench::SceneScan& scan)
 {
   CurveNetwork network;
-  for (const evaluation::SceneStructure& structure : scan.structures) {
+  for (const bench::SceneStructure& structure : scan.structures) {
     Curve curve;
     curve.points = {structure.from, structure.to};
     network.curves.push_back(std::move(curve));
@@ -48,10 +48,10 @@ structureNetwork(const evaluation::SceneScan& scan)
 
 /** What a scorer needs to know of every wire, in the order of the truth's file. */
 nlohmann::ordered_json
-describeWires(const evaluation::SceneScan& scan)
+describeWires(const bench::SceneScan& scan)
 {
   auto list = nlohmann::ordered_json::array();
-  for (const evaluation::SceneWire& wire : scan.wires)
+  for (const bench::SceneWire& wire : scan.wires)
     list.push_back({{"line", wire.line},
                     {"span", wire.span},
                     {"number", wire.number},
@@ -71,9 +71,9 @@ runGenerateScene(const std::vector<std::string>& arguments)
               "without power lines. The classes in the file are the truth: 14 wire, 15 "
               "pylon or pole, 16 insulator, 5 vegetation, 6 building, 2 ground, 1 "
               "crane, gantry, pipe, guy, fence, rail.");
-  evaluation::SceneSettings settings;
+  bench::SceneSettings settings;
   std::string truth, structures, names;
-  for (const auto& entry : Names<evaluation::SceneKind>::table)
+  for (const auto& entry : Names<bench::SceneKind>::table)
     names += (names.empty() ? ": " : ", ") + std::string(entry.second);
   const OptionAdder add(frame.app);
   add.argument("NAME", settings.kind, "the scene" + names);
@@ -87,7 +87,7 @@ runGenerateScene(const std::vector<std::string>& arguments)
     if (!file.empty())
       io::checkCurvesOutput(file);
 
-  evaluation::SceneScan scan = evaluation::simulateScene(settings, &frame.monitor);
+  bench::SceneScan scan = bench::simulateScene(settings, &frame.monitor);
   std::map<int, std::size_t> classes;
   for (const std::uint8_t c : scan.classification)
     ++classes[c];

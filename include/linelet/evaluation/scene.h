@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/evaluation/corridor.h>
-#include <linelet/support/monitor.h>
+#include <bench/scenes/corridor.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
-namespace linelet::evaluation {
+namespace linelet::bench {
 
 /** \brief The rows of the scene matrix. */
 enum class SceneKind {
@@ -22,10 +22,10 @@ enum class SceneKind {
   Sparse,        ///< national scan, about 1 point/m2
   Helicopter,    ///< 50 points/m2 and more
   Uav,           ///< 400 points/m2, a distribution line
-  Stubs,         ///< a pylon from the UAV, its wires cut after some metres
+  Stubs,         ///< a pylon from the UAV, its wires cut after some meters
   Twin,          ///< bundles of two, 0.4 m apart
   Triple,        ///< bundles of three
-  Quad,          ///< bundles of four, 0.45 m apart, 4 points per metre of phase in all
+  Quad,          ///< bundles of four, 0.45 m apart, 4 points per meter of phase in all
   River,         ///< a span of 1,000 m; water returns nothing
   Mountain,      ///< slopes of 30 to 40 degrees
   Street,        ///< wood poles, service drops, trees that touch the wires
@@ -41,40 +41,40 @@ enum class SceneKind {
   ForestEmpty    ///< closed forest without a line
 };
 
-} // namespace linelet::evaluation
+} // namespace linelet::bench
 
 namespace linelet {
 
 template <>
-struct Names<evaluation::SceneKind> {
+struct Names<bench::SceneKind> {
   static constexpr std::string_view kind = "scene";
-  static constexpr std::array<std::pair<evaluation::SceneKind, std::string_view>, 21>
-      table = {{{evaluation::SceneKind::Standard, "standard"},
-                {evaluation::SceneKind::Sparse, "sparse"},
-                {evaluation::SceneKind::Helicopter, "helicopter"},
-                {evaluation::SceneKind::Uav, "uav"},
-                {evaluation::SceneKind::Stubs, "stubs"},
-                {evaluation::SceneKind::Twin, "twin"},
-                {evaluation::SceneKind::Triple, "triple"},
-                {evaluation::SceneKind::Quad, "quad"},
-                {evaluation::SceneKind::River, "river"},
-                {evaluation::SceneKind::Mountain, "mountain"},
-                {evaluation::SceneKind::Street, "street"},
-                {evaluation::SceneKind::Forest, "forest"},
-                {evaluation::SceneKind::Crossings, "crossings"},
-                {evaluation::SceneKind::Turns, "turns"},
-                {evaluation::SceneKind::Strips, "strips"},
-                {evaluation::SceneKind::Clutter, "clutter"},
-                {evaluation::SceneKind::Town, "town"},
-                {evaluation::SceneKind::ClutterEmpty, "clutter-empty"},
-                {evaluation::SceneKind::MountainEmpty, "mountain-empty"},
-                {evaluation::SceneKind::TownEmpty, "town-empty"},
-                {evaluation::SceneKind::ForestEmpty, "forest-empty"}}};
+  static constexpr std::array<std::pair<bench::SceneKind, std::string_view>, 21> table =
+      {{{bench::SceneKind::Standard, "standard"},
+        {bench::SceneKind::Sparse, "sparse"},
+        {bench::SceneKind::Helicopter, "helicopter"},
+        {bench::SceneKind::Uav, "uav"},
+        {bench::SceneKind::Stubs, "stubs"},
+        {bench::SceneKind::Twin, "twin"},
+        {bench::SceneKind::Triple, "triple"},
+        {bench::SceneKind::Quad, "quad"},
+        {bench::SceneKind::River, "river"},
+        {bench::SceneKind::Mountain, "mountain"},
+        {bench::SceneKind::Street, "street"},
+        {bench::SceneKind::Forest, "forest"},
+        {bench::SceneKind::Crossings, "crossings"},
+        {bench::SceneKind::Turns, "turns"},
+        {bench::SceneKind::Strips, "strips"},
+        {bench::SceneKind::Clutter, "clutter"},
+        {bench::SceneKind::Town, "town"},
+        {bench::SceneKind::ClutterEmpty, "clutter-empty"},
+        {bench::SceneKind::MountainEmpty, "mountain-empty"},
+        {bench::SceneKind::TownEmpty, "town-empty"},
+        {bench::SceneKind::ForestEmpty, "forest-empty"}}};
 };
 
 } // namespace linelet
 
-namespace linelet::evaluation {
+namespace linelet::bench {
 
 /** \brief Which scene, and what of its scan is not left to the seed.
  *
@@ -83,9 +83,9 @@ namespace linelet::evaluation {
 struct SceneSettings {
   SceneKind kind = SceneKind::Standard;
   std::uint32_t seed = 1;
-  double density = 0;      ///< pulses per square metre; 0: by kind and seed
-  double wire_density = 0; ///< points per metre of phase in the open; 0: by kind
-  double noise = 0;        ///< standard deviation along each axis, metres; 0: by kind
+  double density = 0;      ///< pulses per square meter; 0: by kind and seed
+  double wire_density = 0; ///< points per meter of phase in the open; 0: by kind
+  double noise = 0;        ///< standard deviation along each axis, meters; 0: by kind
 };
 
 /** \brief Names and meaning of the settings; the kind is named apart. */
@@ -94,13 +94,13 @@ void
 describe(SceneSettings& s, Visit&& visit)
 {
   visit("seed", s.seed, "the same seed gives the same scene");
-  visit("density", s.density, "pulses per square metre; 0: by kind and seed");
+  visit("density", s.density, "pulses per square meter; 0: by kind and seed");
   visit("wire-density",
         s.wire_density,
-        "points per metre of phase in the open; 0: by kind and seed");
+        "points per meter of phase in the open; 0: by kind and seed");
   visit("noise",
         s.noise,
-        "standard deviation along each axis, metres; 0: by kind and seed");
+        "standard deviation along each axis, meters; 0: by kind and seed");
 }
 
 /** \brief A wire in one span, or the middle of a bundle, where the scan covers it. */
@@ -110,9 +110,9 @@ struct SceneWire {
   int span = 0;             ///< along its line
   int number = 0;           ///< across its span
   int conductors = 1;       ///< of the bundle
-  double bundle_radius = 0; ///< distance of the conductors from \ref points, metres
+  double bundle_radius = 0; ///< distance of the conductors from \ref points, meters
   double noise = 0;         ///< standard deviation of its points, misfit of strips
-                            ///< included, metres
+                            ///< included, meters
   Points points;            ///< vertices about 2 m apart
 };
 
@@ -137,14 +137,14 @@ enum class StructureKind {
 struct SceneStructure {
   StructureKind kind;
   Point from, to;
-  double radius; ///< metres
+  double radius; ///< meters
 };
 
 /** \brief A simulated scan with its truth. Points are relative to \ref shift. */
 struct SceneScan {
   Point shift = Point::Zero(); ///< world coordinates (ETRS89 / UTM 32N) of the origin
-  double density = 0;          ///< pulses per square metre
-  double noise = 0;            ///< standard deviation along each axis, metres
+  double density = 0;          ///< pulses per square meter
+  double noise = 0;            ///< standard deviation along each axis, meters
   Points points;               ///< in the order of pulses and returns
 
   /// \name One entry a point
@@ -168,11 +168,11 @@ struct SceneScan {
  * flight's heading over the scene, the scene's heading and its place are drawn. A pulse
  * meets wires, lattice members, leaves, branches, roofs and ground in turn and gives up
  * to five returns. Leaves fill the outer part of a crown, in clumps; branches run
- * inside. A wire is met within a width that gives its points per metre, whatever the
+ * inside. A wire is met within a width that gives its points per meter, whatever the
  * density of the pulses. Deterministic in the settings.
  * \throws std::invalid_argument for a setting out of range
- * \throws Cancelled */
+ * \throws Canceled */
 SceneScan
-simulateScene(const SceneSettings& settings, Monitor* monitor = nullptr);
+simulateScene(const SceneSettings& settings, ProgressMonitor* monitor = nullptr);
 
-} // namespace linelet::evaluation
+} // namespace linelet::bench

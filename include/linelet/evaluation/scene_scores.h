@@ -8,7 +8,7 @@
 #include <linelet/curves/curve_network.h>
 #include <linelet/evaluation/scene.h>
 
-namespace linelet::evaluation {
+namespace linelet::bench {
 
 /** \brief What counts as right in a scene. Lengths in meters. */
 struct SceneScoreSettings {
@@ -86,4 +86,4 @@ calibrate(const CurveNetwork& found,
           std::vector<CalibrationBin>& bins,
           const SceneScoreSettings& settings = {});
 
-} // namespace linelet::evaluation
+} // namespace linelet::bench

@@ -7,7 +7,7 @@
 #include "buildings.h"
 #include "recipe.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -281,4 +281,4 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
   }
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -8,7 +8,7 @@
 
 #include "buildings.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -128,4 +128,4 @@ addHall(World& world, const Plot& plot, Random& random)
     addGables(world, plot, l, -w + half * (2 * i + 1), half, eaves, eaves + rise, 0);
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -7,7 +7,7 @@
 
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 /** \brief A place with a direction: u along, v across, heights above its base. */
 struct Plot {
@@ -59,4 +59,4 @@ addFence(World& world, const Plot& plot, double length, Random& random);
 void
 addTrack(World& world, const Plot& plot, double length);
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -8,7 +8,7 @@
 
 #include "caster.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -188,4 +188,4 @@ Caster::meetCrown(const Crown& crown, const Pulse& pulse, Random& random)
   }
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

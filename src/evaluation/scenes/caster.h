@@ -8,12 +8,12 @@
 
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 /** \brief A pulse: from high above along a unit direction down to a known place. */
 struct Pulse {
   Point origin, direction;
-  double ground; ///< where it reaches the terrain, metres along it
+  double ground; ///< where it reaches the terrain, meters along it
 
   Point
   at(double t) const
@@ -24,7 +24,7 @@ struct Pulse {
 
 /** \brief Something a pulse meets on its way. */
 struct Hit {
-  double t; ///< metres along the pulse
+  double t; ///< meters along the pulse
   Point place;
   double cover; ///< share of the pulse's energy that it takes
   std::uint8_t classification;
@@ -69,4 +69,4 @@ private:
   std::vector<Hit> hits_;
 };
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

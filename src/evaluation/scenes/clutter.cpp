@@ -9,7 +9,7 @@
 #include "buildings.h"
 #include "lines.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -159,4 +159,4 @@ addTrack(World& world, const Plot& plot, double length)
                 0.04);
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -9,7 +9,7 @@
 
 #include "lines.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -295,4 +295,4 @@ addLine(World& world, const LinePlan& plan, Random& random)
   return tops;
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -7,17 +7,17 @@
 
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 /** \brief A wire or bundle between two attachments. */
 struct Strung {
   WireKind kind = WireKind::Conductor;
   int line = 0, span = 0, number = 0;
   int conductors = 1;
-  double spacing = 0.4;    ///< of neighboring conductors of a bundle, metres
-  double a = 1000;         ///< catenary constant, metres
-  double share = 1;        ///< of the scene's points per metre
-  double front_string = 0; ///< insulators in line with the wire, metres
+  double spacing = 0.4;    ///< of neighboring conductors of a bundle, meters
+  double a = 1000;         ///< catenary constant, meters
+  double share = 1;        ///< of the scene's points per meter
+  double front_string = 0; ///< insulators in line with the wire, meters
   double back_string = 0;
   double hidden = 0; ///< share of its length that returns nothing
 };
@@ -79,4 +79,4 @@ addLattice(World& world,
            int bays,
            double radius);
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

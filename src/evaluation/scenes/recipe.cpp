@@ -6,7 +6,7 @@
 
 #include "recipe.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -136,4 +136,4 @@ drawRecipe(SceneKind kind, Random& random)
   return r;
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -8,14 +8,14 @@
 #include "trees.h"
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 /** \brief What a scene of a kind is made of, before anything is built. */
 struct Recipe {
-  double length = 400, width = 80; ///< of the extent, metres
+  double length = 400, width = 80; ///< of the extent, meters
   ScanPlan scan;
-  double wire_density = 5; ///< points per metre of phase in the open
-  double beam = 0.15;      ///< radius of a pulse where it meets things, metres
+  double wire_density = 5; ///< points per meter of phase in the open
+  double beam = 0.15;      ///< radius of a pulse where it meets things, meters
   ReliefPlan relief;
 };
 
@@ -47,4 +47,4 @@ addStreet(World& world, double y, int line, bool wires, Random& random);
 void
 addClutter(World& world, Random& random);
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -6,7 +6,7 @@
 
 #include "relief.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -67,7 +67,7 @@ Relief::Relief(const ReliefPlan& plan, Random& random) : plan_(plan)
 double
 Relief::bank(double x, double y) const
 {
-  // How far inside of the river; its banks meander by some metres.
+  // How far inside of the river; its banks meander by some meters.
   const double bend = 6 * std::sin(y / 23 + 1);
   return std::min(x - plan_.river_from - bend, plan_.river_to + bend - x);
 }
@@ -97,4 +97,4 @@ Relief::water(double x, double y) const
   return plan_.river_to > plan_.river_from && bank(x, y) > 0;
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "../corridor_scene.h"
+#include "bench/scenes/corridor_scene.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 using corridor::pi;
 using corridor::Random;
@@ -22,7 +22,7 @@ smoothNoise(const Point& p, std::uint32_t seed);
 struct ReliefPlan {
   double slope = 0;      ///< degrees, of the whole scene
   double direction = 0;  ///< of the rise, radians from x
-  double hills = 5;      ///< height differences within some hundred metres
+  double hills = 5;      ///< height differences within some hundred meters
   double rocks = 0;      ///< height of boulders
   double river_from = 0; ///< x of the banks; equal: no river
   double river_to = 0;
@@ -57,4 +57,4 @@ private:
   std::uint32_t seed_;
 };
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

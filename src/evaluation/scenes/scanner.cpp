@@ -8,11 +8,11 @@
 #include "caster.h"
 #include "scanner.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
-constexpr double dead_zone = 0.5; ///< two returns of a pulse are farther apart, metres
+constexpr double dead_zone = 0.5; ///< two returns of a pulse are farther apart, meters
 constexpr std::size_t most_returns = 5;
 constexpr double outliers = 1e-5; ///< share of pulses that return from empty air
 
@@ -42,7 +42,7 @@ public:
   }
 
   void
-  fly(const Flight& flight, Monitor* monitor)
+  fly(const Flight& flight, ProgressMonitor* monitor)
   {
     const double spacing = std::sqrt(plan_.strips / plan_.density);
     const double line_step = spacing * std::sqrt(aspect_);
@@ -53,8 +53,8 @@ public:
       monitor->begin("scan strip " + std::to_string(flight.number), lines);
     for (std::size_t line = 0; line < lines; ++line) {
       if (monitor != nullptr) {
-        if (monitor->cancelled())
-          throw Cancelled();
+        if (monitor->canceled())
+          throw Canceled();
         monitor->advance(1);
       }
       const double u = -reach + line_step * static_cast<double>(line);
@@ -161,7 +161,7 @@ scan(const World& world,
      const ScanPlan& plan,
      Random& random,
      SceneScan& out,
-     Monitor* monitor)
+     ProgressMonitor* monitor)
 {
   Scanner scanner(world, plan, random, out);
   for (unsigned k = 0; k < plan.strips; ++k) {
@@ -176,4 +176,4 @@ scan(const World& world,
   }
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

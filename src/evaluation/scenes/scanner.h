@@ -5,15 +5,15 @@
 
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 /** \brief How a scene is scanned. */
 struct ScanPlan {
-  double density = 8; ///< pulses per square metre, all strips together
+  double density = 8; ///< pulses per square meter, all strips together
   double noise = 0.02;
   double altitude = 400;
   unsigned strips = 1;
-  double misfit = 0;  ///< standard deviation of a strip's offset along an axis, metres
+  double misfit = 0;  ///< standard deviation of a strip's offset along an axis, meters
   double heading = 0; ///< of the flight, radians from x
 };
 
@@ -23,6 +23,6 @@ scan(const World& world,
      const ScanPlan& plan,
      Random& random,
      SceneScan& scan,
-     Monitor* monitor);
+     ProgressMonitor* monitor);
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include <bench/measures/segment_tree.h>
 #include <linelet/evaluation/scene_scores.h>
-#include <linelet/evaluation/segment_tree.h>
 
-namespace linelet::evaluation {
+namespace linelet::bench {
 
 namespace {
 
@@ -217,4 +217,4 @@ calibrate(const CurveNetwork& found,
   }
 }
 
-} // namespace linelet::evaluation
+} // namespace linelet::bench

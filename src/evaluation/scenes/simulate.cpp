@@ -11,7 +11,7 @@
 
 #include "recipe.h"
 
-namespace linelet::evaluation {
+namespace linelet::bench {
 
 namespace {
 
@@ -119,7 +119,7 @@ toWorld(SceneScan& scan, const World& world, Random& random)
   };
   for (Point& p : scan.points) {
     turn(p);
-    p = (p * 1000).array().round() / 1000; // a point file says millimetres
+    p = (p * 1000).array().round() / 1000; // a point file says millimeters
   }
   for (SceneWire& wire : scan.wires)
     for (Point& p : wire.points)
@@ -133,7 +133,7 @@ toWorld(SceneScan& scan, const World& world, Random& random)
 } // namespace
 
 SceneScan
-simulateScene(const SceneSettings& settings, Monitor* monitor)
+simulateScene(const SceneSettings& settings, ProgressMonitor* monitor)
 {
   check(settings);
   // Kinds of the same seed have nothing in common.
@@ -167,4 +167,4 @@ simulateScene(const SceneSettings& settings, Monitor* monitor)
   return result;
 }
 
-} // namespace linelet::evaluation
+} // namespace linelet::bench

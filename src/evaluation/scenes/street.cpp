@@ -9,7 +9,7 @@
 #include "buildings.h"
 #include "recipe.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -169,4 +169,4 @@ addClutter(World& world, Random& random)
   addTrack(world, Plot(Point(0, track, 0), 0), world.length);
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

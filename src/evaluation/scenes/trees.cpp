@@ -6,7 +6,7 @@
 
 #include "trees.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -188,4 +188,4 @@ scatterTrees(World& world,
   }
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

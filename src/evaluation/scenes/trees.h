@@ -5,7 +5,7 @@
 
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 enum class TreeStyle { Broadleaf, Conifer };
 
@@ -24,7 +24,7 @@ addBush(World& world, const Point& base, Random& random);
 
 /** \brief Where a wood stands and how close. */
 struct ForestPlan {
-  double spacing = 5; ///< of the trees, metres
+  double spacing = 5; ///< of the trees, meters
   double low = 14, high = 26;
   double cutting = 0;      ///< width without trees about the x axis
   double overhang = 0;     ///< share of the trees beside the cutting that lean over it
@@ -44,4 +44,4 @@ scatterTrees(World& world,
              double bushes_per_hectare,
              Random& random);
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

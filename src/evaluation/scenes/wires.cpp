@@ -9,7 +9,7 @@
 
 #include "lines.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -148,4 +148,4 @@ addLattice(World& world,
     }
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

@@ -7,7 +7,7 @@
 
 #include "world.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 namespace {
 
@@ -67,4 +67,4 @@ World::lowestWire(double x, double y, double reach) const
   return lowest;
 }
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes

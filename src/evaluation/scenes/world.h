@@ -10,7 +10,7 @@
 
 #include "relief.h"
 
-namespace linelet::evaluation::scenes {
+namespace linelet::bench::scenes {
 
 /** \brief Classes of the truth (ASPRS). */
 enum : std::uint8_t {
@@ -28,7 +28,7 @@ enum : std::uint8_t {
 struct Rod {
   Point from, to;
   double radius;
-  double reach; ///< a pulse farther than this from the axis misses it, metres
+  double reach; ///< a pulse farther than this from the axis misses it, meters
   double cover; ///< share of a pulse's energy that it takes
   std::uint8_t classification;
   std::int32_t wire = -1;
@@ -43,7 +43,7 @@ struct Facet {
 /** \brief Leaves in an ellipsoid, axes along x, y, z: dense outside, sparse inside. */
 struct Crown {
   Point center, radii;
-  double free_path; ///< mean way of a pulse between leaves in the shell, metres
+  double free_path; ///< mean way of a pulse between leaves in the sphere, meters
 };
 
 /** \brief A disc in plan where nothing else may stand. */
@@ -56,9 +56,9 @@ struct Disc {
 struct World {
   double length, width;
   Relief relief;
-  double beam;       ///< radius of a pulse where it meets things, metres
+  double beam;       ///< radius of a pulse where it meets things, meters
   double wire_reach; ///< of a wire that answers every pulse and gives all points of
-                     ///< its phase, metres
+                     ///< its phase, meters
   std::vector<Rod> rods;
   std::vector<Facet> facets;
   std::vector<Crown> crowns;
@@ -80,4 +80,4 @@ struct World {
   lowestWire(double x, double y, double reach) const;
 };
 
-} // namespace linelet::evaluation::scenes
+} // namespace linelet::bench::scenes
