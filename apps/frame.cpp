@@ -106,7 +106,7 @@ ProgressBar::advance(std::size_t steps)
 }
 
 bool
-ProgressBar::cancelled() const
+ProgressBar::canceled() const
 {
   return interrupted != 0;
 }

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include <linelet/powerline/extract_power_lines.h>
-#include <linelet/powerline/output_files.h>
+#include <linelet/powerline_output/output_files.h>
 
 #include "cloud_files.h"
 #include "commands.h"
@@ -83,7 +83,7 @@ requireLengths(const io::Cloud& cloud, const io::Units& units, const std::string
 
 /** \brief What the wires of a network come to. */
 struct Totals {
-  double length = 0;        ///< metres
+  double length = 0;        ///< meters
   std::size_t hazards = 0;  ///< wires with less clearance than is in order
   std::size_t doubtful = 0; ///< wires with a remark
 };
@@ -117,7 +117,7 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
 }
 
 void
-summarise(nlohmann::ordered_json& summary,
+summarize(nlohmann::ordered_json& summary,
           const PowerLineNetwork& network,
           const Totals& totals)
 {
@@ -146,7 +146,7 @@ runPowerlines(const std::vector<std::string>& arguments)
   std::string folder;
   powerline::PowerLineSettings settings;
   CloudInput input(frame,
-                   "point file, z up, metres or feet (by its reference system); "
+                   "point file, z up, meters or feet (by its reference system); "
                    "classes are not needed");
   frame.app
       .add_option("OUTDIR",
@@ -161,12 +161,12 @@ runPowerlines(const std::vector<std::string>& arguments)
   io::Cloud cloud = input.read();
   const io::Units units = io::unitsOf(cloud.wkt);
   requireLengths(cloud, units, input.path());
-  if (!units.height_stated && !units.areMetres())
+  if (!units.height_stated && !units.areMeters())
     frame.warn("the reference system tells no unit of heights; they count as " +
                units.height_name + ", like x and y");
   if (cloud.wkt.empty())
     frame.warn(input.path() +
-               " tells no reference system: its coordinates count as metres");
+               " tells no reference system: its coordinates count as meters");
   const std::size_t withheld = usablePoints(cloud, frame).withheld();
   powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
@@ -192,7 +192,7 @@ runPowerlines(const std::vector<std::string>& arguments)
 
   frame.summary["points"] = points;
   frame.summary["withheld"] = withheld;
-  summarise(frame.summary, network, totals);
+  summarize(frame.summary, network, totals);
   frame.summary["files"] = files;
   return frame.finish();
 }
