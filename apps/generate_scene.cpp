@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/evaluation/scene.h>
+#include <bench/scenes/scene.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/vector_file.h>
 

@@ -25,9 +25,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <bench/measures/scene_scores.h>
+#include <bench/scenes/scene.h>
 #include <linelet/curves/reconstruct_curves.h>
-#include <linelet/evaluation/scene.h>
-#include <linelet/evaluation/scene_scores.h>
 #include <linelet/powerline/extract_power_lines.h>
 
 namespace {

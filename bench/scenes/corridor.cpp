@@ -122,9 +122,9 @@ clipWires(CorridorScan& scan,
 
 /** Where the scene lies: a heading and a place in northern Germany. */
 struct Placement {
-  explicit Placement(corridor::Random& random)
+  explicit Placement(Random& random)
   {
-    heading = random.uniform(0, 2 * corridor::pi);
+    heading = random.uniform(0, 2 * pi);
     origin.x() = 565000 + 10.0 * random.integer(0, 2000);
     origin.y() = 5930000 + 10.0 * random.integer(0, 2000);
     origin.z() = 5.0 * random.integer(2, 60);
@@ -161,7 +161,7 @@ CorridorScan
 simulateCorridor(const CorridorSettings& settings, ProgressMonitor* monitor)
 {
   check(settings);
-  corridor::Random random(settings.seed);
+  Random random(settings.seed);
   corridor::Scene scene{corridor::Terrain(random, settings.relief), {}, {}, {}, {}, {}};
   addHighVoltageLine(scene, settings, random);
   for (unsigned line = 1; line <= settings.low_voltage; ++line)

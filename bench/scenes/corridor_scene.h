@@ -6,44 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/normal_distribution.hpp>
-#include <boost/random/uniform_01.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
-
 #include <bench/scenes/corridor.h>
+#include <bench/scenes/random.h>
 
 namespace linelet::bench::corridor {
-
-constexpr double pi = 3.14159265358979323846;
-
-/** \brief Random numbers that are the same on every machine, as long as no expression
- * draws two of them in an order that the language leaves open. */
-class Random {
-public:
-  explicit Random(std::uint32_t seed) : engine_(seed) {}
-
-  double
-  uniform(double low, double high)
-  {
-    return low + (high - low) * boost::random::uniform_01<double>()(engine_);
-  }
-
-  double
-  normal(double deviation)
-  {
-    return deviation * boost::random::normal_distribution<double>(0, 1)(engine_);
-  }
-
-  int
-  integer(int low, int high)
-  {
-    return boost::random::uniform_int_distribution<int>(low, high)(engine_);
-  }
-
-private:
-  boost::random::mt19937 engine_;
-};
 
 /** \brief Classes of the truth (ASPRS). */
 enum : std::uint8_t {

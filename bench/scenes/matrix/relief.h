@@ -6,12 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/scenes/corridor_scene.h"
+#include <bench/scenes/random.h>
+#include <linelet/support/points.h>
 
 namespace linelet::bench::scenes {
-
-using corridor::pi;
-using corridor::Random;
 
 /** \brief Smooth noise in [0, 1], about one hill per unit: random values at the corners
  * of a unit grid, blended between them. */

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <linelet/evaluation/scene.h>
+#include <bench/scenes/scene.h>
 
 #include "relief.h"
 

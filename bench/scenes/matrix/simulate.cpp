@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <linelet/evaluation/scene.h>
+#include <bench/scenes/scene.h>
 
 #include "recipe.h"
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <bench/measures/scene_scores.h>
 #include <bench/measures/segment_tree.h>
-#include <linelet/evaluation/scene_scores.h>
 
 namespace linelet::bench {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include <bench/scenes/scene.h>
 #include <linelet/curves/curve_network.h>
-#include <linelet/evaluation/scene.h>
 
 namespace linelet::bench {
 
