@@ -19,6 +19,7 @@ highVoltage(double voltage, int number, Random& random)
   drawTower(plan, voltage, random);
   plan.number = number;
   plan.a = (950 + 1.6 * voltage) * random.uniform(0.9, 1.1);
+  plan.hidden = random.uniform(0, 0.06);
   return plan;
 }
 
@@ -35,6 +36,7 @@ mediumVoltage(int number, Random& random)
   plan.arms = {{-half, 0}, {0, random.integer(0, 1) * 0.6}, {half, 0}};
   plan.insulator = 0;
   plan.a = random.uniform(450, 900);
+  plan.hidden = random.uniform(0, 0.06);
   plan.clearance = 5.5;
   return plan;
 }
@@ -66,6 +68,18 @@ addFences(World& world, int count, Random& random)
   }
 }
 
+void
+addHedges(World& world, int count, Random& random)
+{
+  for (int i = 0; i < count; ++i) {
+    const double x = random.uniform(0, 0.8) * world.length;
+    const double y = random.uniform(-0.45, 0.45) * world.width;
+    const double turn = random.uniform(0, 2 * pi);
+    const double length = random.uniform(15, 60);
+    addHedge(world, Plot(world.relief.at(x, y), turn), length, random);
+  }
+}
+
 /** The line along the extent that most scenes have. */
 void
 addMainLine(World& world, LinePlan plan, double span, double bend, Random& random)
@@ -79,10 +93,12 @@ addMainLine(World& world, LinePlan plan, double span, double bend, Random& rando
 void
 addFields(World& world, Random& random)
 {
-  addHouses(world, random.integer(2, 7), random);
+  addHouses(world, random.integer(2, 12), random);
   addFences(world, random.integer(1, 3), random);
-  const double trees = random.uniform(15, 80);
-  const double bushes = random.uniform(10, 40);
+  addHedges(world, random.integer(1, 3), random);
+  // From a few lone trees to groves that hang together.
+  const double trees = 15 * std::exp(random.uniform(0, 2.8));
+  const double bushes = random.uniform(10, 120);
   scatterTrees(world, trees, bushes, random);
 }
 
@@ -136,7 +152,7 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
     plan.conductors = conductors;
     plan.spacing = spacing;
     addMainLine(
-        world, plan, random.uniform(300, 430), random.uniform(-0.2, 0.2), random);
+        world, plan, random.uniform(320, 600), random.uniform(-0.2, 0.2), random);
     addFields(world, random);
   };
   const double slight = random.uniform(-0.15, 0.15);
@@ -164,9 +180,10 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
     LinePlan plan = highVoltage(110, 0, random);
     const double before = random.uniform(200, 300), behind = random.uniform(200, 300);
     const double bend = random.integer(0, 1) * random.uniform(0.1, 0.5);
-    plan.places = {Point(20 - before, 0, 0),
-                   Point(20, 0, 0),
-                   Point(20 + behind * std::cos(bend), behind * std::sin(bend), 0)};
+    const double x = 0.5 * world.length;
+    plan.places = {Point(x - before, 0, 0),
+                   Point(x, 0, 0),
+                   Point(x + behind * std::cos(bend), behind * std::sin(bend), 0)};
     addLine(world, plan, random);
     scatterTrees(world, 60, 150, random);
     break;
@@ -185,7 +202,7 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
     plan.a = random.uniform(1700, 2300);
     plan.clearance = 15;
     const double near = recipe.relief.river_from - random.uniform(60, 120);
-    const double far = near + random.uniform(980, 1020);
+    const double far = recipe.relief.river_to + random.uniform(60, 120);
     const double y = random.uniform(-3, 3);
     plan.places = {Point(near - 280, y, 0),
                    Point(near, y, 0),
@@ -208,9 +225,9 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
     scatterTrees(world, 70, 30, random);
     break;
   case SceneKind::Forest: {
-    const bool poles = random.integer(0, 1) == 0;
+    const bool poles = random.integer(0, 2) > 0;
     LinePlan plan = poles ? mediumVoltage(0, random) : highVoltage(110, 0, random);
-    plan.hidden = random.uniform(0.1, 0.2);
+    plan.hidden = random.uniform(0.15, 0.3);
     addMainLine(world,
                 plan,
                 poles ? random.uniform(60, 110) : random.uniform(180, 260),
@@ -218,7 +235,7 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
                 random);
     ForestPlan forest;
     forest.spacing = random.uniform(4.5, 6.5);
-    forest.cutting = poles ? random.uniform(5, 8) : random.uniform(10, 14);
+    forest.cutting = poles ? random.uniform(3.5, 6) : random.uniform(7, 11);
     forest.overhang = random.uniform(0.5, 0.9);
     forest.high = poles ? 20 : 30;
     addForest(world, forest, random);
@@ -263,10 +280,12 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
     addMainLine(
         world, highVoltage(110, 0, random), random.uniform(180, 280), slight, random);
     addClutter(world, random);
+    addHedges(world, 2, random);
     scatterTrees(world, 20, 20, random);
     break;
   case SceneKind::ClutterEmpty:
     addClutter(world, random);
+    addHedges(world, 2, random);
     scatterTrees(world, 20, 20, random);
     break;
   case SceneKind::Town:

@@ -3,29 +3,10 @@
 
 #pragma once
 
-#include <cmath>
-
+#include "plot.h"
 #include "world.h"
 
 namespace linelet::bench::scenes {
-
-/** \brief A place with a direction: u along, v across, heights above its base. */
-struct Plot {
-  Point base, u, v;
-
-  Plot(const Point& at, double direction)
-      : base(at),
-        u(std::cos(direction), std::sin(direction), 0),
-        v(-std::sin(direction), std::cos(direction), 0)
-  {
-  }
-
-  Point
-  at(double along, double across, double height) const
-  {
-    return base + along * u + across * v + height * Point::UnitZ();
-  }
-};
 
 /** \brief A dwelling with a gabled roof, eaves, chimney and now and then an aerial.
  * \return height of the eaves above its base */

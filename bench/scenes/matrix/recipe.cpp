@@ -30,7 +30,7 @@ drawRecipe(SceneKind kind, Random& random)
     r.scan.density = logUniform(random, low, high);
     r.wire_density = logUniform(random, wire_low, wire_high);
   };
-  r.scan.noise = logUniform(random, 0.015, 0.05);
+  r.scan.noise = logUniform(random, 0.012, 0.06);
   r.scan.altitude = random.uniform(350, 1200);
   r.scan.heading = random.uniform(0, 2 * pi);
   r.relief.hills = random.uniform(1, 12);
@@ -41,7 +41,7 @@ drawRecipe(SceneKind kind, Random& random)
   case SceneKind::Sparse:
     extent(1000, 110);
     sample(0.8, 1.6, 0.3, 0.9);
-    r.scan.noise = logUniform(random, 0.03, 0.08);
+    r.scan.noise = logUniform(random, 0.03, 0.15);
     r.scan.altitude = random.uniform(1200, 2500);
     r.beam = 0.3;
     break;
@@ -60,7 +60,7 @@ drawRecipe(SceneKind kind, Random& random)
     r.beam = 0.03;
     break;
   case SceneKind::Stubs:
-    extent(40, 32);
+    extent(random.uniform(26, 44), 32);
     sample(250, 350, 25, 60);
     r.scan.noise = logUniform(random, 0.01, 0.03);
     r.scan.altitude = random.uniform(60, 100);
@@ -73,22 +73,26 @@ drawRecipe(SceneKind kind, Random& random)
     sample(5, 8, 3, 5);
     break;
   case SceneKind::Quad:
-    extent(460, 90);
-    sample(5, 8, 3.5, 4.5);
+    extent(580, 70);
+    sample(5, 8, 2, 4.5);
+    r.scan.noise = logUniform(random, 0.03, 0.12);
+    r.relief.hills = random.uniform(3, 40);
     break;
   case SceneKind::River:
-    extent(1300, 70);
     sample(2.5, 4, 1.5, 4);
     r.relief.hills = random.uniform(3, 8);
     r.relief.river_from = random.uniform(180, 220);
-    r.relief.river_to = r.relief.river_from + random.uniform(800, 860);
+    r.relief.river_to = r.relief.river_from + random.uniform(600, 950);
+    extent(r.relief.river_to + 250, 70);
     break;
   case SceneKind::Mountain:
   case SceneKind::MountainEmpty:
     extent(450, 90);
     sample(4, 8, 2, 6);
     r.relief.slope = random.uniform(30, 40);
-    r.relief.direction = random.uniform(0, 2 * pi);
+    // Two in three lines climb; the others run across the slope.
+    r.relief.direction = random.integer(0, 1) * pi + random.uniform(-0.5, 0.5) +
+                         (random.integer(0, 2) == 0 ? pi / 2 : 0);
     r.relief.hills = random.uniform(10, 25);
     r.relief.rocks = random.uniform(1, 3);
     break;

@@ -37,7 +37,7 @@ public:
         middle_(world.relief.at(0.5 * world.length, 0))
   {
     // Lines are farther apart than the pulses of a line, or closer.
-    aspect_ = std::exp(random.uniform(-0.5, 0.9));
+    aspect_ = std::exp(random.uniform(-0.7, 1.4));
     zigzag_ = random.integer(0, 1) == 0;
   }
 

@@ -114,6 +114,19 @@ addBush(World& world, const Point& base, Random& random)
 }
 
 void
+addHedge(World& world, const Plot& plot, double length, Random& random)
+{
+  const double tall = random.uniform(0.8, 2.2), wide = random.uniform(0.4, 0.8);
+  for (double s = 0; s < length; s += 0.9 * wide) {
+    const Point foot = plot.at(s, random.normal(0.1), 0);
+    const Point base = world.relief.at(foot.x(), foot.y());
+    world.crowns.push_back({base + 0.5 * tall * Point::UnitZ(),
+                            Point(wide, wide, 0.6 * tall),
+                            random.uniform(0.3, 0.6)});
+  }
+}
+
+void
 addForest(World& world, const ForestPlan& plan, Random& random)
 {
   const double half = 0.5 * world.width + 5;

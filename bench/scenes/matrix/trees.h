@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "plot.h"
 #include "world.h"
 
 namespace linelet::bench::scenes {
@@ -21,6 +22,10 @@ addTree(World& world,
 /** \brief A low shrub. */
 void
 addBush(World& world, const Point& base, Random& random);
+
+/** \brief A row of shrubs. */
+void
+addHedge(World& world, const Plot& plot, double length, Random& random);
 
 /** \brief Where a wood stands and how close. */
 struct ForestPlan {

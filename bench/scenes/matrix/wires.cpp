@@ -41,7 +41,7 @@ drawHidden(double share, double length, Random& random)
   std::vector<std::pair<double, double>> stretches;
   double hidden = 0;
   while (hidden < share * length) {
-    const double extent = std::min(random.uniform(3, 18), share * length - hidden + 1);
+    const double extent = std::min(random.uniform(3, 22), share * length - hidden + 1);
     const double from = random.uniform(0, std::max(0.0, length - extent));
     stretches.emplace_back(from / length, (from + extent) / length);
     hidden += extent;
@@ -96,6 +96,7 @@ addWire(World& world,
       square ? 2 * (1 - (1 - chance) * (1 - chance)) : strung.conductors * chance;
   const double reach = world.wire_reach * strung.share / answers;
   const auto hidden = drawHidden(strung.hidden, span, random);
+  const auto seed = static_cast<std::uint32_t>(random.integer(0, 1 << 30));
   const double back = span - strung.back_string;
   for (int i = 0; i < pieces; ++i) {
     const double s0 = span * i / pieces, s1 = span * (i + 1) / pieces;
@@ -106,6 +107,8 @@ addWire(World& world,
     if (w1 < s1)
       world.add(StructureKind::Insulator, at(w1), at(s1), 0.1);
     const double middle = 0.5 * (w0 + w1) / span;
+    // Returns come and go along a wire, within some meters.
+    const double fading = 0.5 + smoothNoise(Point(middle * span / 8, 0, 0), seed);
     const bool seen =
         std::none_of(hidden.begin(), hidden.end(), [&](const auto& stretch) {
           return middle > stretch.first && middle < stretch.second;
@@ -120,7 +123,7 @@ addWire(World& world,
                               wire_cover,
                               WireClass,
                               index,
-                              chance});
+                              chance * fading});
       }
   }
   world.wires.push_back(std::move(wire));
