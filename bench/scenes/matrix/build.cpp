@@ -114,6 +114,139 @@ addPoleLineAcross(World& world, int number, Random& random)
   addLine(world, plan, random);
 }
 
+/** Lattice pylons with a slight bend. */
+void
+addBentLine(World& world, double bend, double low, double high, Random& random)
+{
+  const double span = random.uniform(low, high);
+  addMainLine(world, highVoltage(110, 0, random), span, bend, random);
+}
+
+void
+buildCorridor(World& world, double bend, Random& random)
+{
+  addBentLine(world, bend, 200, 330, random);
+  addPoleLineAcross(world, 1, random);
+  addFields(world, random);
+}
+
+void
+buildUav(World& world, double bend, Random& random)
+{
+  const double span = random.uniform(30, 50);
+  addMainLine(world, mediumVoltage(0, random), span, bend, random);
+  scatterTrees(world, 120, 100, random);
+  addFences(world, 1, random);
+}
+
+/** A pylon in the middle of an extent that ends a few meters on. */
+void
+buildStubs(World& world, Random& random)
+{
+  LinePlan plan = highVoltage(110, 0, random);
+  const double before = random.uniform(200, 300), behind = random.uniform(200, 300);
+  const int bent = random.integer(0, 1);
+  const double bend = bent * random.uniform(0.1, 0.5);
+  const double x = 0.5 * world.length;
+  plan.places = {Point(x - before, 0, 0),
+                 Point(x, 0, 0),
+                 Point(x + behind * std::cos(bend), behind * std::sin(bend), 0)};
+  addLine(world, plan, random);
+  scatterTrees(world, 60, 150, random);
+}
+
+void
+buildBundles(World& world, int conductors, double low, double high, Random& random)
+{
+  const double spacing = random.uniform(low, high);
+  LinePlan plan = highVoltage(380, 0, random);
+  plan.conductors = conductors;
+  plan.spacing = spacing;
+  const double bend = random.uniform(-0.2, 0.2), span = random.uniform(320, 600);
+  addMainLine(world, plan, span, bend, random);
+  addFields(world, random);
+}
+
+void
+buildRiver(World& world, const ReliefPlan& relief, Random& random)
+{
+  LinePlan plan = highVoltage(220, 0, random);
+  plan.a = random.uniform(1700, 2300);
+  plan.clearance = 15;
+  const double near = relief.river_from - random.uniform(60, 120);
+  const double far = relief.river_to + random.uniform(60, 120);
+  const double y = random.uniform(-3, 3);
+  plan.places = {Point(near - 280, y, 0),
+                 Point(near, y, 0),
+                 Point(far, y, 0),
+                 Point(far + 300, y, 0)};
+  addLine(world, plan, random);
+  scatterTrees(world, 30, 20, random);
+}
+
+/** A cutting hardly wider than its line. */
+void
+buildForest(World& world, Random& random)
+{
+  const bool poles = random.integer(0, 2) > 0;
+  LinePlan plan = poles ? mediumVoltage(0, random) : highVoltage(110, 0, random);
+  plan.hidden = random.uniform(0.15, 0.3);
+  const double span = poles ? random.uniform(60, 110) : random.uniform(180, 260);
+  addMainLine(world, plan, span, 0, random);
+  ForestPlan forest;
+  forest.spacing = random.uniform(4.5, 6.5);
+  forest.cutting = poles ? random.uniform(3.5, 6) : random.uniform(7, 11);
+  forest.overhang = random.uniform(0.5, 0.9);
+  forest.high = poles ? 20 : 30;
+  addForest(world, forest, random);
+}
+
+void
+buildCrossings(World& world, Random& random)
+{
+  const double span = random.uniform(280, 380);
+  addMainLine(world, highVoltage(380, 0, random), span, 0, random);
+  LinePlan second = highVoltage(110, 1, random);
+  const double angle = random.uniform(45, 80) * pi / 180;
+  const double second_span = random.uniform(180, 240);
+  const Point through(random.uniform(0.3, 0.5) * world.length, 0, 0);
+  second.places = linePlaces(world, through, angle, second_span, {}, random);
+  second.arm_height = 13;
+  addLine(world, second, random);
+  addPoleLineAcross(world, 2, random);
+  addFields(world, random);
+}
+
+void
+buildTurns(World& world, Random& random)
+{
+  LinePlan plan = highVoltage(110, 0, random);
+  const double turn = pi / 3 * (random.integer(0, 1) == 0 ? 1 : -1);
+  const double span = random.uniform(150, 190);
+  const Point through(0, -0.5 * turn * 70, 0);
+  plan.places = linePlaces(world, through, 0, span, {turn, -turn, -turn, turn}, random);
+  addLine(world, plan, random);
+  addFields(world, random);
+}
+
+void
+buildClutter(World& world, Random& random)
+{
+  addClutter(world, random);
+  addHedges(world, 2, random);
+  scatterTrees(world, 20, 20, random);
+}
+
+/** Three streets; the outer ones have lines. */
+void
+buildTown(World& world, bool wires, Random& random)
+{
+  addStreet(world, -58 + random.uniform(-3, 3), 0, wires, random);
+  addStreet(world, random.uniform(-3, 3), 100, false, random);
+  addStreet(world, 58 + random.uniform(-3, 3), 200, wires, random);
+  scatterTrees(world, 25, 15, random);
+}
+
 } // namespace
 
 std::vector<Point>
@@ -147,156 +280,56 @@ linePlaces(const World& world,
 void
 build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
 {
-  const auto bundle = [&](int conductors, double spacing) {
-    LinePlan plan = highVoltage(380, 0, random);
-    plan.conductors = conductors;
-    plan.spacing = spacing;
-    addMainLine(
-        world, plan, random.uniform(320, 600), random.uniform(-0.2, 0.2), random);
-    addFields(world, random);
-  };
-  const double slight = random.uniform(-0.15, 0.15);
+  const double bend = random.uniform(-0.15, 0.15); // radians
   switch (kind) {
   case SceneKind::Standard:
   case SceneKind::Sparse:
   case SceneKind::Strips:
-    addMainLine(
-        world, highVoltage(110, 0, random), random.uniform(200, 330), slight, random);
-    addPoleLineAcross(world, 1, random);
-    addFields(world, random);
-    break;
+    return buildCorridor(world, bend, random);
   case SceneKind::Helicopter:
-    addMainLine(
-        world, highVoltage(110, 0, random), random.uniform(150, 220), slight, random);
-    addFields(world, random);
-    break;
+    addBentLine(world, bend, 150, 220, random);
+    return addFields(world, random);
   case SceneKind::Uav:
-    addMainLine(
-        world, mediumVoltage(0, random), random.uniform(30, 50), slight, random);
-    scatterTrees(world, 120, 100, random);
-    addFences(world, 1, random);
-    break;
-  case SceneKind::Stubs: {
-    LinePlan plan = highVoltage(110, 0, random);
-    const double before = random.uniform(200, 300), behind = random.uniform(200, 300);
-    const double bend = random.integer(0, 1) * random.uniform(0.1, 0.5);
-    const double x = 0.5 * world.length;
-    plan.places = {Point(x - before, 0, 0),
-                   Point(x, 0, 0),
-                   Point(x + behind * std::cos(bend), behind * std::sin(bend), 0)};
-    addLine(world, plan, random);
-    scatterTrees(world, 60, 150, random);
-    break;
-  }
+    return buildUav(world, bend, random);
+  case SceneKind::Stubs:
+    return buildStubs(world, random);
   case SceneKind::Twin:
-    bundle(2, random.uniform(0.38, 0.5));
-    break;
+    return buildBundles(world, 2, 0.38, 0.5, random);
   case SceneKind::Triple:
-    bundle(3, random.uniform(0.38, 0.5));
-    break;
+    return buildBundles(world, 3, 0.38, 0.5, random);
   case SceneKind::Quad:
-    bundle(4, random.uniform(0.4, 0.5));
-    break;
-  case SceneKind::River: {
-    LinePlan plan = highVoltage(220, 0, random);
-    plan.a = random.uniform(1700, 2300);
-    plan.clearance = 15;
-    const double near = recipe.relief.river_from - random.uniform(60, 120);
-    const double far = recipe.relief.river_to + random.uniform(60, 120);
-    const double y = random.uniform(-3, 3);
-    plan.places = {Point(near - 280, y, 0),
-                   Point(near, y, 0),
-                   Point(far, y, 0),
-                   Point(far + 300, y, 0)};
-    addLine(world, plan, random);
-    scatterTrees(world, 30, 20, random);
-    break;
-  }
+    return buildBundles(world, 4, 0.4, 0.5, random);
+  case SceneKind::River:
+    return buildRiver(world, recipe.relief, random);
   case SceneKind::Mountain:
-    addMainLine(
-        world, highVoltage(110, 0, random), random.uniform(180, 360), slight, random);
-    scatterTrees(world, random.uniform(5, 60), 10, random);
-    break;
+    addBentLine(world, bend, 180, 360, random);
+    return scatterTrees(world, random.uniform(5, 60), 10, random);
   case SceneKind::MountainEmpty:
-    scatterTrees(world, random.uniform(0, 20), 5, random);
-    break;
+    return scatterTrees(world, random.uniform(0, 20), 5, random);
   case SceneKind::Street:
     addStreet(world, random.uniform(-4, 4), 0, true, random);
-    scatterTrees(world, 70, 30, random);
-    break;
-  case SceneKind::Forest: {
-    const bool poles = random.integer(0, 2) > 0;
-    LinePlan plan = poles ? mediumVoltage(0, random) : highVoltage(110, 0, random);
-    plan.hidden = random.uniform(0.15, 0.3);
-    addMainLine(world,
-                plan,
-                poles ? random.uniform(60, 110) : random.uniform(180, 260),
-                0,
-                random);
-    ForestPlan forest;
-    forest.spacing = random.uniform(4.5, 6.5);
-    forest.cutting = poles ? random.uniform(3.5, 6) : random.uniform(7, 11);
-    forest.overhang = random.uniform(0.5, 0.9);
-    forest.high = poles ? 20 : 30;
-    addForest(world, forest, random);
-    break;
-  }
+    return scatterTrees(world, 70, 30, random);
+  case SceneKind::Forest:
+    return buildForest(world, random);
   case SceneKind::ForestEmpty: {
     ForestPlan forest;
     forest.spacing = random.uniform(4.5, 7);
     forest.cutting = random.integer(0, 1) * 8.0;
-    addForest(world, forest, random);
-    break;
+    return addForest(world, forest, random);
   }
-  case SceneKind::Crossings: {
-    addMainLine(
-        world, highVoltage(380, 0, random), random.uniform(280, 380), 0, random);
-    LinePlan second = highVoltage(110, 1, random);
-    const double angle = random.uniform(45, 80) * pi / 180;
-    second.places = linePlaces(world,
-                               Point(random.uniform(0.3, 0.5) * world.length, 0, 0),
-                               angle,
-                               random.uniform(180, 240),
-                               {},
-                               random);
-    second.arm_height = 13;
-    addLine(world, second, random);
-    addPoleLineAcross(world, 2, random);
-    addFields(world, random);
-    break;
-  }
-  case SceneKind::Turns: {
-    LinePlan plan = highVoltage(110, 0, random);
-    const double turn = pi / 3 * (random.integer(0, 1) == 0 ? 1 : -1);
-    const double span = random.uniform(150, 190);
-    const Point through(0, -0.5 * turn * 70, 0);
-    plan.places =
-        linePlaces(world, through, 0, span, {turn, -turn, -turn, turn}, random);
-    addLine(world, plan, random);
-    addFields(world, random);
-    break;
-  }
+  case SceneKind::Crossings:
+    return buildCrossings(world, random);
+  case SceneKind::Turns:
+    return buildTurns(world, random);
   case SceneKind::Clutter:
-    addMainLine(
-        world, highVoltage(110, 0, random), random.uniform(180, 280), slight, random);
-    addClutter(world, random);
-    addHedges(world, 2, random);
-    scatterTrees(world, 20, 20, random);
-    break;
+    addBentLine(world, bend, 180, 280, random);
+    return buildClutter(world, random);
   case SceneKind::ClutterEmpty:
-    addClutter(world, random);
-    addHedges(world, 2, random);
-    scatterTrees(world, 20, 20, random);
-    break;
+    return buildClutter(world, random);
   case SceneKind::Town:
-  case SceneKind::TownEmpty: {
-    const bool wires = kind == SceneKind::Town;
-    addStreet(world, -58 + random.uniform(-3, 3), 0, wires, random);
-    addStreet(world, random.uniform(-3, 3), 100, false, random);
-    addStreet(world, 58 + random.uniform(-3, 3), 200, wires, random);
-    scatterTrees(world, 25, 15, random);
-    break;
-  }
+    return buildTown(world, true, random);
+  case SceneKind::TownEmpty:
+    return buildTown(world, false, random);
   }
 }
 

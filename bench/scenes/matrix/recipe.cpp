@@ -91,8 +91,9 @@ drawRecipe(SceneKind kind, Random& random)
     sample(4, 8, 2, 6);
     r.relief.slope = random.uniform(30, 40);
     // Two in three lines climb; the others run across the slope.
-    r.relief.direction = random.integer(0, 1) * pi + random.uniform(-0.5, 0.5) +
-                         (random.integer(0, 2) == 0 ? pi / 2 : 0);
+    r.relief.direction = random.integer(0, 1) * pi;
+    r.relief.direction += random.uniform(-0.5, 0.5);
+    r.relief.direction += random.integer(0, 2) == 0 ? pi / 2 : 0;
     r.relief.hills = random.uniform(10, 25);
     r.relief.rocks = random.uniform(1, 3);
     break;

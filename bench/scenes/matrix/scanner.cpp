@@ -63,9 +63,8 @@ public:
         // A mirror that swings lays lines that lean to and fro.
         const double lean =
             zigzag_ ? (line % 2 == 0 ? 0.5 : -0.5) * line_step * v / reach : 0;
-        shoot(flight,
-              u + lean + random_.normal(0.1 * line_step),
-              v + random_.normal(0.1 * pulse_step));
+        const double aside = random_.normal(0.1 * pulse_step);
+        shoot(flight, u + lean + random_.normal(0.1 * line_step), v + aside);
       }
     }
   }

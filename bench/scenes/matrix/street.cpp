@@ -27,7 +27,8 @@ addRow(World& world, double y, double side, Random& random)
        x += random.uniform(17, 26)) {
     const double at = y + side * random.uniform(0, 3);
     const Point base = world.relief.at(x, at);
-    const double turn = (random.integer(0, 1) == 0 ? 0 : pi / 2) + random.normal(0.05);
+    const double side_on = random.integer(0, 1) == 0 ? 0 : pi / 2;
+    const double turn = side_on + random.normal(0.05);
     if (!world.take(x, at, 8))
       continue;
     const double eaves = addHouse(world, Plot(base, turn), random);
@@ -133,7 +134,8 @@ addClutter(World& world, Random& random)
     return Plot(p, random.uniform(0, 2 * pi));
   };
   const auto along = [&](const Point& p) { // the line's direction, give or take
-    return Plot(p, random.integer(0, 1) * pi + random.normal(0.1));
+    const double sense = random.integer(0, 1) * pi;
+    return Plot(p, sense + random.normal(0.1));
   };
   const int halls = random.integer(1, 3), cranes = random.integer(1, 3);
   const int gantries = random.integer(2, 5), bridges = random.integer(1, 3);

@@ -95,7 +95,8 @@ addTree(World& world,
         TreeStyle style,
         Random& random)
 {
-  const Point lean(random.normal(0.02), random.normal(0.02), 1);
+  const double lean_y = random.normal(0.02), lean_x = random.normal(0.02);
+  const Point lean(lean_x, lean_y, 1);
   world.add(
       StructureKind::Trunk, base, base + 0.85 * height * lean, 0.009 * height + 0.03);
   if (style == TreeStyle::Conifer)
