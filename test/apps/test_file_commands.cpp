@@ -147,6 +147,7 @@ TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
                                  "multiscale none.las out.las --graphs ",
                                  "generate circle out.las --truth ",
                                  "generate corridor out.las --truth ",
+                                 "generate scene town out.las --structures ",
                                  "benchmark --sample 1 --plot "})
     expectOneLineOf("" + call + path("no/folder/out.png"), path("no/folder/out.png"));
   expectOneLineOf("benchmark --sample 1 --plot " + path("out.jpg"), path("out.jpg"));

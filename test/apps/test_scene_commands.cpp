@@ -15,7 +15,9 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gmock/gmock.h>
 
+#include <bench/measures/segment_tree.h>
 #include <linelet/io/point_file.h>
+#include <linelet/io/vector_file.h>
 
 #include "run_tool.h"
 
@@ -205,4 +207,32 @@ TEST_F(SceneCommands, ImagesArePngFilesOfTheWantedSize)
                   path("none.csv"));
   expectOneLineOf("image " + input + " " + path("none.png") + " --width 5", "width");
   EXPECT_FALSE(std::filesystem::exists(path("none.png")));
+}
+
+TEST_F(SceneCommands, GeneratedScenesComeWithTheirTruth)
+{
+  runWell("generate scene quad " + path("quad.las") + " --seed 2 --density 1 --truth " +
+          path("wires.obj") + " --structures " + path("other.obj") + " --json " +
+          path("quad.json"));
+  const io::Cloud cloud = io::readCloud(path("quad.las"));
+  const nlohmann::json told = json(path("quad.json"));
+  EXPECT_EQ(told["points"], cloud.points.size());
+  EXPECT_EQ(told["scene"], "quad");
+  const CurveNetwork wires = io::readCurves(path("wires.obj"), cloud.shift);
+  ASSERT_EQ(wires.curves.size(), told["wires"].size());
+  EXPECT_NEAR(length(wires), told["wire_length"], 0.1);
+  // The files agree on the frame: points of wires lie along the truth.
+  const bench::SegmentTree tree(wires);
+  std::size_t count = 0, near = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (io::valueAt(*cloud.find("classification"), i) == 14) {
+      ++count;
+      near += tree.nearest(cloud.points[i]).squared_distance < 1 ? 1 : 0;
+    }
+  EXPECT_GT(count, 1000U);
+  EXPECT_GT(static_cast<double>(near), 0.95 * static_cast<double>(count));
+  const CurveNetwork other = io::readCurves(path("other.obj"), cloud.shift);
+  EXPECT_GT(other.curves.size(), 100U);
+  expectOneLineOf("generate scene quad " + path("no.las") + " --noise -1", "noise");
+  EXPECT_FALSE(std::filesystem::exists(path("no.las")));
 }

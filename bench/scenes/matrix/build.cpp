@@ -80,6 +80,22 @@ addHedges(World& world, int count, Random& random)
   }
 }
 
+/** A stand of forest on one side, some distance off the line. */
+void
+addStand(World& world, Random& random)
+{
+  ForestPlan stand;
+  stand.spacing = random.uniform(4.5, 7);
+  stand.low = random.uniform(8, 16);
+  stand.high = stand.low + random.uniform(3, 10);
+  stand.cutting = 2 * random.uniform(0.12, 0.3) * world.width;
+  const double share = random.uniform(0.3, 0.8);
+  stand.from = random.uniform(0, 1 - share) * world.length;
+  stand.to = stand.from + share * world.length;
+  stand.side = random.integer(0, 1) * 2 - 1;
+  addForest(world, stand, random);
+}
+
 /** The line along the extent that most scenes have. */
 void
 addMainLine(World& world, LinePlan plan, double span, double bend, Random& random)
@@ -100,6 +116,8 @@ addFields(World& world, Random& random)
   const double trees = 15 * std::exp(random.uniform(0, 2.8));
   const double bushes = random.uniform(10, 120);
   scatterTrees(world, trees, bushes, random);
+  if (random.integer(0, 1) == 0)
+    addStand(world, random);
 }
 
 void

@@ -46,7 +46,7 @@ drawRecipe(SceneKind kind, Random& random)
     r.beam = 0.3;
     break;
   case SceneKind::Helicopter:
-    extent(200, 32);
+    extent(170, 32);
     sample(50, 70, 8, 20);
     r.scan.noise = logUniform(random, 0.01, 0.03);
     r.scan.altitude = random.uniform(120, 250);
@@ -115,7 +115,7 @@ drawRecipe(SceneKind kind, Random& random)
     sample(4, 6, 2, 6);
     break;
   case SceneKind::Turns:
-    extent(480, 280);
+    extent(430, 250);
     sample(2, 3, 1.5, 4);
     break;
   case SceneKind::Strips:

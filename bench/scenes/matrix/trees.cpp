@@ -142,7 +142,7 @@ addForest(World& world, const ForestPlan& plan, Random& random)
       const double crown = plan.spacing * random.uniform(0.5, 0.8);
       const TreeStyle style = style_of();
       const double room = std::abs(y) - 0.5 * plan.cutting;
-      if (room < 0)
+      if (room < 0 || x < plan.from || x > plan.to || y * plan.side < 0)
         continue;
       Point base = world.relief.at(x, y);
       // Those at the border lean over the cutting, or their crowns would stop there.
