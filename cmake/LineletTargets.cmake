@@ -11,17 +11,21 @@ function(linelet_settings target)
     $<$<BOOL:${LINELET_WERROR}>:-Werror>)
 endfunction()
 
-# linelet_library(NAME [SOURCES a.cpp ...] [DEPENDS targets of the public headers]
+# linelet_library(NAME [STATIC] [SOURCES a.cpp ...] [DEPENDS targets of the public headers]
 # [PRIVATE targets of the sources alone])
 #
 # A library linelet::NAME.
 function(linelet_library name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "STATIC" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   set(target linelet_${name})
-  add_library(${target} ${ROOM_SOURCES})
+  if(ROOM_STATIC)
+    add_library(${target} STATIC ${ROOM_SOURCES})
+  else()
+    add_library(${target} ${ROOM_SOURCES})
+  endif()
   add_library(linelet::${name} ALIAS ${target})
   linelet_settings(${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL ""
     VERSION ${PROJECT_VERSION}
     # Before 1.0 every minor version may change the interface.
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
@@ -33,7 +37,7 @@ function(linelet_library name)
   if(LINELET_WITH_OPENMP)
     target_link_libraries(${target} PUBLIC OpenMP::OpenMP_CXX)
   endif()
-  if(BUILD_SHARED_LIBS AND NOT APPLE)
+  if(BUILD_SHARED_LIBS AND NOT ROOM_STATIC AND NOT APPLE)
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
 endfunction()
