@@ -27,6 +27,7 @@ function(linelet_library name)
   linelet_settings(${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL ""
     VERSION ${PROJECT_VERSION}
+    INSTALL_RPATH "$ORIGIN" # the others lie beside it
     # Before 1.0 every minor version may change the interface.
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_include_directories(${target} PUBLIC
