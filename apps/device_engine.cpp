@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #ifdef LINELET_HAS_OPENCL
+#include <linelet/opencl/device_cost.h>
 #include <linelet/opencl/tensor_engine.h>
 #endif
 
@@ -40,17 +41,18 @@ estimateOnDevice([[maybe_unused]] const std::string& device,
 #endif
 }
 
-std::optional<DeviceCost>
-gpuCost([[maybe_unused]] const std::string& device,
-        [[maybe_unused]] const EngineWork& work)
+bool
+gpuIsCheapest([[maybe_unused]] const std::string& device,
+              [[maybe_unused]] const EngineWork& work,
+              [[maybe_unused]] Centroid centroid)
 {
 #ifdef LINELET_HAS_OPENCL
-  DeviceCost cost;
+  opencl::DeviceCost cost;
   cost.start = 0.5;
   cost.point = 1e-7;
   // Asking for devices wakes all drivers: not for what is done before one is open.
-  if (cheapestEngine(work, &cost) != Engine::OpenCL)
-    return {};
+  if (!isCheapest(cost, work, centroid))
+    return false;
   const std::vector<opencl::Device> all = opencl::devices();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool wished = device.empty() || device == std::to_string(i) ||
@@ -58,10 +60,10 @@ gpuCost([[maybe_unused]] const std::string& device,
     if (!wished || all[i].type != "gpu")
       continue;
     cost.pair = 1e-9 / std::max(1u, all[i].compute_units);
-    return cost;
+    return isCheapest(cost, work, centroid);
   }
 #endif
-  return {};
+  return false;
 }
 
 } // namespace linelet::apps

@@ -3,13 +3,37 @@
 
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <linelet/features/engine_choice.h>
+#include <linelet/features/point_types.h>
 
 #include "frame.h"
+
+namespace linelet::apps {
+
+/** \brief What `--engine` names: the engines of the library, and that of a device. */
+enum class EngineOption { Auto, Tree, Grid, OpenCL };
+
+} // namespace linelet::apps
+
+namespace linelet {
+
+template <>
+struct Names<apps::EngineOption> {
+  static constexpr std::string_view kind = "engine";
+  static constexpr std::array<std::pair<apps::EngineOption, std::string_view>, 4>
+      table = {{{apps::EngineOption::Auto, "auto"},
+                {apps::EngineOption::Tree, "tree"},
+                {apps::EngineOption::Grid, "grid"},
+                {apps::EngineOption::OpenCL, "opencl"}}};
+};
+
+} // namespace linelet
 
 namespace linelet::apps {
 
@@ -25,10 +49,9 @@ estimateOnDevice(const std::string& device,
                  const NeighborhoodSizes& sizes,
                  Frame& frame);
 
-/** \brief What `--engine auto` takes the costs of a GPU to be; nothing where there is
- * none, or \a work is too little for any. No GPU was at hand to measure these costs:
- * they are set high rather than low. */
-std::optional<DeviceCost>
-gpuCost(const std::string& device, const EngineWork& work);
+/** \brief Whether `--engine auto` takes a GPU: there is one, and it is the cheapest. No
+ * GPU was at hand to measure these costs: they are set high rather than low. */
+bool
+gpuIsCheapest(const std::string& device, const EngineWork& work, Centroid centroid);
 
 } // namespace linelet::apps

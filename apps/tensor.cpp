@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
@@ -106,24 +107,26 @@ chooseRadius(double scale_unit, const std::string& file)
   return radiusFor(scale_unit);
 }
 
-/** \brief Runs the engine asked for. Engine::Auto becomes the one that ran; a device
- * that it chose and that fails is no reason to give up. */
+/** \brief Runs the engine asked for. EngineOption::Auto becomes the one that ran; a
+ * device that it chose and that fails is no reason to give up. */
 Records
 estimate(const Points& points,
          TensorSettings& settings,
+         EngineOption& engine,
          const NeighborhoodSizes& sizes,
          const std::string& device,
          Frame& frame)
 {
   // Sizes that make no sense are refused before anything is made of them.
   validate(settings, sizes, points.size());
-  const bool automatic = settings.engine == Engine::Auto;
+  const bool automatic = engine == EngineOption::Auto;
   if (automatic) {
-    const auto gpu = gpuCost(device, engineWork(points, points, settings, sizes));
-    settings.engine =
-        chosenEngine(points, points, settings, sizes, gpu ? &*gpu : nullptr);
+    const EngineWork work = engineWork(points, points, settings, sizes);
+    engine = gpuIsCheapest(device, work, settings.centroid) ? EngineOption::OpenCL
+             : cheapestEngine(work) == Engine::Grid         ? EngineOption::Grid
+                                                            : EngineOption::Tree;
   }
-  if (settings.engine == Engine::OpenCL) {
+  if (engine == EngineOption::OpenCL) {
     try {
       return estimateOnDevice(device, points, settings, sizes, frame);
     }
@@ -134,9 +137,10 @@ estimate(const Points& points,
       if (!automatic)
         throw;
       frame.warn(std::string(error.what()) + "; the engine grid runs instead");
-      settings.engine = Engine::Grid;
+      engine = EngineOption::Grid;
     }
   }
+  settings.engine = engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
   return estimateTensors(points, points, settings, sizes, &frame.monitor);
 }
 
@@ -202,6 +206,7 @@ void
 summarize(nlohmann::ordered_json& summary,
           const Tally& tally,
           const TensorSettings& settings,
+          EngineOption engine,
           const SizeFields& fields)
 {
   summary["points"] = tally.points;
@@ -215,7 +220,7 @@ summarize(nlohmann::ordered_json& summary,
     summary["knn_field"] = fields.knn;
   summary["weight"] = settings.weighting.name();
   summary["centroid"] = nameOf(settings.centroid);
-  summary["engine"] = nameOf(settings.engine);
+  summary["engine"] = nameOf(engine);
   summary["mean_neighbors"] = tally.mean_neighbors;
   summary["unknown"] = tally.unknown;
   summary["withheld"] = tally.withheld;
@@ -234,12 +239,19 @@ runTensor(const std::vector<std::string>& arguments)
       "or a field the radius is chosen: three times the scale unit D. Points flagged "
       "as withheld take no part and have no shape.");
   TensorSettings settings;
+  auto engine = EngineOption::Auto;
   SizeFields fields;
   std::string device;
   CloudInput input(frame);
   CloudOutput output(frame);
-  addOptions(frame.app, settings);
   const OptionAdder add(frame.app);
+  // The tool knows one engine more than the settings do.
+  describe(settings, [&](const char* name, auto& value, const char* help) {
+    if constexpr (std::is_same_v<decltype(value), Engine&>)
+      add(name, engine, help);
+    else
+      add(name, value, help);
+  });
   add("radius-field", fields.radius, "attribute that holds the radius of every point");
   add("knn-field",
       fields.knn,
@@ -261,7 +273,8 @@ runTensor(const std::vector<std::string>& arguments)
     frame.summary["scale_unit"] = scale_unit;
     settings.radius = chooseRadius(scale_unit, input.path());
   }
-  const Records records = estimate(usable.points(), settings, sizes, device, frame);
+  const Records records =
+      estimate(usable.points(), settings, engine, sizes, device, frame);
   frame.lap("tensor");
   addColumns(cloud, records);
   output.write(cloud);
@@ -272,9 +285,9 @@ runTensor(const std::vector<std::string>& arguments)
               tally.points,
               describeSize(settings, fields).c_str(),
               tally.mean_neighbors,
-              std::string(nameOf(settings.engine)).c_str());
+              std::string(nameOf(engine)).c_str());
   printUnknown(tally, scale_unit, usable.points());
-  summarize(frame.summary, tally, settings, fields);
+  summarize(frame.summary, tally, settings, engine, fields);
   return frame.finish();
 }
 

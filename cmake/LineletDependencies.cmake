@@ -1,18 +1,21 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What linelet builds on. The core asks PCL for four small components only: every other
-# one (io, features, surface) brings VTK, Qt and MPI into each consumer's build.
+# What linelet builds on. The classes of a PCL chain ask PCL for four small components
+# only: every other one (io, features, surface) brings VTK, Qt and MPI into each
+# consumer's build.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(PCL 1.13 REQUIRED COMPONENTS common octree kdtree search)
+if(LINELET_WITH_PCL)
+  find_package(PCL 1.13 REQUIRED COMPONENTS common octree kdtree search)
+endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(HWY REQUIRED CONFIG)
 find_package(nanoflann 1.4 REQUIRED CONFIG) # headers that only our sources include
 if(LINELET_WITH_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
-if(LINELET_WITH_OPENCL)
+if(LINELET_WITH_OPENCL AND LINELET_WITH_PCL)
   find_package(OpenCL 1.2)
   if(OpenCL_FOUND)
     message(STATUS "linelet: OpenCL engine: yes (${OpenCL_LIBRARIES})")

@@ -5,22 +5,31 @@ include(GNUInstallDirs)
 # Compiler settings of our own targets only: consumers see the language level, no more.
 function(linelet_settings target)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
     $<$<BOOL:${LINELET_WERROR}>:-Werror>)
 endfunction()
 
-# linelet_library(NAME SOURCES a.cpp ... [DEPENDS targets of the public headers] [PRIVATE
-# targets of the sources alone])
+# linelet_library(NAME [STATIC] [SOURCES a.cpp ...] [DEPENDS targets of the public headers]
+# [PRIVATE targets of the sources alone])
 #
 # A library linelet::NAME.
 function(linelet_library name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "STATIC" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   set(target linelet_${name})
-  add_library(${target} ${ROOM_SOURCES})
+  if(ROOM_STATIC)
+    add_library(${target} STATIC ${ROOM_SOURCES})
+  else()
+    add_library(${target} ${ROOM_SOURCES})
+  endif()
   add_library(linelet::${name} ALIAS ${target})
   linelet_settings(${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL ""
+    VERSION ${PROJECT_VERSION}
+    INSTALL_RPATH "$ORIGIN" # the others lie beside it
+    # Before 1.0 every minor version may change the interface.
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -29,28 +38,52 @@ function(linelet_library name)
   if(LINELET_WITH_OPENMP)
     target_link_libraries(${target} PUBLIC OpenMP::OpenMP_CXX)
   endif()
+  if(BUILD_SHARED_LIBS AND NOT ROOM_STATIC AND NOT APPLE)
+    target_link_options(${target} PRIVATE LINKER:--no-undefined)
+  endif()
 endfunction()
 
-# linelet_room(NAME SOURCES ... [DEPENDS ...] [PRIVATE ...] [EXPORT set])
+# linelet_room(NAME [COMPONENT name] SOURCES ... [DEPENDS ...] [PRIVATE ...])
 #
-# A library that is installed: a folder of include/linelet and src.
+# A library that is installed, by the component of find_package it belongs to: its own
+# unless another is named.
 function(linelet_room name)
-  cmake_parse_arguments(ROOM "" "EXPORT" "" ${ARGN})
-  if(NOT ROOM_EXPORT)
-    set(ROOM_EXPORT linelet)
+  cmake_parse_arguments(ROOM "" "COMPONENT" "" ${ARGN})
+  if(NOT ROOM_COMPONENT)
+    set(ROOM_COMPONENT ${name})
   endif()
   linelet_library(${name} ${ROOM_UNPARSED_ARGUMENTS})
-  install(TARGETS linelet_${name} EXPORT ${ROOM_EXPORT}Targets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  linelet_install_room(linelet_${name} ${ROOM_COMPONENT})
 endfunction()
 
-# linelet_test(NAME SOURCES a.cpp ... LINK linelet::room ...)
+function(linelet_install_room target component)
+  install(TARGETS ${target} EXPORT linelet_${component}Targets
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries
+    NAMELINK_COMPONENT development
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+endfunction()
+
+# linelet_part(NAME SOURCES a.cpp ... [DEPENDS ...] [PRIVATE ...])
+#
+# A folder of linelet::core, which linelet::NAME is another name of in this build.
+function(linelet_part name)
+  cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  target_sources(linelet_core PRIVATE ${PART_SOURCES})
+  target_link_libraries(linelet_core PUBLIC ${PART_DEPENDS} PRIVATE ${PART_PRIVATE})
+  add_library(linelet::${name} ALIAS linelet_core)
+endfunction()
+
+# linelet_test(NAME SOURCES a.cpp ... LINK linelet::room ... [INSIDE])
 #
 # A test program. It finds the reference data in LINELET_TEST_DATA (environment, or the
-# folder ../shared/data beside the project) through test/test_data.h.
+# folder ../shared/data beside the project) through test/test_data.h. With INSIDE it
+# looks into the rooms: what shared libraries hide, so there it is left out.
 function(linelet_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "INSIDE" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  if(TEST_INSIDE AND BUILD_SHARED_LIBS)
+    return()
+  endif()
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
   endif()
@@ -58,6 +91,9 @@ function(linelet_test name)
   add_executable(${target} ${TEST_SOURCES})
   linelet_settings(${target})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+  if(TEST_INSIDE)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  endif()
   target_compile_definitions(${target} PRIVATE
     LINELET_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     LINELET_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")

@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/file_error.h>
 
 namespace linelet::io {
 

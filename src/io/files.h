@@ -7,8 +7,10 @@
 #include <string_view>
 
 #include <linelet/io/output_file.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::io {
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief A file in memory, read-only: mapped where it is a regular file. */
 class MappedFile {
@@ -49,4 +51,5 @@ cannotWrite(const std::string& path, int error);
 std::string
 endingOf(const std::string& path);
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <filesystem>
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/file_error.h>
 
 #include "files.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/file_error.h>
 
 #include "files.h"
 #include "io/text/text_scan.h"

@@ -10,6 +10,8 @@
 
 #include <boost/endian/conversion.hpp>
 
+#include <linelet/support/visibility.h>
+
 #include "file_work.h"
 
 namespace linelet::io {
@@ -56,7 +58,7 @@ store(char* at, T value)
 }
 
 /** \brief \a text as a name: valid UTF-8 without control characters, trimmed. */
-std::string
+LINELET_PUBLIC std::string
 cleanName(std::string_view text);
 
 /** \brief Gives out names, none of them twice. */

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <linelet/tensor/centroid.h>
+#include <linelet/tensor/weighting.h>
+
 #include "kernel_sources.h"
 
 namespace linelet::opencl {
@@ -16,6 +19,26 @@ namespace {
 // Infinities and NaN keep their meaning, some weights pass through them.
 constexpr const char* build_options =
     "-cl-std=CL1.2 -cl-mad-enable -cl-no-signed-zeros -cl-unsafe-math-optimizations ";
+
+/** \brief The enumerators that kernels know by name, as macros. */
+std::string
+enumerators()
+{
+  std::string text;
+  const auto define = [&](const char* name, auto value) {
+    text += std::string("#define ") + name + ' ' +
+            std::to_string(static_cast<int>(value)) + '\n';
+  };
+#define LINELET_KERNEL(kernel, name, support, weight)                                  \
+  define("KERNEL_" #kernel, Kernel::kernel);
+  LINELET_KERNELS(LINELET_KERNEL)
+#undef LINELET_KERNEL
+  define("CENTROID_QueryPoint", Centroid::QueryPoint);
+  define("CENTROID_Mean", Centroid::Mean);
+  define("CENTROID_WeightedMean", Centroid::WeightedMean);
+  define("CENTROID_Median", Centroid::Median);
+  return text;
+}
 
 Device
 describe(const cl::Device& device)
@@ -140,7 +163,7 @@ Context::program(const std::string& definitions)
   const auto known = programs_.find(definitions);
   if (known != programs_.end())
     return known->second;
-  cl::Program program(context_, std::string(kernel_sources));
+  cl::Program program(context_, enumerators() + kernel_sources);
   const std::string options = build_options +
                               std::string(device_.double_precision ? "-DEXACT " : "") +
                               "-DWIDTH=" + std::to_string(lanes_) + " " + definitions;

@@ -45,6 +45,38 @@ SortedPlaces::SortedPlaces(Context& context, const Slab& slab)
   run(context, gather, slab.points.count);
 }
 
+/** \brief The names that context.cpp defines for enumerators. */
+const char*
+macroOf(Kernel kernel)
+{
+  switch (kernel) {
+#define LINELET_KERNEL(kernel, name, support, weight)                                  \
+  case Kernel::kernel:                                                                 \
+    return "KERNEL_" #kernel;
+    LINELET_KERNELS(LINELET_KERNEL)
+#undef LINELET_KERNEL
+  }
+  return "";
+}
+
+const char*
+macroOf(Centroid centroid)
+{
+  switch (centroid) {
+  case Centroid::QueryPoint:
+    return "CENTROID_QueryPoint";
+  case Centroid::Mean:
+    return "CENTROID_Mean";
+  case Centroid::WeightedMean:
+    return "CENTROID_WeightedMean";
+  case Centroid::Median:
+    return "CENTROID_Median";
+  case Centroid::WeightedMedian:
+    break;
+  }
+  return ""; // refused before
+}
+
 } // namespace
 
 std::string
@@ -54,11 +86,11 @@ tensorDefinitions(Centroid centroid,
 {
   std::ostringstream text;
   text.precision(9);
-  text << std::showpoint << "-DCENTROID=" << static_cast<int>(centroid);
+  text << std::showpoint << "-DCENTROID=" << macroOf(centroid);
   const auto define =
       [&](const char* name, const char letter, const Weighting& weight) {
-        text << " -D" << name << '=' << static_cast<int>(weight.kernel()) << " -D"
-             << letter << "_FIRST=" << weight.parameters()[0] << "f -D" << letter
+        text << " -D" << name << '=' << macroOf(weight.kernel()) << " -D" << letter
+             << "_FIRST=" << weight.parameters()[0] << "f -D" << letter
              << "_SECOND=" << weight.parameters()[1] << 'f';
       };
   define("TENSOR_WEIGHT", 'W', tensor_weight);

@@ -9,9 +9,8 @@
 #include <tuple>
 #include <vector>
 
-#include <linelet/support/groups.h>
-
 #include "powerline/joints.h"
+#include "support/groups.h"
 
 namespace linelet::powerline {
 

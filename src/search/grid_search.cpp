@@ -3,7 +3,7 @@
 
 #include <linelet/search/grid_search.h>
 
-#include <linelet/search/sort_indices.h>
+#include "sort_indices.h"
 
 namespace linelet {
 

@@ -12,7 +12,8 @@
 #include <nanoflann.hpp>
 
 #include <linelet/search/nearest_candidates.h>
-#include <linelet/search/sort_indices.h>
+
+#include "sort_indices.h"
 
 namespace linelet {
 

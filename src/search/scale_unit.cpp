@@ -12,9 +12,10 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include <linelet/search/nearest_walk.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
+
+#include "nearest_walk.h"
 
 namespace linelet {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/search/sort_indices.h>
+#include "sort_indices.h"
 
 #include <algorithm>
 #include <array>

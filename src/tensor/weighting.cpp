@@ -69,78 +69,63 @@ sph5(double x)
   return sum;
 }
 
-/** \brief 1 minus an easing curve that is symmetric about (1/2, 1/2); x in [0, 1). */
+/** \name Easing
+ * 1 minus an easing curve that is symmetric about (1/2, 1/2); x in [0, 1). */
+///@{
+
 double
-easing(Kernel kernel, double x)
+easeBounce(double x)
 {
-  const bool first = x < 0.5;
-  switch (kernel) {
-  case Kernel::EaseBounce:
-    return 1 - (first ? (1 - bounce(1 - 2 * x)) / 2 : (1 + bounce(2 * x - 1)) / 2);
-  case Kernel::EaseCircular:
-    return 1 - (first ? (1 - std::sqrt(1 - 4 * x * x)) / 2
-                      : (std::sqrt((3 - 2 * x) * (2 * x - 1)) + 1) / 2);
-  case Kernel::EaseElastic:
-    return 1 -
-           (first ? 0.5 * std::sin(13 * pi * x) * std::exp2(10 * (2 * x - 1))
-                  : 0.5 * (std::sin(-13 * pi * x) * std::exp2(-10 * (2 * x - 1)) + 2));
-  case Kernel::EaseExponential:
-    return x == 0 ? 1
-                  : 1 - (first ? std::exp2(20 * x - 10) / 2
-                               : 1 - std::exp2(10 - 20 * x) / 2);
-  case Kernel::EaseSine:
-    return (1 + std::cos(pi * x)) / 2;
-  case Kernel::EaseCubic:
-    return 1 - (first ? 4 * power(x, 3) : power(2 * x - 2, 3) / 2 + 1);
-  case Kernel::EaseQuadratic:
-    return 1 - (first ? 2 * x * x : (4 - 2 * x) * x - 1);
-  default: // EaseQuintic
-    return 1 - (first ? 16 * power(x, 5) : power(2 * x - 2, 5) / 2 + 1);
-  }
+  return 1 - (x < 0.5 ? (1 - bounce(1 - 2 * x)) / 2 : (1 + bounce(2 * x - 1)) / 2);
 }
 
-/** \brief Kernels that end at 1; x in [0, 1). */
 double
-compact(Kernel kernel, double x)
+easeCircular(double x)
 {
-  const double y = 1 - x;
-  switch (kernel) {
-  case Kernel::Linear:
-  case Kernel::CsRbf1:
-    return y;
-  case Kernel::Quadratic:
-    return 1 - x * x;
-  case Kernel::Cubic:
-    return 1 - power(x, 3);
-  case Kernel::Sph3:
-    return sph3(x);
-  case Kernel::Sph4:
-    return sph4(x);
-  case Kernel::Sph5:
-    return sph5(x);
-  case Kernel::Epanechnikov:
-    return 0.75 * (1 - x * x);
-  case Kernel::CsRbf2:
-    return power(y, 3) * (3 * x + 1);
-  case Kernel::CsRbf3:
-    return power(y, 5) * ((8 * x + 5) * x + 1);
-  case Kernel::CsRbf4:
-    return y * y;
-  case Kernel::CsRbf5:
-    return power(y, 4) * (4 * x + 1);
-  case Kernel::CsRbf6:
-    return power(y, 6) * ((35 * x + 18) * x + 3);
-  case Kernel::CsRbf7:
-    return power(y, 8) * (((32 * x + 25) * x + 8) * x + 1);
-  case Kernel::CsRbf8:
-    return power(y, 3);
-  case Kernel::CsRbf9:
-    return power(y, 3) * (5 * x + 1);
-  case Kernel::CsRbf10:
-    return power(y, 7) * ((16 * x + 7) * x + 1);
-  default:
-    return easing(kernel, x);
-  }
+  return 1 - (x < 0.5 ? (1 - std::sqrt(1 - 4 * x * x)) / 2
+                      : (std::sqrt((3 - 2 * x) * (2 * x - 1)) + 1) / 2);
+}
+
+double
+easeElastic(double x)
+{
+  return 1 - (x < 0.5
+                  ? 0.5 * std::sin(13 * pi * x) * std::exp2(10 * (2 * x - 1))
+                  : 0.5 * (std::sin(-13 * pi * x) * std::exp2(-10 * (2 * x - 1)) + 2));
+}
+
+double
+easeExponential(double x)
+{
+  return x == 0 ? 1
+                : 1 - (x < 0.5 ? std::exp2(20 * x - 10) / 2
+                               : 1 - std::exp2(10 - 20 * x) / 2);
+}
+
+double
+easeCubic(double x)
+{
+  return 1 - (x < 0.5 ? 4 * power(x, 3) : power(2 * x - 2, 3) / 2 + 1);
+}
+
+double
+easeQuadratic(double x)
+{
+  return 1 - (x < 0.5 ? 2 * x * x : (4 - 2 * x) * x - 1);
+}
+
+double
+easeQuintic(double x)
+{
+  return 1 - (x < 0.5 ? 16 * power(x, 5) : power(2 * x - 2, 5) / 2 + 1);
+}
+
+///@}
+
+double
+fermiDiracAt(double x, double m, double temperature)
+{
+  return 1 / (std::exp((x - m) / temperature) + 1);
 }
 
 /** \brief The comma-separated numbers of \a text; empty where it is no such list. */
@@ -246,25 +231,19 @@ Weighting::step(double end)
 double
 Weighting::operator()(double x) const
 {
+  [[maybe_unused]] const double y = 1 - x;
+  const auto [first, second] = parameters_;
   switch (kernel_) {
-  case Kernel::Const:
-    return 1;
-  case Kernel::LinearInverse:
-    return x <= 0.1 ? 1 : 0.1 / x;
-  case Kernel::QuadraticInverse:
-    return x <= 0.1 ? 1 : power(0.1 / x, 2);
-  case Kernel::CubicInverse:
-    return x <= 0.1 ? 1 : power(0.1 / x, 3);
-  case Kernel::FermiDirac1:
-  case Kernel::FermiDirac2:
-  case Kernel::FermiDirac3:
-  case Kernel::FermiDirac:
-    return 1 / (std::exp((x - parameters_[0]) / parameters_[1]) + 1);
-  case Kernel::Step:
-    return x <= parameters_[0] ? 1 : 0;
-  default:
-    return x < 1 ? std::max(0.0, compact(kernel_, x)) : 0;
+#define LINELET_KERNEL(kernel, name, support, weight)                                  \
+  case Kernel::kernel:                                                                 \
+    if constexpr (KernelSupport::support == KernelSupport::Compact)                    \
+      return x < 1 ? std::max(0.0, static_cast<double>(weight)) : 0;                   \
+    else                                                                               \
+      return weight;
+    LINELET_KERNELS(LINELET_KERNEL)
+#undef LINELET_KERNEL
   }
+  return 0;
 }
 
 std::string

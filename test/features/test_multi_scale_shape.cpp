@@ -85,13 +85,13 @@ expectCore()
   EXPECT_TRUE(out.is_dense);
   for (std::size_t i = 0; i < out.size(); ++i)
     ASSERT_TRUE(same(out[i], core.shapes[i])) << out[i];
-  EXPECT_EQ(feature.radii(), core.radii);
-  EXPECT_EQ(feature.scaleUnit(), core.scale_unit);
-  EXPECT_EQ(feature.noiseRate(), linelet::noiseRate(core.shapes));
-  EXPECT_EQ(feature.noiseWidth(), linelet::noiseWidth(core.shapes));
-  EXPECT_GT(feature.noiseWidth(), 0.01);
-  ASSERT_EQ(feature.graphs().size(), cloud->size());
-  EXPECT_EQ(feature.graphs()[7].size(), core.radii.size());
+  EXPECT_EQ(feature.getRadii(), core.radii);
+  EXPECT_EQ(feature.getScaleUnit(), core.scale_unit);
+  EXPECT_EQ(feature.getNoiseRate(), linelet::noiseRate(core.shapes));
+  EXPECT_EQ(feature.getNoiseWidth(), linelet::noiseWidth(core.shapes));
+  EXPECT_GT(feature.getNoiseWidth(), 0.01);
+  ASSERT_EQ(feature.getGraphs().size(), cloud->size());
+  EXPECT_EQ(feature.getGraphs()[7].size(), core.radii.size());
 }
 
 TEST_F(MultiScaleShapeFeatureTest, IsTheCoreForEveryPrebuiltType)
@@ -165,8 +165,8 @@ TEST_F(MultiScaleShapeFeatureTest, SearchRadiusIsTheLargestRadius)
   Records out;
   feature.compute(out);
   EXPECT_EQ(out.size(), 300u);
-  EXPECT_LE(feature.radii().back(), 2);
-  EXPECT_GT(feature.radii().back(), 2 / 1.5);
+  EXPECT_LE(feature.getRadii().back(), 2);
+  EXPECT_GT(feature.getRadii().back(), 2 / 1.5);
 }
 
 TEST_F(MultiScaleShapeFeatureTest, GraphsAreOptionalAndCanBeStreamed)
@@ -175,7 +175,7 @@ TEST_F(MultiScaleShapeFeatureTest, GraphsAreOptionalAndCanBeStreamed)
   feature.setInputCloud(wire<pcl::PointXYZ>());
   Records out;
   feature.compute(out);
-  const std::vector<ShapeGraph> kept = feature.graphs();
+  const std::vector<ShapeGraph> kept = feature.getGraphs();
   feature.setKeepGraphs(false);
   std::size_t next = 0;
   feature.setGraphSink([&](std::size_t query, const ShapeGraph& graph) {
@@ -185,7 +185,7 @@ TEST_F(MultiScaleShapeFeatureTest, GraphsAreOptionalAndCanBeStreamed)
   });
   feature.compute(out);
   EXPECT_EQ(next, 300u);
-  EXPECT_TRUE(feature.graphs().empty());
+  EXPECT_TRUE(feature.getGraphs().empty());
 }
 
 TEST_F(MultiScaleShapeFeatureTest, NoiseRateNeedsTheQueryPointAsCentroid)
@@ -196,8 +196,8 @@ TEST_F(MultiScaleShapeFeatureTest, NoiseRateNeedsTheQueryPointAsCentroid)
   Records out;
   feature.compute(out);
   EXPECT_EQ(out.size(), 300u);
-  EXPECT_TRUE(std::isnan(feature.noiseRate()));
-  EXPECT_TRUE(std::isnan(feature.noiseWidth()));
+  EXPECT_TRUE(std::isnan(feature.getNoiseRate()));
+  EXPECT_TRUE(std::isnan(feature.getNoiseWidth()));
 }
 
 TEST_F(MultiScaleShapeFeatureTest, RefusesWhatMakesNoSense)
@@ -210,7 +210,7 @@ TEST_F(MultiScaleShapeFeatureTest, RefusesWhatMakesNoSense)
     Records out;
     out.resize(5);
     feature.compute(out);
-    return out.empty() && feature.radii().empty();
+    return out.empty() && feature.getRadii().empty();
   };
   EXPECT_FALSE(refused([](auto&) {}));
   EXPECT_TRUE(refused([](auto& feature) { feature.setInputCloud(nullptr); }));
@@ -252,17 +252,17 @@ TEST_F(MultiScaleShapeFeatureTest, RadiiGrowAsTheyAreTold)
   feature.setInputCloud(wire<pcl::PointXYZ>());
   Records out;
   feature.compute(out);
-  const double unit = feature.scaleUnit();
+  const double unit = feature.getScaleUnit();
   ASSERT_GT(unit, 0);
-  EXPECT_NEAR(feature.radii()[1], 1.5 * unit, 1e-9 * unit);
+  EXPECT_NEAR(feature.getRadii()[1], 1.5 * unit, 1e-9 * unit);
   feature.setGrowth(RadiusGrowth::Linear);
   feature.setMaxRadius(10.5 * unit);
   EXPECT_EQ(feature.getGrowth(), RadiusGrowth::Linear);
   EXPECT_EQ(feature.getMaxRadius(), 10.5 * unit);
   feature.compute(out);
-  ASSERT_EQ(feature.radii().size(), 10u);
+  ASSERT_EQ(feature.getRadii().size(), 10u);
   for (std::size_t k = 0; k < 10; ++k)
-    EXPECT_NEAR(feature.radii()[k], static_cast<double>(k + 1) * unit, 1e-9 * unit);
+    EXPECT_NEAR(feature.getRadii()[k], static_cast<double>(k + 1) * unit, 1e-9 * unit);
 }
 
 TEST_F(MultiScaleShapeFeatureTest, RecordsAreAPointTypeOfPcl)

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "readers.h"
+#include "io/readers.h"
 
 #include "file_helpers.h"
 

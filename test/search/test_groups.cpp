@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/support/groups.h>
-
 #include <gtest/gtest.h>
+
+#include "support/groups.h"
 
 using namespace linelet;
 

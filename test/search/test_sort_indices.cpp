@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "search/sort_indices.h"
+
 #include <algorithm>
 #include <limits>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <gtest/gtest.h>
-
-#include <linelet/search/sort_indices.h>
 
 using namespace linelet;
 

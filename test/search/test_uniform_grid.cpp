@@ -8,8 +8,9 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
-#include <linelet/search/nearest_walk.h>
 #include <linelet/search/uniform_grid.h>
+
+#include "search/nearest_walk.h"
 
 using namespace linelet;
 

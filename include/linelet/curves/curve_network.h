@@ -11,8 +11,9 @@
 
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Why a curve ends where it ends. */
 enum class EndKind {

@@ -15,8 +15,10 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/curves/reconstruct_curves.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL chain.
  *
@@ -115,6 +117,14 @@ public:
     return settings_;
   }
 
+  /** \brief Hears of the progress of reconstruct, which throws \ref Canceled where it
+   * asks for that. Null (default): nobody listens. It must outlive reconstruct. */
+  void
+  setProgressMonitor(ProgressMonitor* monitor)
+  {
+    monitor_ = monitor;
+  }
+
   /** \brief The curves through the input points, or those that setIndices names. */
   CurveNetwork
   reconstruct();
@@ -152,6 +162,7 @@ private:
   chosenPoints(Points& points);
 
   ReconstructionSettings settings_;
+  ProgressMonitor* monitor_ = nullptr;
 };
 
 extern template class EigenStreamlineCurveReconstruction<pcl::PointXYZ>;

@@ -11,8 +11,9 @@
 
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Explicit schemes that integrate a direction field with a constant step. */
 enum class IntegrationScheme {

@@ -12,8 +12,9 @@
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief The methods of curve reconstruction. */
 enum class Preset {

@@ -6,8 +6,9 @@
 #include <linelet/curves/curve_network.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief What may be set of the refined reconstruction; 0 lets it choose. */
 struct RefinedSettings {

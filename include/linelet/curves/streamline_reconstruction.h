@@ -7,8 +7,9 @@
 #include <linelet/curves/streamline_settings.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Curves by line-lets that follow the multi-scale neighborhood tensor: the
  * method of Ritter, Schiffner, Harders 2021.

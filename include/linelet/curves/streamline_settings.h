@@ -11,9 +11,10 @@
 #include <linelet/curves/integration_scheme.h>
 #include <linelet/features/multi_scale.h>
 #include <linelet/support/names.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/weighting.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Where the direction of a step comes from. d_E is the interpolated
  * eigenvector, d_A the mean of the directions toward the neighbors ahead. */

@@ -5,10 +5,11 @@
 
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Parameters of \ref shiftToCentroids. */
 struct CentroidShiftSettings {

@@ -13,9 +13,10 @@
 
 #include <linelet/features/multi_scale.h>
 #include <linelet/support/names.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/neighborhood_tensor.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief w_4, what the tensor of a scale counts in the fourth-order tensor. */
 enum class ScaleWeight { Linearity, Planarity, Sphericity, Uniform };

@@ -6,9 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include <linelet/features/tensor_estimation.h>
+#include <linelet/features/tensor_record.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Engine::Grid for radii: \ref estimateTensors at the speed of the machine.
  *

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include <linelet/support/names.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief How the terms of a maximum's score O_m are put together.
  *

@@ -16,10 +16,11 @@
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief What measures the neighborhoods. */
 enum class ScaleEngine {

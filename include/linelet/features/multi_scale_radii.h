@@ -9,8 +9,9 @@
 #include <vector>
 
 #include <linelet/support/names.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief How the radii of the scales grow. */
 enum class RadiusGrowth {

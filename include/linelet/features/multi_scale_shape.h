@@ -12,8 +12,9 @@
 #include <linelet/features/noise_rate.h>
 #include <linelet/features/register_multi_scale_shape.h>
 #include <linelet/features/shape_feature.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief The multi-scale shape feature of a cloud: \ref multiScaleShapes in a PCL
  * chain.
@@ -113,21 +114,21 @@ public:
   /** \brief CL, CP, CS, neighbors and direction of every query at every radius of the
    * last compute; empty after setKeepGraphs(false). */
   const std::vector<ShapeGraph>&
-  graphs() const
+  getGraphs() const
   {
     return graphs_;
   }
 
   /** \brief The radii of the last compute, rising. */
   const std::vector<double>&
-  radii() const
+  getRadii() const
   {
     return radii_;
   }
 
   /** \brief D of the last compute. */
   double
-  scaleUnit() const
+  getScaleUnit() const
   {
     return scale_unit_;
   }
@@ -135,17 +136,37 @@ public:
   /** \brief Noise rate of the queries of the last compute, see linelet::noiseRate; NaN
    * unless the centroid was the query point, for which it is defined. */
   double
-  noiseRate() const
+  getNoiseRate() const
   {
     return noise_rate_;
   }
 
   /** \brief Noise width likewise, see linelet::noiseWidth. */
   double
-  noiseWidth() const
+  getNoiseWidth() const
   {
     return noise_width_;
   }
+
+  /** \name Short names
+   * The same as the getters. */
+  ///@{
+  const std::vector<ShapeGraph>&
+  graphs() const
+  {
+    return getGraphs();
+  }
+  const std::vector<double>&
+  radii() const
+  {
+    return getRadii();
+  }
+  double
+  noiseRate() const
+  {
+    return getNoiseRate();
+  }
+  ///@}
 
 protected:
   using Base::feature_name_;

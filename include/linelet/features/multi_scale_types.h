@@ -7,7 +7,9 @@
 #include <limits>
 #include <vector>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief What the shapes of a point's neighborhood over many scales come to.
  *

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include <linelet/features/multi_scale_types.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Noise rate of a cloud of curves, n_R = 3.15 mean_i min_k CS_i(k) (Ritter,
  * Schiffner, Harders 2021, eq. 11).

@@ -8,8 +8,9 @@
 #include <linelet/features/register_point_distribution_tensor.h>
 #include <linelet/features/shape_feature.h>
 #include <linelet/features/tensor_estimation.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief The neighborhood tensor of every point of a cloud, with its eigen-analysis
  * and shape factors: \ref estimateTensors in a PCL chain.
@@ -44,6 +45,21 @@ public:
   using PointCloudOut = typename Base::PointCloudOut;
 
   PointDistributionTensorEstimation();
+
+  /** \brief All parameters at once; a radius or k that is not 0 takes the place of what
+   * setRadiusSearch and setKSearch have set. */
+  void
+  setSettings(const TensorSettings& settings)
+  {
+    settings_ = settings;
+    if (settings.radius != 0 || settings.k != 0) {
+      search_radius_ = settings.radius;
+      k_ = static_cast<int>(settings.k);
+    }
+  }
+  /** \brief The parameters, with the size of neighborhood that PCL keeps. */
+  TensorSettings
+  getSettings() const;
 
   /** \brief A radius for every point of the input cloud (indices do not change which);
    * points without a positive finite radius get NaN. Empty: none. */
@@ -110,10 +126,6 @@ protected:
 private:
   void
   computeFeature(PointCloudOut& output) override;
-
-  /** \brief The settings, with the size of neighborhood that PCL keeps. */
-  TensorSettings
-  fullSettings() const;
 
   /** \brief The sizes of the queries. */
   NeighborhoodSizes

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief The neighborhood tensor of a point and what follows from it.
  *

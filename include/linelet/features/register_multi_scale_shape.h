@@ -9,6 +9,7 @@
 #include <pcl/register_point_struct.h>
 
 #include <linelet/features/multi_scale_types.h>
+#include <linelet/support/visibility.h>
 
 // Makes the record a point type of PCL: its fields go into PCD files by these names.
 // clang-format off
@@ -22,7 +23,7 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(linelet::MultiScaleShape,
   (std::int32_t, scale, scale))
 // clang-format on
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 inline std::ostream&
 operator<<(std::ostream& out, const MultiScaleShape& s)

@@ -9,6 +9,7 @@
 #include <pcl/register_point_struct.h>
 
 #include <linelet/features/point_types.h>
+#include <linelet/support/visibility.h>
 
 // Makes the record a point type of PCL: its fields go into PCD files by these names.
 // clang-format off
@@ -21,7 +22,7 @@ POINT_CLOUD_REGISTER_POINT_STRUCT(linelet::PointDistributionTensor,
   (std::uint32_t, neighbors, neighbors))
 // clang-format on
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 inline std::ostream&
 operator<<(std::ostream& out, const PointDistributionTensor& t)

@@ -10,10 +10,12 @@
 #include <pcl/point_types.h>
 
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief What the features of neighborhood shapes share as PCL classes: their common
  * parameters, the checks of what they are given, and the form of what they return.
@@ -76,6 +78,14 @@ public:
     return settings_.threads;
   }
 
+  /** \brief Hears of the progress of compute, which throws \ref Canceled where it asks
+   * for that. Null (default): nobody listens. It must outlive compute. */
+  void
+  setProgressMonitor(ProgressMonitor* monitor)
+  {
+    monitor_ = monitor;
+  }
+
 protected:
   using Base::fake_surface_;
   using Base::getClassName;
@@ -102,6 +112,7 @@ protected:
   setOutput(PointCloudOut& output, const std::vector<RecordT>& records);
 
   Settings settings_;
+  ProgressMonitor* monitor_ = nullptr;
 };
 
 } // namespace linelet

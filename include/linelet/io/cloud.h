@@ -11,9 +11,12 @@
 #include <variant>
 #include <vector>
 
+#include <linelet/io/reference_system.h>
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::io {
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief The values of one attribute, one a point, in the type they had in the file.
  */
@@ -79,30 +82,5 @@ struct Cloud {
 double
 valueAt(const Column& column, std::size_t i);
 
-/** \brief Name of the reference system that \a wkt describes; empty where it is unknown
- * or cannot be understood. */
-std::string
-referenceName(const std::string& wkt);
-
-/** \brief The units that coordinates count in. */
-struct Units {
-  double plan = 1;                   ///< meters in one of x and y; NaN: no lengths
-  double height = 1;                 ///< meters in one of z
-  std::string plan_name = "metre";   ///< "degree", "US survey foot", ...
-  std::string height_name = "metre"; ///< the same for z
-  bool height_stated = true;         ///< else z is taken to count as x and y do
-
-  /** \brief Whether every unit is the meter. */
-  bool
-  areMeters() const
-  {
-    return plan == 1 && height == 1;
-  }
-};
-
-/** \brief The units of the reference system \a wkt: those of its horizontal and of its
- * vertical part. Meters where it is empty or cannot be understood. */
-Units
-unitsOf(const std::string& wkt);
-
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

@@ -5,7 +5,10 @@
 
 #include <string>
 
-namespace linelet::io {
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief Fails at once where writeCloud to \a path would fail after long work: its
  * ending names no format that is written, or no file can be made there. Leaves no file.
@@ -17,4 +20,5 @@ checkCloudOutput(const std::string& path);
 void
 checkCurvesOutput(const std::string& path);
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

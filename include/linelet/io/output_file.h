@@ -7,7 +7,10 @@
 #include <string>
 #include <string_view>
 
-namespace linelet::io {
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief A file under construction. Nothing stands at its path before \ref commit;
  * without it, nothing stays. */
@@ -40,4 +43,5 @@ private:
 void
 checkWritable(const std::string& path);
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

@@ -12,8 +12,10 @@
 #include <pcl/point_types.h>
 
 #include <linelet/io/cloud.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::io {
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 namespace detail {
 
@@ -119,4 +121,5 @@ fromPcl(const pcl::PointCloud<P>& in, const Point& shift = Point::Zero())
   return cloud;
 }
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

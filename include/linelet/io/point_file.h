@@ -3,21 +3,16 @@
 
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <linelet/io/cloud.h>
+#include <linelet/io/file_error.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::io {
-
-/** \brief A file that cannot be read or written. what() is one sentence that names the
- * file, what is wrong and where, and what to do. */
-class FileError : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief How to read a point file. */
 struct ReadOptions {
@@ -71,4 +66,5 @@ writeCloud(const std::string& path,
            std::vector<std::string>* warnings = nullptr,
            ProgressMonitor* monitor = nullptr);
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

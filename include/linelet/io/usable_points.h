@@ -8,8 +8,10 @@
 #include <vector>
 
 #include <linelet/io/cloud.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::io {
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief The points of a cloud that an analysis may use.
  *
@@ -43,4 +45,5 @@ private:
   std::size_t withheld_ = 0;
 };
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

@@ -11,8 +11,10 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::io {
+namespace linelet {
+namespace LINELET_PUBLIC io {
 
 /** \brief An attribute of a vector feature. */
 using Value = std::variant<std::int64_t, double, std::string>;
@@ -74,4 +76,5 @@ writeCurves(const std::string& path,
 CurveNetwork
 readCurves(const std::string& path, const Point& shift = Point::Zero());
 
-} // namespace linelet::io
+} // namespace io
+} // namespace linelet

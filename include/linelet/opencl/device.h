@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
-namespace linelet::opencl {
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC opencl {
 
 /** \brief A failure of OpenCL; what() names the step, the device and OpenCL's error by
  * name and code. */
@@ -44,4 +47,5 @@ struct Device {
 std::vector<Device>
 devices();
 
-} // namespace linelet::opencl
+} // namespace opencl
+} // namespace linelet

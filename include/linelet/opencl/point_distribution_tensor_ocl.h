@@ -9,16 +9,17 @@
 
 #include <linelet/features/point_distribution_tensor.h>
 #include <linelet/opencl/tensor_engine.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief \ref PointDistributionTensorEstimation on an OpenCL device.
  *
  * Same settings, same output, same rules for indices, search surface and points that
  * are not finite. There is no weighted median; setSearchMethod and setEngine have no
- * say. The device is opened by the first
- * compute and kept. Where it fails, all records are unknown (NaN) and the reason goes
- * to PCL_ERROR. Prebuilt for the same point types. */
+ * say. The device is opened by the first compute and kept. Where it fails, all records
+ * are unknown (NaN) and the reason goes to PCL_ERROR. Prebuilt for the same point
+ * types. */
 template <typename PointInT>
 class PointDistributionTensorEstimationOCL
     : public PointDistributionTensorEstimation<PointInT> {
@@ -34,7 +35,7 @@ public:
   /** \brief The engine, for its device, its stage times and its memory limit.
    * \throws opencl::Error where the device cannot be opened */
   opencl::TensorEngine&
-  engine();
+  getDeviceEngine();
 
 protected:
   using Base::feature_name_;

@@ -10,8 +10,10 @@
 
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/opencl/device.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::opencl {
+namespace linelet {
+namespace LINELET_PUBLIC opencl {
 
 /** \brief What a part of the work took, in seconds of wall time. */
 struct StageTimes {
@@ -86,4 +88,5 @@ private:
   std::unique_ptr<State> state_;
 };
 
-} // namespace linelet::opencl
+} // namespace opencl
+} // namespace linelet

@@ -7,8 +7,10 @@
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/powerline/power_line_settings.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::powerline {
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
 
 /** \brief Takes every wire out of an airborne or UAV scan, without training or map.
  *
@@ -42,4 +44,5 @@ extractPowerLines(const io::Cloud& cloud,
                   const PowerLineSettings& settings = {},
                   ProgressMonitor* monitor = nullptr);
 
-} // namespace linelet::powerline
+} // namespace powerline
+} // namespace linelet

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::powerline {
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
 
 /** \brief Terrain as heights on a square raster, interpolated between its nodes. */
 struct Ground {
@@ -23,4 +25,5 @@ struct Ground {
   heightAt(double at_x, double at_y) const;
 };
 
-} // namespace linelet::powerline
+} // namespace powerline
+} // namespace linelet

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <linelet/io/cloud.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::powerline {
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
 
 /** \brief The way between a cloud, which may count in feet, and a network of its lines,
  * which is in meters: the same axes, from the same origin (io::Cloud::shift). */
@@ -47,4 +49,5 @@ private:
   Point shift_, unit_; // unit_: meters in one of each axis
 };
 
-} // namespace linelet::powerline
+} // namespace powerline
+} // namespace linelet

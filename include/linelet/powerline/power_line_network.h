@@ -10,8 +10,10 @@
 
 #include <linelet/powerline/ground.h>
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::powerline {
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
 
 /** \brief Classes of LAS 1.4 (ASPRS) that linelet gives. */
 constexpr std::uint8_t wire_class = 14;
@@ -157,4 +159,5 @@ struct PowerLineNetwork {
   std::vector<StageTime> stages; ///< in order
 };
 
-} // namespace linelet::powerline
+} // namespace powerline
+} // namespace linelet

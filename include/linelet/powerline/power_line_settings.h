@@ -3,7 +3,10 @@
 
 #pragma once
 
-namespace linelet::powerline {
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
 
 /** \brief How to look for power lines. Lengths in meters. */
 struct PowerLineSettings {
@@ -32,4 +35,5 @@ describe(PowerLineSettings& s, Visit&& visit)
         "shortest wire to report, meters; shorter where the data end");
 }
 
-} // namespace linelet::powerline
+} // namespace powerline
+} // namespace linelet

@@ -10,8 +10,10 @@
 #include <linelet/io/vector_file.h>
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet::powerline {
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
 
 /** \brief What the outputs say beside the network itself. */
 struct OutputOptions {
@@ -78,4 +80,5 @@ writePowerLineFiles(const std::string& folder,
                     std::vector<std::string>* warnings = nullptr,
                     ProgressMonitor* monitor = nullptr);
 
-} // namespace linelet::powerline
+} // namespace powerline
+} // namespace linelet

@@ -5,8 +5,9 @@
 
 #include <linelet/search/neighbor_search.h>
 #include <linelet/search/uniform_grid.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief UniformGrid as a NeighborSearch. */
 class GridSearch : public NeighborSearch {

@@ -6,8 +6,9 @@
 #include <memory>
 
 #include <linelet/search/neighbor_search.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief A kd-tree in double: for neighborhoods of very different size, k nearest
  * points above all. Where all have one radius, UniformGrid is faster. */

@@ -6,8 +6,9 @@
 #include <cstddef>
 
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Finds the neighbors of a place in a fixed set of points.
  *

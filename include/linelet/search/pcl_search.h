@@ -16,8 +16,9 @@
 
 #include <linelet/search/nearest_candidates.h>
 #include <linelet/search/neighbor_search.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief The points of a PCL cloud in double, in order, NaN included. */
 template <typename PointT>

@@ -6,8 +6,9 @@
 #include <cstddef>
 
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief D, the unit in which linelet measures scales: the median, over all points or
  * a random subset, of the distance to the 6th nearest other point.

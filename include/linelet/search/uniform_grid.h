@@ -11,8 +11,9 @@
 #include <vector>
 
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Neighbor search over a fixed set of points, sorted into rows of a grid.
  *

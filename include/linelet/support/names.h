@@ -9,7 +9,9 @@
 #include <string_view>
 #include <utility>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Names of an enumeration, as they stand on the command line and in files.
  *

@@ -8,7 +8,9 @@
 
 #include <Eigen/Core>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief A point or vector in space, in the unit of the input (meters for LiDAR).
  *

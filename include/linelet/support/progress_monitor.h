@@ -7,7 +7,9 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Hears of the progress of long work and may ask it to stop.
  *

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <string>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief \a value as messages show it, up to six digits: "-1", "0.25", "1e-09". */
 inline std::string

@@ -7,9 +7,11 @@
 
 #ifdef _OPENMP
 #include <omp.h>
+
+#include <linelet/support/visibility.h>
 #endif
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Threads that a request for \a requested threads gets: as many, or for 0 what
  * OpenMP offers (OMP_NUM_THREADS is honored), at most 8 a processor. More gain

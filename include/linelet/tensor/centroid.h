@@ -8,9 +8,10 @@
 
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/weighting.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief The point of reference of a neighborhood tensor. */
 enum class Centroid {

@@ -5,9 +5,10 @@
 
 #include <Eigen/Core>
 
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/neighborhood_tensor.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Eigenvalues l1 <= l2 <= l3 and orthonormal eigenvectors of a tensor. */
 struct EigenSystem {

@@ -6,9 +6,10 @@
 #include <Eigen/Core>
 
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 #include <linelet/tensor/weighting.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief A symmetric 3x3 tensor by its six entries, in squared length. */
 struct SymmetricTensor {

@@ -7,7 +7,9 @@
 
 #include <Eigen/Core>
 
-namespace linelet {
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
 
 /** \brief Shape of a neighborhood (Westin et al. 1997); the three sum to 1. */
 struct ShapeFactors {

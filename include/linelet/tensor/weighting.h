@@ -4,93 +4,58 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <linelet/support/names.h>
+#include <linelet/support/visibility.h>
+#include <linelet/tensor/kernel_table.h>
 
-namespace linelet {
+namespace LINELET_PUBLIC linelet {
 
 /** \brief How much a neighbor counts, by its distance x from the centroid in units of
  * the radius. Kernels 12 to 19 are 1 minus the easing curve of that name, 20 to 29
- * compactly supported radial basis functions; the last two take parameters. */
+ * compactly supported radial basis functions; the last two take parameters: FermiDirac,
+ * 1 / (e^((x - m) / T) + 1) with m and T given, and Step, 1 up to S and 0 beyond. One
+ * more is a row of kernel_table.h. */
 enum class Kernel {
-  Const,
-  Linear,
-  LinearInverse,
-  Quadratic,
-  QuadraticInverse,
-  Cubic,
-  CubicInverse,
-  Sph3,
-  Sph4,
-  Sph5,
-  Epanechnikov,
-  EaseBounce,
-  EaseCircular,
-  EaseElastic,
-  EaseExponential,
-  EaseSine,
-  EaseCubic,
-  EaseQuadratic,
-  EaseQuintic,
-  CsRbf1,
-  CsRbf2,
-  CsRbf3,
-  CsRbf4,
-  CsRbf5,
-  CsRbf6,
-  CsRbf7,
-  CsRbf8,
-  CsRbf9,
-  CsRbf10,
-  FermiDirac1,
-  FermiDirac2,
-  FermiDirac3,
-  FermiDirac, ///< 1 / (e^((x - m) / T) + 1) with m and T given
-  Step        ///< 1 up to S, 0 beyond
+#define LINELET_KERNEL(kernel, name, support, weight) kernel,
+  LINELET_KERNELS(LINELET_KERNEL)
+#undef LINELET_KERNEL
 };
 
 template <>
 struct Names<Kernel> {
   static constexpr std::string_view kind = "weighting";
-  static constexpr std::array<std::pair<Kernel, std::string_view>, 34> table = {{
-      {Kernel::Const, "const"},
-      {Kernel::Linear, "linear"},
-      {Kernel::LinearInverse, "linear-inverse"},
-      {Kernel::Quadratic, "quadratic"},
-      {Kernel::QuadraticInverse, "quadratic-inverse"},
-      {Kernel::Cubic, "cubic"},
-      {Kernel::CubicInverse, "cubic-inverse"},
-      {Kernel::Sph3, "sph-3"},
-      {Kernel::Sph4, "sph-4"},
-      {Kernel::Sph5, "sph-5"},
-      {Kernel::Epanechnikov, "epanechnikov"},
-      {Kernel::EaseBounce, "ease-bounce"},
-      {Kernel::EaseCircular, "ease-circular"},
-      {Kernel::EaseElastic, "ease-elastic"},
-      {Kernel::EaseExponential, "ease-exponential"},
-      {Kernel::EaseSine, "ease-sine"},
-      {Kernel::EaseCubic, "ease-cubic"},
-      {Kernel::EaseQuadratic, "ease-quadratic"},
-      {Kernel::EaseQuintic, "ease-quintic"},
-      {Kernel::CsRbf1, "cs-rbf-1"},
-      {Kernel::CsRbf2, "cs-rbf-2"},
-      {Kernel::CsRbf3, "cs-rbf-3"},
-      {Kernel::CsRbf4, "cs-rbf-4"},
-      {Kernel::CsRbf5, "cs-rbf-5"},
-      {Kernel::CsRbf6, "cs-rbf-6"},
-      {Kernel::CsRbf7, "cs-rbf-7"},
-      {Kernel::CsRbf8, "cs-rbf-8"},
-      {Kernel::CsRbf9, "cs-rbf-9"},
-      {Kernel::CsRbf10, "cs-rbf-10"},
-      {Kernel::FermiDirac1, "fermi-dirac-1"},
-      {Kernel::FermiDirac2, "fermi-dirac-2"},
-      {Kernel::FermiDirac3, "fermi-dirac-3"},
-      {Kernel::FermiDirac, "fermi-dirac"},
-      {Kernel::Step, "step"},
-  }};
+#define LINELET_KERNEL(kernel, name, support, weight) +1
+  static constexpr std::size_t count = 0 LINELET_KERNELS(LINELET_KERNEL);
+#undef LINELET_KERNEL
+#define LINELET_KERNEL(kernel, name, support, weight) {Kernel::kernel, name},
+  static constexpr std::array<std::pair<Kernel, std::string_view>, count> table = {
+      {LINELET_KERNELS(LINELET_KERNEL)}};
+#undef LINELET_KERNEL
 };
+
+/** \brief Where a kernel is not 0. */
+enum class KernelSupport {
+  Compact,   ///< x < 1
+  Everywhere ///< beyond 1 too
+};
+
+constexpr KernelSupport
+supportOf(Kernel kernel)
+{
+  switch (kernel) {
+#define LINELET_KERNEL(kernel, name, support, weight)                                  \
+  case Kernel::kernel:                                                                 \
+    return KernelSupport::support;
+    LINELET_KERNELS(LINELET_KERNEL)
+#undef LINELET_KERNEL
+  }
+  return KernelSupport::Everywhere;
+}
 
 /** \brief A weighting function w(x) of the neighborhood tensor, the centroids and the
  * direction field.

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "bending_prior.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "em_fit.h"
 
 namespace linelet {
 
@@ -70,14 +70,30 @@ turned(const Point& v, const Point& from, const Point& to)
   return v - v.dot(to) / std::max(1 + from.dot(to), 1e-9) * (from + to);
 }
 
-} // namespace
-
+/** \brief What makes the square of bend \a i one at the scale 1. */
 double
-EmFitter::bendUnit(const CurveState& state, std::size_t i) const
+bendUnit(const MixtureState& mixture, const MixtureCurve& state, std::size_t i)
 {
-  const double scale = edges_[state.first_edge + i].scale;
+  const double scale = mixture.edges[state.first_edge + i].scale;
   return 1 / (scale * scale);
 }
+
+/** \brief Variance of what is unknown of bend \a i, per coordinate. */
+double
+bendVariance(const MixtureState& mixture,
+             const ModelCurve& curve,
+             std::size_t i,
+             const NodeSystem& system)
+{
+  const auto [j, k] = nextNodes(curve, i);
+  return mixture.noise.deviation * mixture.noise.deviation *
+         std::max(0.0,
+                  system.inverse_diagonal[i] + 4 * system.inverse_diagonal[j] +
+                      system.inverse_diagonal[k] - 4 * system.inverse_next[i] -
+                      4 * system.inverse_next[j] + 2 * system.inverse_after_next[i]);
+}
+
+} // namespace
 
 /** \brief The mean of the bends around each, as the prior expects them to be.
  *
@@ -91,7 +107,7 @@ EmFitter::bendUnit(const CurveState& state, std::size_t i) const
  * where it is not significant. What a bend adds to its own mean is the mean's share of
  * the effective parameters. */
 void
-EmFitter::measureEvenCurvature(CurveState& state, double spacing)
+measureEvenCurvature(const MixtureState& mixture, MixtureCurve& state, double spacing)
 {
   const ModelCurve& curve = state.curve;
   const std::size_t bends = bendsOf(curve);
@@ -103,7 +119,7 @@ EmFitter::measureEvenCurvature(CurveState& state, double spacing)
                 : known                                   ? state.bend_weight[i]
                                                           : 1;
     tangent[i] = tangentOf(curve, i);
-    bend[i] = std::sqrt(bendUnit(state, i)) * bendOf(curve, i);
+    bend[i] = std::sqrt(bendUnit(mixture, state, i)) * bendOf(curve, i);
     state.bend_mean[i] = weight[i] * bend[i];
     total[i] = weight[i];
   }
@@ -130,26 +146,29 @@ EmFitter::measureEvenCurvature(CurveState& state, double spacing)
   addBefore([bends](std::size_t step) { return bends - 1 - step; });
 
   const double rigidity = rigidityOf(state.bending, spacing);
-  const double across = frame_.dimensions - 1;
+  const double across = mixture.frame.dimensions - 1;
   for (std::size_t i = 0; i < bends; ++i) {
     Point& mean = state.bend_mean[i];
     mean /= std::max(total[i], 1e-300);
     const double square = rigidity * total[i] * mean.squaredNorm();
     const double kept = square > across ? 1 - across / square : 0;
-    mean *= kept / std::sqrt(bendUnit(state, i));
+    mean *= kept / std::sqrt(bendUnit(mixture, state, i));
     if (kept > 0)
       state.mean_freedom += kept * weight[i] / total[i];
   }
 }
 
 void
-EmFitter::stiffen(CurveState& state, double spacing)
+stiffen(const MixtureState& mixture,
+        MixtureCurve& state,
+        double spacing,
+        NodeSystem& system)
 {
   const ModelCurve& curve = state.curve;
   const double rigidity = rigidityOf(state.bending, spacing);
   const std::size_t bends = bendsOf(curve);
   const bool known = state.bend_variance.size() == bends;
-  const double across = frame_.dimensions - 1;
+  const double across = mixture.frame.dimensions - 1;
   state.bend_weight.resize(bends);
   for (std::size_t i = 0; i < bends; ++i) {
     const auto [j, k] = nextNodes(curve, i);
@@ -157,52 +176,45 @@ EmFitter::stiffen(CurveState& state, double spacing)
       state.bend_weight[i] = 0;
       continue;
     }
-    const double unit = bendUnit(state, i);
+    const double unit = bendUnit(mixture, state, i);
     const Point& mean = state.bend_mean[i];
     double square = (bendOf(curve, i) - mean).squaredNorm();
     if (known)
       square += across * state.bend_variance[i];
     // A Student distribution is a normal one that a greater bend makes wider.
     state.bend_weight[i] = (tail + across) / (tail + rigidity * square * unit);
-    const double w = noise_ * noise_ * rigidity * state.bend_weight[i] * unit;
-    system_.addDiagonal(i, w);
-    system_.addDiagonal(j, 4 * w);
-    system_.addDiagonal(k, w);
-    system_.addNext(i, -2 * w);
-    system_.addNext(j, -2 * w);
-    system_.addAfterNext(i, w);
-    solution_[i] += w * mean;
-    solution_[j] -= 2 * w * mean;
-    solution_[k] += w * mean;
+    const double w = mixture.noise.deviation * mixture.noise.deviation * rigidity *
+                     state.bend_weight[i] * unit;
+    system.matrix.addDiagonal(i, w);
+    system.matrix.addDiagonal(j, 4 * w);
+    system.matrix.addDiagonal(k, w);
+    system.matrix.addNext(i, -2 * w);
+    system.matrix.addNext(j, -2 * w);
+    system.matrix.addAfterNext(i, w);
+    system.solution[i] += w * mean;
+    system.solution[j] -= 2 * w * mean;
+    system.solution[k] += w * mean;
   }
 }
 
-double
-EmFitter::bendVariance(const ModelCurve& curve, std::size_t i) const
-{
-  const auto [j, k] = nextNodes(curve, i);
-  return noise_ * noise_ *
-         std::max(0.0,
-                  inverse_diagonal_[i] + 4 * inverse_diagonal_[j] +
-                      inverse_diagonal_[k] - 4 * inverse_next_[i] -
-                      4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
-}
-
 void
-EmFitter::measureBending(CurveState& state, double spacing)
+measureBending(const MixtureState& mixture,
+               MixtureCurve& state,
+               double spacing,
+               const NodeSystem& system)
 {
   // The scale of the prior: that at which its bends and what is unknown of them are as
   // wide as it says (MacKay). Expectation maximization has the same fixed point and
   // creeps.
   const double rigidity = rigidityOf(state.bending, spacing);
   const std::size_t bends = bendsOf(state.curve);
-  const double across = frame_.dimensions - 1;
+  const double across = mixture.frame.dimensions - 1;
   const double first_square = bending_prior * across * state.first_bending;
   double square = 0, known_bends = bending_prior;
   state.bend_variance.resize(bends);
   for (std::size_t i = 0; i < bends; ++i) {
-    const double unit = bendUnit(state, i), weight = state.bend_weight[i];
-    const double variance = bendVariance(state.curve, i);
+    const double unit = bendUnit(mixture, state, i), weight = state.bend_weight[i];
+    const double variance = bendVariance(mixture, state.curve, i, system);
     state.bend_variance[i] = variance;
     square +=
         weight * (bendOf(state.curve, i) - state.bend_mean[i]).squaredNorm() * unit;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "cloud_frame.h"
+
 #include <algorithm>
 #include <limits>
 
 #include <Eigen/Eigenvalues>
-
-#include "em_fit.h"
 
 namespace linelet {
 

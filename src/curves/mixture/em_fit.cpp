@@ -9,35 +9,46 @@
 
 #include <linelet/support/progress_monitor.h>
 
-#include "curves/ridges/sorted_kernels.h"
-#include "curves/selection/model_score.h"
+#include "m_step.h"
+#include "model_score.h"
+#include "resampling.h"
 
 namespace linelet {
 
 namespace {
 
 constexpr double first_outlier_share = 0.1;
-constexpr double least_points = 2;
 // A fit is given up whose score per point is above that of its rival by more than this,
 // divided by the iterations so far.
 constexpr double most_behind = 5;
 
-/** \brief Values at equal steps along a curve, at \a count equal steps. */
-std::vector<double>
-stretched(const std::vector<double>& values, std::size_t count, bool closed)
+/** \brief The spacing of nodes: much closer than the noise they say nothing. */
+double
+spacingOf(const MixtureState& mixture, const EmSettings& settings)
 {
-  const std::size_t n = values.size();
-  const double step = static_cast<double>(closed ? n : n - 1) /
-                      static_cast<double>(closed ? count : count - 1);
-  std::vector<double> result;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double place = step * static_cast<double>(k);
-    const auto i = std::min(static_cast<std::size_t>(place), n - 1);
-    const double t = place - static_cast<double>(i);
-    const std::size_t next = i + 1 < n ? i + 1 : closed ? 0 : n - 1;
-    result.push_back((1 - t) * values[i] + t * values[next]);
-  }
-  return result;
+  double least = 0;
+  for (const MixtureCurve& state : mixture.curves)
+    for (const double width : state.width)
+      least = std::min(least, width);
+  return std::max(settings.spacing,
+                  settings.least_spacing * mixture.noise.deviation * std::exp(least));
+}
+
+/** \brief See EmFit::kurtosis. */
+double
+kurtosisOf(const MixtureState& mixture, const EdgePairs& pairs)
+{
+  double count = 0, square = 0, fourth = 0;
+  for (const MixtureEdge& edge : mixture.edges)
+    for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
+      const Point v = Point(pairs.at[0][k], pairs.at[1][k], pairs.at[2][k]) - edge.from;
+      const double z = v.dot(edge.direction);
+      const double off = std::max(0.0, v.squaredNorm() - z * z);
+      count += pairs.density[k];
+      square += pairs.density[k] * off;
+      fourth += pairs.density[k] * off * off;
+    }
+  return square > 0 ? count * fourth / (square * square) : 0;
 }
 
 } // namespace
@@ -46,43 +57,33 @@ EmFitter::EmFitter(const Points& points,
                    const UniformGrid& grid,
                    const CloudFrame& frame,
                    std::function<bool()> stop)
-    : points_(points),
-      grid_(grid),
-      sorted_(std::make_shared<SortedArrays>(grid)),
-      frame_(frame),
-      stop_(std::move(stop))
+    : grid_(grid), pairs_(grid), stop_(std::move(stop))
 {
+  mixture_.frame = frame;
+  mixture_.points = points.size();
 }
 
 EmFit
 EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double rival)
 {
-  states_.clear();
+  mixture_.curves.clear();
   for (const ModelCurve& curve : curves)
     if (curve.edges() > 0) {
-      states_.emplace_back();
-      states_.back().curve = curve;
-      states_.back().bending = states_.back().first_bending = settings.bending;
+      mixture_.curves.emplace_back();
+      mixture_.curves.back().curve = curve;
+      mixture_.curves.back().bending = mixture_.curves.back().first_bending =
+          settings.bending;
       if (settings.varied_noise)
-        states_.back().width.assign(curve.nodes.size(), 0);
+        mixture_.curves.back().width.assign(curve.nodes.size(), 0);
     }
-  least_noise_ = settings.least_noise;
-  varied_ = settings.varied_noise;
-  noise_ = std::max(settings.noise, settings.least_noise);
-  fixed_radius_ = settings.fixed_radius;
-  outlier_share_ = first_outlier_share;
-  freedom_ = 0;
-  edge_count_.clear();
-  // Nodes much closer than the noise say nothing.
-  const auto spacing = [&] {
-    double least = 0;
-    for (const CurveState& state : states_)
-      for (const double width : state.width)
-        least = std::min(least, width);
-    return std::max(settings.spacing,
-                    settings.least_spacing * noise_ * std::exp(least));
-  };
-  resampleCurves(spacing(), settings.scales);
+  mixture_.noise.least = settings.least_noise;
+  mixture_.noise.varied = settings.varied_noise;
+  mixture_.noise.deviation = std::max(settings.noise, settings.least_noise);
+  mixture_.noise.fixed_radius = settings.fixed_radius;
+  mixture_.outlier_share = first_outlier_share;
+  mixture_.freedom = 0;
+  mixture_.edge_count.clear();
+  resampleCurves(settings);
   for (int i = 0; i < settings.iterations; ++i) {
     if (stop_ && stop_())
       throw Canceled();
@@ -90,21 +91,21 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
       expect();
       if (trailsBehind(rival, i))
         return result();
-      prune();
-      extendEnds(spacing(), settings.scales);
-      resampleCurves(spacing(), settings.scales);
+      free_ends_.prune(mixture_, pairs_);
+      FreeEnds::extend(mixture_, spacingOf(mixture_, settings), settings.scales);
+      resampleCurves(settings);
     }
-    else if (pairsAreStale())
-      collectPairs();
+    else if (pairs_.areStale(mixture_))
+      pairs_.collect(mixture_);
     expect();
-    maximize(settings);
+    maximize(mixture_, pairs_, fixed_radius_, system_, settings);
   }
   expect();
-  if (prune()) {
-    resampleCurves(spacing(), settings.scales);
+  if (free_ends_.prune(mixture_, pairs_)) {
+    resampleCurves(settings);
     for (int i = 0; i < 2; ++i) {
       expect();
-      maximize(settings);
+      maximize(mixture_, pairs_, fixed_radius_, system_, settings);
     }
     expect();
   }
@@ -115,20 +116,20 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
 bool
 EmFitter::trailsBehind(double rival, int iterations) const
 {
-  const double lead = most_behind * static_cast<double>(points_.size()) / iterations;
+  const double lead = most_behind * static_cast<double>(mixture_.points) / iterations;
   return rival < std::numeric_limits<double>::infinity() &&
-         scoreOf(scored(), points_.size()) > rival + lead;
+         scoreOf(scored(), mixture_.points) > rival + lead;
 }
 
 EmFit
 EmFitter::scored() const
 {
   EmFit fit;
-  fit.log_likelihood = log_likelihood_;
-  fit.freedom = freedom_;
-  fit.width_cost = width_cost_;
-  fit.outlier_share = outlier_share_;
-  for (const CurveState& state : states_)
+  fit.log_likelihood = mixture_.log_likelihood;
+  fit.freedom = mixture_.freedom;
+  fit.width_cost = mixture_.noise.width_cost;
+  fit.outlier_share = mixture_.outlier_share;
+  for (const MixtureCurve& state : mixture_.curves)
     fit.curves.push_back(state.curve);
   return fit;
 }
@@ -137,20 +138,20 @@ EmFit
 EmFitter::result() const
 {
   EmFit fit = scored();
-  fit.noise = noise_;
-  fit.fixed_radius = fixed_radius_;
-  fit.kurtosis = kurtosis();
-  const double background = outlier_share_ / frame_.volume;
-  fit.outlier.resize(points_.size());
+  fit.noise = mixture_.noise.deviation;
+  fit.fixed_radius = mixture_.noise.fixed_radius;
+  fit.kurtosis = kurtosisOf(mixture_, pairs_);
+  const double background = mixture_.outlier_share / mixture_.frame.volume;
+  fit.outlier.resize(mixture_.points);
   for (std::size_t sorted_index = 0; sorted_index < grid_.size(); ++sorted_index)
     fit.outlier[grid_.inputIndices()[sorted_index]] =
-        background * density_[sorted_index];
-  for (const CurveState& state : states_) {
+        background * expectation_.inverseDensities()[sorted_index];
+  for (const MixtureCurve& state : mixture_.curves) {
     fit.noises.emplace_back();
     for (const double width : state.width)
-      fit.noises.back().push_back(noise_ * std::exp(width));
+      fit.noises.back().push_back(mixture_.noise.deviation * std::exp(width));
     const auto begin =
-        edge_count_.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
+        mixture_.edge_count.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
     fit.counts.emplace_back(begin,
                             begin + static_cast<std::ptrdiff_t>(state.curve.edges()));
   }
@@ -158,82 +159,10 @@ EmFitter::result() const
 }
 
 void
-EmFitter::resampleCurves(double spacing, const ScaleField* scales)
+EmFitter::resampleCurves(const EmSettings& settings)
 {
-  // Each curve keeps its share of the mixture, spread evenly over its new edges.
-  std::vector<double> share(states_.size());
-  double total = 0;
-  std::size_t kept = 0;
-  for (std::size_t c = 0; c < states_.size(); ++c) {
-    if (edge_count_.empty())
-      share[c] = length(states_[c].curve);
-    else
-      for (std::size_t e = 0; e < states_[c].curve.edges(); ++e)
-        share[c] += edge_count_[states_[c].first_edge + e];
-    // What has lost its points or its length is no curve any more.
-    const bool lost = !edge_count_.empty() && share[c] < least_points;
-    const double narrow = scales ? scales->at(states_[c].curve.nodes.front()) : 1;
-    if (lost || length(states_[c].curve) < spacing * std::min(1.0, narrow))
-      continue;
-    total += share[c];
-    if (kept != c) {
-      states_[kept] = std::move(states_[c]);
-      share[kept] = share[c];
-    }
-    ++kept;
-  }
-  states_.resize(kept);
-  edges_.clear();
-  for (std::size_t c = 0; c < states_.size(); ++c) {
-    CurveState& state = states_[c];
-    const double least_edges = state.curve.closed ? 8 : 2;
-    if (scales)
-      state.curve = resampled(state.curve, spacing, *scales, least_edges);
-    else
-      state.curve =
-          resampled(state.curve, std::min(spacing, length(state.curve) / least_edges));
-    if (!state.width.empty())
-      state.width =
-          stretched(state.width, state.curve.nodes.size(), state.curve.closed);
-    state.first_edge = edges_.size();
-    state.bend_variance.clear();
-    state.bend_weight.clear();
-    Edge edge;
-    edge.weight = (1 - outlier_share_) * share[c] /
-                  (std::max(total, 1e-300) * static_cast<double>(state.curve.edges()));
-    edges_.insert(edges_.end(), state.curve.edges(), edge);
-    if (scales)
-      for (std::size_t e = 0; e < state.curve.edges(); ++e)
-        edges_[state.first_edge + e].scale =
-            scales->at(0.5 * (state.curve.from(e) + state.curve.to(e)));
-  }
-  updateEdges();
-  collectPairs();
-}
-
-double
-EmFitter::scaledLength(const CurveState& state) const
-{
-  double sum = 0;
-  for (std::size_t e = 0; e < state.curve.edges(); ++e)
-    sum += edges_[state.first_edge + e].length / edges_[state.first_edge + e].scale;
-  return sum;
-}
-
-void
-EmFitter::updateEdges()
-{
-  for (const CurveState& state : states_)
-    for (std::size_t e = 0; e < state.curve.edges(); ++e) {
-      Edge& edge = edges_[state.first_edge + e];
-      edge.from = state.curve.from(e);
-      const Point chord = state.curve.to(e) - edge.from;
-      edge.length = std::max(chord.norm(), 1e-12 * frame_.diagonal);
-      edge.direction = chord / edge.length;
-      const double noise =
-          state.width.empty() ? noise_ : noise_ * std::exp(widthAt(state, e));
-      edge.noise = std::max(noise, least_noise_) * edge.scale;
-    }
+  resample(mixture_, spacingOf(mixture_, settings), settings.scales);
+  pairs_.collect(mixture_);
 }
 
 } // namespace linelet

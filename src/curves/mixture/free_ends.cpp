@@ -1,27 +1,30 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "free_ends.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "em_fit.h"
+#include "curves/ridges/scale_field.h"
 
 namespace linelet {
 
 bool
-EmFitter::prune()
+FreeEnds::prune(MixtureState& mixture, const EdgePairs& pairs)
 {
   bool changed = false;
-  const double penalty = std::log(static_cast<double>(points_.size()));
+  const double penalty = std::log(static_cast<double>(mixture.points));
   std::size_t kept = 0;
-  for (std::size_t c = 0; c < states_.size(); ++c) {
-    CurveState& state = states_[c];
+  for (std::size_t c = 0; c < mixture.curves.size(); ++c) {
+    MixtureCurve& state = mixture.curves[c];
     const std::size_t all = state.curve.edges();
     std::size_t cut[2] = {0, 0};
     for (int end = 0; end < 2; ++end) {
       if (state.curve.junction[static_cast<std::size_t>(end)] >= 0)
         continue;
-      cut[end] = cheapestCut(state, end, penalty);
+      cut[end] = cheapestCut(mixture, pairs, state, end, penalty);
       if (cut[end] == all)
         break;
     }
@@ -43,7 +46,7 @@ EmFitter::prune()
       for (std::size_t& k : hinges)
         k -= cut[0];
       const auto count =
-          edge_count_.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
+          mixture.edge_count.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
       // The counts of the edges that stay move to where the first ones were.
       std::copy(count + static_cast<std::ptrdiff_t>(cut[0]),
                 count + static_cast<std::ptrdiff_t>(all),
@@ -57,30 +60,34 @@ EmFitter::prune()
       }
     }
     if (kept != c)
-      states_[kept] = std::move(state);
+      mixture.curves[kept] = std::move(state);
     ++kept;
   }
-  states_.resize(kept);
+  mixture.curves.resize(kept);
   return changed;
 }
 
 std::size_t
-EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
+FreeEnds::cheapestCut(const MixtureState& mixture,
+                      const EdgePairs& pairs,
+                      const MixtureCurve& state,
+                      int end,
+                      double penalty)
 {
   const std::size_t edges = state.curve.edges();
-  removed_.resize(points_.size(), 0);
-  const auto n = static_cast<double>(points_.size());
+  removed_.resize(mixture.points, 0);
+  const auto n = static_cast<double>(mixture.points);
   double loss = 0, weight = 0, freedom = 0, best = 0;
   std::size_t best_cut = 0;
   std::size_t done = 0;
   for (; done < edges; ++done) {
     const std::size_t e = end == 0 ? done : edges - 1 - done;
-    const Edge& edge = edges_[state.first_edge + e];
+    const MixtureEdge& edge = mixture.edges[state.first_edge + e];
     double left = 1; // product of what is left of the points' densities
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
-      double& gone = removed_[pair_index_[k]];
+      double& gone = removed_[pairs.index[k]];
       const double before = std::max(1e-12, 1 - gone);
-      gone += pair_density_[k];
+      gone += pairs.density[k];
       left *= std::max(1e-12, 1 - gone) / before;
       if (left < 1e-200) {
         loss += std::log(left);
@@ -93,7 +100,7 @@ EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
         state.node_freedom[end == 0 ? done : state.node_freedom.size() - 1 - done];
     const bool whole = done + 1 == edges;
     // A part of a curve goes only where the likelihood alone gains by it.
-    if ((state.curve.closed && !whole) || (whole && states_.size() == 1))
+    if ((state.curve.closed && !whole) || (whole && mixture.curves.size() == 1))
       continue;
     const double change = -2 * (loss - n * std::log(std::max(1e-12, 1 - weight))) -
                           (whole ? (freedom + 4) * penalty : 0);
@@ -103,17 +110,17 @@ EmFitter::cheapestCut(const CurveState& state, int end, double penalty)
     }
   }
   for (std::size_t e = 0; e < edges; ++e) {
-    const Edge& edge = edges_[state.first_edge + e];
+    const MixtureEdge& edge = mixture.edges[state.first_edge + e];
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k)
-      removed_[pair_index_[k]] = 0;
+      removed_[pairs.index[k]] = 0;
   }
   return best_cut;
 }
 
 void
-EmFitter::extendEnds(double spacing, const ScaleField* scales)
+FreeEnds::extend(MixtureState& mixture, double spacing, const ScaleField* scales)
 {
-  for (CurveState& state : states_)
+  for (MixtureCurve& state : mixture.curves)
     for (int end = 0; end < 2 && !state.curve.closed; ++end) {
       if (state.curve.junction[static_cast<std::size_t>(end)] >= 0)
         continue;

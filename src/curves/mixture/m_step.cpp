@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "m_step.h"
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "em_fit.h"
-#include "em_kernels.h"
+#include "bending_prior.h"
+#include "varied_noise.h"
 
 namespace linelet {
 
@@ -18,118 +19,120 @@ constexpr double density_prior = 0.5;
 // Pull of a node to where it was, so that one without points stays determined.
 constexpr double anchor = 1e-4;
 
-} // namespace
-
-void
-EmFitter::maximize(const EmSettings& settings)
-{
-  freedom_ = square_ = share_ = width_cost_ = 0;
-  for (CurveState& state : states_)
-    maximizeCurve(state, settings);
-
-  if (fixed_radius_ > 0)
-    measureFixedRadius(settings);
-  else
-    measureNoise(settings);
-  freedom_ *= frame_.dimensions - 1;
-  if (settings.varied_noise)
-    for (CurveState& state : states_)
-      measureWidths(state);
-  updateEdges();
-  updateWeights(); // by the lengths of the edges as they are now
-}
-
-void
-EmFitter::maximizeCurve(CurveState& state, const EmSettings& settings)
-{
-  const ModelCurve& curve = state.curve;
-  system_.reset(curve.nodes.size(), curve.closed);
-  pullTowardPoints(state);
-  const double spacing = std::max(
-      0.1 * settings.spacing, scaledLength(state) / static_cast<double>(curve.edges()));
-  state.bend_mean.assign(curve.nodes.size(), Point::Zero());
-  state.mean_freedom = 0;
-  if (settings.even_curvature)
-    measureEvenCurvature(state, spacing);
-  stiffen(state, spacing);
-  moveNodes(state);
-  measureBending(state, spacing);
-  freedom_ += state.mean_freedom;
-}
-
-void
-EmFitter::pullTowardPoints(const CurveState& state)
-{
-  const ModelCurve& curve = state.curve;
-  const std::size_t n = curve.nodes.size();
-  solution_.assign(n, Point::Zero());
-  data_diagonal_.assign(n, 0);
-  data_next_.assign(n, 0);
-  for (std::size_t e = 0; e < curve.edges(); ++e) {
-    Edge& edge = edges_[state.first_edge + e];
-    const std::size_t a = e, b = e + 1 == n ? 0 : e + 1;
-    const EdgeSums sums =
-        sumsOf(edge, !curve.closed && e == 0, !curve.closed && e + 1 == curve.edges());
-    // Everything in units of the place's noise.
-    const double unit = noise_ * noise_ / (edge.noise * edge.noise);
-    edge.share = sums.share;
-    edge.square = sums.square;
-    share_ += sums.share;
-    square_ += unit * sums.square;
-    data_diagonal_[a] += unit * sums.aa;
-    data_diagonal_[b] += unit * sums.bb;
-    data_next_[e] += unit * sums.ab;
-    solution_[a] += unit * Point(sums.at_a);
-    solution_[b] += unit * Point(sums.at_b);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    system_.addDiagonal(i, data_diagonal_[i] + anchor);
-    system_.addNext(i, data_next_[i]);
-    solution_[i] += anchor * curve.nodes[i];
-  }
-}
-
 EdgeSums
-EmFitter::sumsOf(const Edge& edge, bool front, bool back)
+sumsOf(const MixtureState& mixture,
+       const MixtureEdge& edge,
+       EdgePairs& pairs,
+       const FixedRadiusNoise& fixed_radius,
+       bool front,
+       bool back)
 {
-  if (fixed_radius_ > 0)
-    return fixedRadiusSumsOf(edge, front, back);
+  if (mixture.noise.fixed_radius > 0)
+    return fixed_radius.sums(mixture, edge, pairs, front, back);
   return emKernels().sums(shapeOf(edge),
-                          pointsOf(edge),
-                          pair_density_.data() + edge.pairs_begin,
+                          pairs.pointsOf(edge),
+                          pairs.density.data() + edge.pairs_begin,
                           front,
                           back);
 }
 
+/** \brief Adds to \a system what the points say of the nodes of a curve. */
 void
-EmFitter::moveNodes(CurveState& state)
+pullTowardPoints(MixtureState& mixture,
+                 const MixtureCurve& state,
+                 EdgePairs& pairs,
+                 const FixedRadiusNoise& fixed_radius,
+                 NodeSystem& system)
+{
+  const ModelCurve& curve = state.curve;
+  const std::size_t n = curve.nodes.size();
+  system.solution.assign(n, Point::Zero());
+  system.data_diagonal.assign(n, 0);
+  system.data_next.assign(n, 0);
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    MixtureEdge& edge = mixture.edges[state.first_edge + e];
+    const std::size_t a = e, b = e + 1 == n ? 0 : e + 1;
+    const EdgeSums sums = sumsOf(mixture,
+                                 edge,
+                                 pairs,
+                                 fixed_radius,
+                                 !curve.closed && e == 0,
+                                 !curve.closed && e + 1 == curve.edges());
+    // Everything in units of the place's noise.
+    const double unit =
+        mixture.noise.deviation * mixture.noise.deviation / (edge.noise * edge.noise);
+    edge.share = sums.share;
+    edge.square = sums.square;
+    mixture.noise.share += sums.share;
+    mixture.noise.square += unit * sums.square;
+    system.data_diagonal[a] += unit * sums.aa;
+    system.data_diagonal[b] += unit * sums.bb;
+    system.data_next[e] += unit * sums.ab;
+    system.solution[a] += unit * Point(sums.at_a);
+    system.solution[b] += unit * Point(sums.at_b);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    system.matrix.addDiagonal(i, system.data_diagonal[i] + anchor);
+    system.matrix.addNext(i, system.data_next[i]);
+    system.solution[i] += anchor * curve.nodes[i];
+  }
+}
+
+/** \brief Solves \a system, and measures how free each node is. */
+void
+moveNodes(MixtureState& mixture, MixtureCurve& state, NodeSystem& system)
 {
   Points& nodes = state.curve.nodes;
-  system_.solve(solution_);
-  system_.inverseBand(inverse_diagonal_, inverse_next_, inverse_after_next_);
+  system.matrix.solve(system.solution);
+  system.matrix.inverseBand(
+      system.inverse_diagonal, system.inverse_next, system.inverse_after_next);
   state.node_freedom.resize(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double freedom =
-        inverse_diagonal_[i] * data_diagonal_[i] + 2 * inverse_next_[i] * data_next_[i];
-    state.node_freedom[i] = (frame_.dimensions - 1) * freedom;
-    freedom_ += freedom;
-    nodes[i] += stride * (solution_[i] - nodes[i]);
+    const double freedom = system.inverse_diagonal[i] * system.data_diagonal[i] +
+                           2 * system.inverse_next[i] * system.data_next[i];
+    state.node_freedom[i] = (mixture.frame.dimensions - 1) * freedom;
+    mixture.freedom += freedom;
+    nodes[i] += stride * (system.solution[i] - nodes[i]);
   }
 }
 
 void
-EmFitter::updateWeights()
+maximizeCurve(MixtureState& mixture,
+              MixtureCurve& state,
+              EdgePairs& pairs,
+              const FixedRadiusNoise& fixed_radius,
+              NodeSystem& system,
+              const EmSettings& settings)
 {
-  const double n = static_cast<double>(points_.size());
-  for (const CurveState& state : states_) {
+  const ModelCurve& curve = state.curve;
+  system.matrix.reset(curve.nodes.size(), curve.closed);
+  pullTowardPoints(mixture, state, pairs, fixed_radius, system);
+  const double spacing =
+      std::max(0.1 * settings.spacing,
+               mixture.scaledLength(state) / static_cast<double>(curve.edges()));
+  state.bend_mean.assign(curve.nodes.size(), Point::Zero());
+  state.mean_freedom = 0;
+  if (settings.even_curvature)
+    measureEvenCurvature(mixture, state, spacing);
+  stiffen(mixture, state, spacing, system);
+  moveNodes(mixture, state, system);
+  measureBending(mixture, state, spacing, system);
+  mixture.freedom += state.mean_freedom;
+}
+
+void
+updateWeights(MixtureState& mixture)
+{
+  const double n = static_cast<double>(mixture.points);
+  for (const MixtureCurve& state : mixture.curves) {
     const std::size_t edges = state.curve.edges();
     double total = 0;
     for (std::size_t e = 0; e < edges; ++e)
-      total += edge_count_[state.first_edge + e];
+      total += mixture.edge_count[state.first_edge + e];
     const double mean = total / static_cast<double>(edges);
-    const double spacing = scaledLength(state) / static_cast<double>(edges);
-    const auto half = static_cast<std::size_t>(
-        std::clamp(1.5 * frame_.scale_unit / std::max(spacing, 1e-300), 1.0, 50.0));
+    const double spacing = mixture.scaledLength(state) / static_cast<double>(edges);
+    const auto half = static_cast<std::size_t>(std::clamp(
+        1.5 * mixture.frame.scale_unit / std::max(spacing, 1e-300), 1.0, 50.0));
     double all = 0;
     for (std::size_t e = 0; e < edges; ++e) {
       double sum = 0, width = 0;
@@ -141,16 +144,42 @@ EmFitter::updateWeights()
           continue;
         else
           at -= half;
-        sum += edge_count_[state.first_edge + at];
+        sum += mixture.edge_count[state.first_edge + at];
         width += 1;
       }
-      Edge& edge = edges_[state.first_edge + e];
+      MixtureEdge& edge = mixture.edges[state.first_edge + e];
       edge.weight = sum / width + density_prior * mean;
       all += edge.weight;
     }
     for (std::size_t e = 0; e < edges; ++e)
-      edges_[state.first_edge + e].weight *= total / (std::max(all, 1e-300) * n);
+      mixture.edges[state.first_edge + e].weight *= total / (std::max(all, 1e-300) * n);
   }
+}
+
+} // namespace
+
+void
+maximize(MixtureState& mixture,
+         EdgePairs& pairs,
+         const FixedRadiusNoise& fixed_radius,
+         NodeSystem& system,
+         const EmSettings& settings)
+{
+  mixture.freedom = mixture.noise.square = mixture.noise.share =
+      mixture.noise.width_cost = 0;
+  for (MixtureCurve& state : mixture.curves)
+    maximizeCurve(mixture, state, pairs, fixed_radius, system, settings);
+
+  if (mixture.noise.fixed_radius > 0)
+    fixed_radius.measure(mixture, pairs);
+  else
+    measureNoise(mixture);
+  mixture.freedom *= mixture.frame.dimensions - 1;
+  if (settings.varied_noise)
+    for (MixtureCurve& state : mixture.curves)
+      measureWidths(mixture, state, system);
+  mixture.updateEdges();
+  updateWeights(mixture); // by the lengths of the edges as they are now
 }
 
 } // namespace linelet

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "varied_noise.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "em_fit.h"
 
 namespace linelet {
 
@@ -36,26 +36,21 @@ logDeterminantOfWalk(std::size_t nodes, bool closed, double stiffness, double an
 } // namespace
 
 void
-EmFitter::measureNoise(const EmSettings& settings)
+measureNoise(MixtureState& mixture)
 {
-  if (!(share_ > 0))
+  if (!(mixture.noise.share > 0))
     return;
-  const double spare = std::max(least_spare * share_, share_ - freedom_);
-  const double measured = std::sqrt(square_ / (spare * (frame_.dimensions - 1)));
-  noise_ = std::max(noise_ * std::pow(measured / noise_, stride), settings.least_noise);
-}
-
-/** \brief The logarithm of the noise of edge \a e beside that of all. */
-double
-EmFitter::widthAt(const CurveState& state, std::size_t e) const
-{
-  if (state.width.empty())
-    return 0;
-  return 0.5 * (state.width[e] + state.width[e + 1 == state.width.size() ? 0 : e + 1]);
+  const double spare = std::max(least_spare * mixture.noise.share,
+                                mixture.noise.share - mixture.freedom);
+  const double measured =
+      std::sqrt(mixture.noise.square / (spare * (mixture.frame.dimensions - 1)));
+  mixture.noise.deviation = std::max(
+      mixture.noise.deviation * std::pow(measured / mixture.noise.deviation, stride),
+      mixture.noise.least);
 }
 
 void
-EmFitter::measureWidths(CurveState& state)
+measureWidths(MixtureState& mixture, MixtureCurve& state, NodeSystem& system)
 {
   const std::size_t n = state.width.size(), edges = state.curve.edges();
   const double parts = static_cast<double>(edges);
@@ -67,12 +62,12 @@ EmFitter::measureWidths(CurveState& state)
   const auto after = [n](std::size_t e) { return e + 1 == n ? 0 : e + 1; };
 
   std::vector<double>& width = state.width;
-  system_.reset(n, state.curve.closed);
-  solution_.assign(n, Point::Zero()); // of one coordinate
+  system.matrix.reset(n, state.curve.closed);
+  system.solution.assign(n, Point::Zero()); // of one coordinate
   for (std::size_t e = 0; e < edges; ++e) {
     const std::size_t a = e, b = after(e);
-    const Edge& edge = edges_[state.first_edge + e];
-    const double across = frame_.dimensions - 1;
+    const MixtureEdge& edge = mixture.edges[state.first_edge + e];
+    const double across = mixture.frame.dimensions - 1;
     // An end node's freedom is that of its only edge.
     const auto freedomOf = [&](std::size_t i) {
       const bool is_end = !state.curve.closed && (i == 0 || i + 1 == n);
@@ -80,40 +75,42 @@ EmFitter::measureWidths(CurveState& state)
     };
     const double spare = std::max(least_spare * across * edge.share,
                                   across * edge.share - freedomOf(a) - freedomOf(b));
-    const double scale = noise_ * edge.scale * std::exp(widthAt(state, e));
+    const double scale =
+        mixture.noise.deviation * edge.scale * std::exp(widthAt(state, e));
     const double square = edge.square / (scale * scale);
     // The likelihood in the edge's logarithm, which is the mean of its nodes'; where
     // the points lie far out its own curvature would leap, and where near, Fisher's.
     const double slope = 0.5 * (square - spare);
     const double curvature = 0.5 * std::max(spare, square);
     const double change = stiffness * (width[b] - width[a]);
-    solution_[a].x() += slope + change;
-    solution_[b].x() += slope - change;
-    system_.addDiagonal(a, curvature + stiffness);
-    system_.addDiagonal(b, curvature + stiffness);
-    system_.addNext(e, curvature - stiffness);
+    system.solution[a].x() += slope + change;
+    system.solution[b].x() += slope - change;
+    system.matrix.addDiagonal(a, curvature + stiffness);
+    system.matrix.addDiagonal(b, curvature + stiffness);
+    system.matrix.addNext(e, curvature - stiffness);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    system_.addDiagonal(i, anchor);
-    solution_[i].x() -= anchor * width[i];
+    system.matrix.addDiagonal(i, anchor);
+    system.solution[i].x() -= anchor * width[i];
   }
-  system_.solve(solution_);
-  system_.inverseBand(inverse_diagonal_, inverse_next_, inverse_after_next_);
+  system.matrix.solve(system.solution);
+  system.matrix.inverseBand(
+      system.inverse_diagonal, system.inverse_next, system.inverse_after_next);
   for (std::size_t i = 0; i < n; ++i)
-    width[i] += std::clamp(solution_[i].x(), -longest_step, longest_step);
+    width[i] += std::clamp(system.solution[i].x(), -longest_step, longest_step);
 
-  width_cost_ += std::log(static_cast<double>(points_.size())) +
-                 system_.logDeterminant() -
-                 logDeterminantOfWalk(n, state.curve.closed, stiffness, anchor);
+  mixture.noise.width_cost +=
+      std::log(static_cast<double>(mixture.points)) + system.matrix.logDeterminant() -
+      logDeterminantOfWalk(n, state.curve.closed, stiffness, anchor);
   for (const double w : width)
-    width_cost_ += anchor * w * w;
+    mixture.noise.width_cost += anchor * w * w;
   double sum = change_prior * first_change / parts;
   for (std::size_t e = 0; e < edges; ++e) {
     const std::size_t a = e, b = after(e);
     const double step = width[b] - width[a];
-    width_cost_ += stiffness * step * step;
-    sum += step * step + inverse_diagonal_[a] + inverse_diagonal_[b] -
-           2 * inverse_next_[e];
+    mixture.noise.width_cost += stiffness * step * step;
+    sum += step * step + system.inverse_diagonal[a] + system.inverse_diagonal[b] -
+           2 * system.inverse_next[e];
   }
   state.width_change = parts * sum / (change_prior + parts);
 }

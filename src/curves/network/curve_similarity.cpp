@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curves/ridges/ridge_field.h"
+#include "curves/ridges/covariance_shape.h"
 
 namespace linelet {
 

@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include <linelet/search/uniform_grid.h>
-#include <linelet/support/groups.h>
+
+#include "support/groups.h"
 
 namespace linelet {
 

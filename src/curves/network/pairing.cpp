@@ -8,9 +8,9 @@
 #include <limits>
 
 #include <linelet/search/uniform_grid.h>
-#include <linelet/support/groups.h>
 
 #include "line_meeting.h"
+#include "support/groups.h"
 
 namespace linelet {
 

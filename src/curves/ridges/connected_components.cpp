@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "connected_components.h"
+
 #include <algorithm>
 
 #include <linelet/search/uniform_grid.h>
-#include <linelet/support/groups.h>
 
-#include "curves/selection/refine_component.h"
 #include "occupied_cells.h"
+#include "support/groups.h"
 
 namespace linelet {
 

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-
+#include "covariance_shape.h"
 #include "sorted_kernels.h"
 
 namespace linelet {
@@ -83,51 +82,6 @@ RidgeField::sample(const Point& x) const
   result.covariance -= first * first.transpose();
   result.mean = x + first;
   return result;
-}
-
-double
-linearityOf(const Eigen::Matrix3d& m)
-{
-  const double trace = m.trace();
-  if (!(trace > 0))
-    return 0;
-  // Eigenvalues of a symmetric 3x3 matrix by the trigonometric formula.
-  const double q = trace / 3;
-  const double off = m(0, 1) * m(0, 1) + m(0, 2) * m(0, 2) + m(1, 2) * m(1, 2);
-  const double p2 = (m(0, 0) - q) * (m(0, 0) - q) + (m(1, 1) - q) * (m(1, 1) - q) +
-                    (m(2, 2) - q) * (m(2, 2) - q) + 2 * off;
-  const double p = std::sqrt(p2 / 6);
-  if (!(p > 1e-12 * q))
-    return 0;
-  const Eigen::Matrix3d b = (m - q * Eigen::Matrix3d::Identity()) / p;
-  const double r = std::clamp(b.determinant() / 2, -1.0, 1.0);
-  // The largest is q + 2p cos(phi), the middle one q + 2p cos(phi - 2 pi / 3), where
-  // phi = acos(r) / 3.
-  return 2 * std::sqrt(3.0) * p * std::sin(std::acos(-r) / 3) / trace;
-}
-
-Point
-majorDirection(const Eigen::Matrix3d& matrix, const Point& like)
-{
-  Eigen::Matrix3d power = matrix;
-  for (int k = 0; k < 5; ++k) {
-    const double trace = power.trace();
-    if (!(trace > 0))
-      return like;
-    power /= trace;
-    power = (power * power).eval();
-  }
-  // The longest column is the direction unless the two largest eigenvalues agree.
-  int longest = 0;
-  for (int k = 1; k < 3; ++k)
-    if (power(k, k) > power(longest, longest))
-      longest = k;
-  Point direction = power.col(longest);
-  const double norm = direction.norm();
-  if (!(norm > 0))
-    return like;
-  direction /= norm;
-  return direction.dot(like) < 0 ? Point(-direction) : direction;
 }
 
 } // namespace linelet

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "covariance_shape.h"
+
 namespace linelet {
 
 namespace {

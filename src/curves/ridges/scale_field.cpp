@@ -7,10 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include <linelet/search/nearest_walk.h>
-#include <linelet/search/sort_indices.h>
-
-#include "ridge_field.h"
+#include "covariance_shape.h"
+#include "search/nearest_walk.h"
+#include "search/sort_indices.h"
 
 namespace linelet {
 

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include <linelet/search/kd_tree.h>
-#include <linelet/support/groups.h>
+
+#include "support/groups.h"
 
 namespace linelet {
 

@@ -7,10 +7,10 @@
 
 #include <boost/container_hash/hash.hpp>
 
+#include "curves/mixture/model_score.h"
 #include "curves/network/curve_similarity.h"
 #include "curves/network/pairing.h"
 #include "curves/ridges/spanning_curves.h"
-#include "model_score.h"
 
 namespace linelet {
 

@@ -14,8 +14,8 @@
 #include "curves/network/doubling.h"
 #include "curves/network/revision.h"
 #include "curves/network/simpler_networks.h"
+#include "curves/ridges/connected_components.h"
 #include "curves/ridges/ridge_trace.h"
-#include "refine_component.h"
 
 namespace linelet {
 

@@ -124,6 +124,23 @@ reviseBoth(ComponentModel& component, const ScaleField* scales)
     component.goOnFrom(best);
 }
 
+/** \brief Fits a share of \a points whose curves are thick beside their spacing; the
+ * counts are those of all points. */
+EmFit
+refineThinned(const Points& points,
+              double size,
+              const RefinedSettings& user,
+              const std::function<bool()>& stop,
+              const std::function<void(double)>& progress)
+{
+  const ThinnedComponent some = thinnedComponent(points, size);
+  EmFit fit = refineComponent(some.points, user, nullptr, stop, progress);
+  for (auto& counts : fit.counts)
+    for (double& count : counts)
+      count /= some.share;
+  return fit;
+}
+
 } // namespace
 
 EmFit

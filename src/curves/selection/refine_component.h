@@ -27,13 +27,4 @@ refineComponent(const Points& points,
                 const std::function<bool()>& stop,
                 const std::function<void(double)>& progress);
 
-/** \brief The points of each connected component (linked over \a distance, which grows
- * with \a scales where they are above 1), largest index sets of at least \a least
- * points, in the order of their first points. */
-std::vector<Indices>
-connectedComponents(const Points& points,
-                    double distance,
-                    std::size_t least,
-                    const ScaleField* scales = nullptr);
-
 } // namespace linelet

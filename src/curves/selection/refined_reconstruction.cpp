@@ -18,6 +18,7 @@
 
 #include "curves/network/bridging.h"
 #include "curves/network/model_network.h"
+#include "curves/ridges/connected_components.h"
 #include "curves/ridges/distinct_points.h"
 #include "refine_component.h"
 

@@ -3,20 +3,19 @@
 
 #pragma once
 
-#include <functional>
-
-#include "refine_component.h"
+#include <linelet/support/points.h>
 
 namespace linelet {
 
-/** \brief \ref refineComponent of a share of \a points, so few that their spacing is
- * about \a size times as wide, for curves that are thick beside the spacing; the counts
- * are those of all points. */
-EmFit
-refineThinned(const Points& points,
-              double size,
-              const RefinedSettings& user,
-              const std::function<bool()>& stop,
-              const std::function<void(double)>& progress);
+/** \brief A share of the points of a component. */
+struct ThinnedComponent {
+  Points points;
+  double share = 1; ///< of all
+};
+
+/** \brief So few of \a points that their spacing is about \a size times as wide, for
+ * curves that are thick beside the spacing. */
+ThinnedComponent
+thinnedComponent(const Points& points, double size);
 
 } // namespace linelet

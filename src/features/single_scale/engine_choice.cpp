@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace linelet {
 
@@ -59,9 +58,8 @@ engineWork(const Points& surface,
 }
 
 double
-estimatedSeconds(Engine engine, const EngineWork& work, const DeviceCost* device)
+estimatedSeconds(Engine engine, const EngineWork& work)
 {
-  constexpr double never = std::numeric_limits<double>::infinity();
   const auto points = static_cast<double>(work.points);
   const auto queries = static_cast<double>(work.queries);
   const double tree = 8e-9 * points * std::log2(points + 1) +
@@ -72,40 +70,29 @@ estimatedSeconds(Engine engine, const EngineWork& work, const DeviceCost* device
     return tree;
   case Engine::Grid:
     return work.nearest ? tree + grid : grid + queries * (3e-7 + 2e-9 * work.neighbors);
-  case Engine::OpenCL:
-    return work.nearest || device == nullptr
-               ? never
-               : device->start + device->point * (points + queries) +
-                     device->pair * queries * work.neighbors;
   case Engine::Auto:
     break;
   }
-  return estimatedSeconds(cheapestEngine(work, device), work, device);
+  return estimatedSeconds(cheapestEngine(work), work);
 }
 
 Engine
-cheapestEngine(const EngineWork& work, const DeviceCost* device)
+cheapestEngine(const EngineWork& work)
 {
-  const double grid = estimatedSeconds(Engine::Grid, work);
-  constexpr double threads = 8;
-  if (estimatedSeconds(Engine::OpenCL, work, device) < grid / threads)
-    return Engine::OpenCL;
-  return estimatedSeconds(Engine::Tree, work) < grid ? Engine::Tree : Engine::Grid;
+  return estimatedSeconds(Engine::Tree, work) < estimatedSeconds(Engine::Grid, work)
+             ? Engine::Tree
+             : Engine::Grid;
 }
 
 Engine
 chosenEngine(const Points& surface,
              const Points& queries,
              const TensorSettings& settings,
-             const NeighborhoodSizes& sizes,
-             const DeviceCost* device)
+             const NeighborhoodSizes& sizes)
 {
-  if (settings.engine != Engine::Auto)
-    return settings.engine;
-  // The weighted median of the OpenCL engine is missing.
-  const bool possible = settings.centroid != Centroid::WeightedMedian;
-  return cheapestEngine(engineWork(surface, queries, settings, sizes),
-                        possible ? device : nullptr);
+  return settings.engine != Engine::Auto
+             ? settings.engine
+             : cheapestEngine(engineWork(surface, queries, settings, sizes));
 }
 
 } // namespace linelet

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "io/reference.h"
+#include "io/reference_systems.h"
 #include "las_header.h"
 
 namespace linelet::io {
@@ -27,7 +27,8 @@ wktIn(const LasRecord* record)
   if (record == nullptr)
     return {};
   const std::string wkt = record->data.substr(0, record->data.find('\0'));
-  return parseReference(wkt) != nullptr ? wkt : std::string();
+  const ReferenceSystems* systems = referenceSystems();
+  return systems == nullptr || systems->isUnderstood(wkt) ? wkt : std::string();
 }
 
 /** GeoTIFF keys with their value in place: key -> number. */
@@ -82,15 +83,20 @@ lasReferenceSystem(const LasOrigin& origin, std::string& problem)
 
   const ReferenceCodes codes = keys != nullptr ? codesIn(*keys) : ReferenceCodes();
   std::string text = wkt_first ? wktIn(wkt) : std::string();
-  if (text.empty())
-    text = wktOfCodes(codes);
+  const ReferenceSystems* systems = referenceSystems();
+  if (text.empty() && systems != nullptr)
+    text = systems->wktOfCodes(codes);
   if (text.empty())
     text = wktIn(wkt);
   if (text.empty())
     text = wktIn(findRecord(origin, "liblas", 2112)); // before LAS had one of its own
   if (!text.empty())
     return text;
-  if (codes.plan != 0)
+  if (codes.plan != 0 && systems == nullptr)
+    problem = "reference system EPSG:" + std::to_string(codes.plan) +
+              " of the GeoTIFF keys needs PROJ's tables, and this program was linked "
+              "without linelet::vector";
+  else if (codes.plan != 0)
     problem = "reference system EPSG:" + std::to_string(codes.plan) +
               " of the GeoTIFF keys is not in PROJ's tables";
   else if (keys != nullptr)
@@ -99,7 +105,7 @@ lasReferenceSystem(const LasOrigin& origin, std::string& problem)
     problem = "the WKT record cannot be understood";
   if (!problem.empty())
     problem += "; the reference system counts as unknown";
-  return wktOfUnit(codes.plan_unit);
+  return systems != nullptr ? systems->wktOfUnit(codes.plan_unit) : std::string();
 }
 
 } // namespace linelet::io

@@ -7,8 +7,8 @@
 
 #include <ogr_spatialref.h>
 
-#include "io/reference.h"
 #include "io/text/text_scan.h"
+#include "reference.h"
 
 namespace linelet::io {
 

@@ -12,11 +12,11 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/file_error.h>
 
 #include "geojson.h"
 #include "io/files.h"
-#include "io/reference.h"
+#include "reference.h"
 
 namespace linelet::io {
 

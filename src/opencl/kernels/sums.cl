@@ -131,7 +131,7 @@ addPoints(const Walk* walk,
   const Floats vx = dx - cx, vy = dy - cy, vz = dz - cz;
   if (sweep == SWEEP_CENTROID) {
     const Floats wanted =
-        CENTROID != 2 ? 1 : weightOf(CENTROID_WEIGHT, C_FIRST, C_SECOND, share);
+        CENTROID != CENTROID_WeightedMean ? 1 : weightOf(CENTROID_WEIGHT, C_FIRST, C_SECOND, share);
     const Floats w = inside ? wanted : zero;
     sums->x += w * dx;
     sums->y += w * dy;
@@ -160,7 +160,7 @@ addPoints(const Walk* walk,
     sums->yz = inside ? sums->yz + vy * vz : sums->yz;
     sums->zz = inside ? sums->zz + vz * vz : sums->zz;
 #else
-#if CENTROID != 0
+#if CENTROID != CENTROID_QueryPoint
     share = sqrt(vx * vx + vy * vy + vz * vz) * scale; // to the centroid
 #endif
     const Floats wanted = weightOf(TENSOR_WEIGHT, W_FIRST, W_SECOND, share);

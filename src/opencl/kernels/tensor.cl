@@ -3,8 +3,8 @@
 
 // The neighborhood tensor of one query per work-item.
 //
-// Built with constants: CENTROID (the enumerator of linelet::Centroid), TENSOR_WEIGHT and
-// CENTROID_WEIGHT with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; EXACT where
+// Built with constants: CENTROID (CENTROID_Mean and the like), TENSOR_WEIGHT and
+// CENTROID_WEIGHT (KERNEL_Linear and the like) with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; EXACT where
 // the device computes in double, and ENDING_AT_POINTS if all balls reach to the k-th nearest
 // point, which float never decides. Left out of programs built without them.
 
@@ -19,7 +19,7 @@ INLINE void
 findCentroid(const Walk* walk, const bool exact, float* cx, float* cy, float* cz)
 {
   *cx = *cy = *cz = 0;
-#if CENTROID != 0
+#if CENTROID != CENTROID_QueryPoint
   Sums s = walkNeighbors(walk, 0, 0, 0, SWEEP_CENTROID, exact);
   if (s.weight > 0) {
     *cx = s.x / s.weight;
@@ -27,7 +27,7 @@ findCentroid(const Walk* walk, const bool exact, float* cx, float* cy, float* cz
     *cz = s.z / s.weight;
   }
 #endif
-#if CENTROID == 3
+#if CENTROID == CENTROID_Median
   for (int step = 0; step < MOST_MEDIAN_STEPS; ++step) {
     s = walkNeighbors(walk, *cx, *cy, *cz, SWEEP_PULL, exact);
     const float resultant = sqrt(s.x * s.x + s.y * s.y + s.z * s.z);

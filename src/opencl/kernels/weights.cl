@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The weighting kernels of linelet::Weighting in float; numbered as the enumerators of
-// linelet::Kernel. The number is a constant at build time, so one case is left over.
+// The weighting kernels of linelet::Weighting in float, by the names that the host gives
+// their enumerators. Which one it is is known at build time, so one case is left over.
 
 INLINE Floats
 power(Floats base, int exponent)
@@ -68,107 +68,109 @@ weightOf(const int kernel_number, float first, float second, Floats x)
   const Ints rising = x < 0.5f;
   Floats w = 0;
   switch (kernel_number) {
-  case 0: // const
+  case KERNEL_Const:
     return one;
-  case 2: // linear-inverse
+  case KERNEL_LinearInverse:
     return min(0.1f / x, 1.0f);
-  case 4: // quadratic-inverse
+  case KERNEL_QuadraticInverse:
     return min(0.01f / (x * x), 1.0f);
-  case 6: // cubic-inverse
+  case KERNEL_CubicInverse:
     return min(0.001f / (x * x * x), 1.0f);
-  case 29: // fermi-dirac-1, -2, -3 and with parameters
-  case 30:
-  case 31:
-  case 32:
+  case KERNEL_FermiDirac1:
+  case KERNEL_FermiDirac2:
+  case KERNEL_FermiDirac3:
+  case KERNEL_FermiDirac:
     return fermiDirac(x, first, second);
-  case 33: // step
+  case KERNEL_Step:
     return x <= first ? one : zero;
-  case 1: // linear, cs-rbf-1
-  case 19:
+  case KERNEL_Linear:
+  case KERNEL_CsRbf1:
     w = y;
     break;
-  case 3: // quadratic
+  case KERNEL_Quadratic:
     w = 1 - x * x;
     break;
-  case 5: // cubic
+  case KERNEL_Cubic:
     w = 1 - x * x * x;
     break;
-  case 7: { // sph-3
+  case KERNEL_Sph3: {
     const Floats a = 2 * x;
     w = a < 1 ? 1 - 1.5f * a * a + 0.75f * a * a * a : 0.25f * power(2 - a, 3);
     break;
   }
-  case 8: { // sph-4
+  case KERNEL_Sph4: {
     const Floats b = 2.5f * x;
     w = power(2.5f - b, 4) - 5 * power(max(1.5f - b, 0.0f), 4) +
         10 * power(max(0.5f - b, 0.0f), 4);
     break;
   }
-  case 9: { // sph-5
+  case KERNEL_Sph5: {
     const Floats c = 3 * x;
     w = power(3 - c, 5) - 6 * power(max(2 - c, 0.0f), 5) +
         15 * power(max(1 - c, 0.0f), 5);
     break;
   }
-  case 10: // epanechnikov
+  case KERNEL_Epanechnikov:
     w = 0.75f * (1 - x * x);
     break;
-  case 11: // ease-bounce
+  case KERNEL_EaseBounce:
     w = 1 - (rising ? (1 - bounce(1 - 2 * x)) / 2 : (1 + bounce(2 * x - 1)) / 2);
     break;
-  case 12: // ease-circular
+  case KERNEL_EaseCircular:
     w = 1 - (rising ? (1 - sqrt(max(1 - 4 * x * x, 0.0f))) / 2
                     : (sqrt(max((3 - 2 * x) * (2 * x - 1), 0.0f)) + 1) / 2);
     break;
-  case 13: { // ease-elastic
+  case KERNEL_EaseElastic: {
     const Floats swing = 0.5f * sin(13 * M_PI_F * x);
     w = 1 - (rising ? swing * exp2(10 * (2 * x - 1))
                     : 1 - swing * exp2(-10 * (2 * x - 1)));
     break;
   }
-  case 14: // ease-exponential
+  case KERNEL_EaseExponential:
     w = 1 - (rising ? exp2(20 * x - 10) / 2 : 1 - exp2(10 - 20 * x) / 2);
     w = x == 0 ? one : w;
     break;
-  case 15: // ease-sine
+  case KERNEL_EaseSine:
     w = (1 + cos(M_PI_F * x)) / 2;
     break;
-  case 16: // ease-cubic
+  case KERNEL_EaseCubic:
     w = 1 - (rising ? 4 * x * x * x : power(2 * x - 2, 3) / 2 + 1);
     break;
-  case 17: // ease-quadratic
+  case KERNEL_EaseQuadratic:
     w = 1 - (rising ? 2 * x * x : (4 - 2 * x) * x - 1);
     break;
-  case 18: // ease-quintic
+  case KERNEL_EaseQuintic:
     w = 1 - (rising ? 16 * power(x, 5) : power(2 * x - 2, 5) / 2 + 1);
     break;
-  case 20: // cs-rbf-2
+  case KERNEL_CsRbf2:
     w = power(y, 3) * (3 * x + 1);
     break;
-  case 21: // cs-rbf-3
+  case KERNEL_CsRbf3:
     w = power(y, 5) * ((8 * x + 5) * x + 1);
     break;
-  case 22: // cs-rbf-4
+  case KERNEL_CsRbf4:
     w = y * y;
     break;
-  case 23: // cs-rbf-5
+  case KERNEL_CsRbf5:
     w = power(y, 4) * (4 * x + 1);
     break;
-  case 24: // cs-rbf-6
+  case KERNEL_CsRbf6:
     w = power(y, 6) * ((35 * x + 18) * x + 3);
     break;
-  case 25: // cs-rbf-7
+  case KERNEL_CsRbf7:
     w = power(y, 8) * (((32 * x + 25) * x + 8) * x + 1);
     break;
-  case 26: // cs-rbf-8
+  case KERNEL_CsRbf8:
     w = power(y, 3);
     break;
-  case 27: // cs-rbf-9
+  case KERNEL_CsRbf9:
     w = power(y, 3) * (5 * x + 1);
     break;
-  case 28: // cs-rbf-10
+  case KERNEL_CsRbf10:
     w = power(y, 7) * ((16 * x + 7) * x + 1);
     break;
+  default:
+    return NAN;
   }
   return x < 1 ? max(w, 0.0f) : zero;
 }

@@ -14,7 +14,7 @@
 #include <linelet/curves/refined_reconstruction.h>
 
 #include "curves/mixture/fit_of_start.h"
-#include "curves/selection/model_score.h"
+#include "curves/mixture/model_score.h"
 
 using namespace linelet;
 

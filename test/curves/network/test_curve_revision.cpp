@@ -15,9 +15,9 @@
 #include <linelet/search/scale_unit.h>
 
 #include "curves/mixture/em_fit.h"
+#include "curves/mixture/model_score.h"
 #include "curves/network/doubling.h"
 #include "curves/network/revision.h"
-#include "curves/selection/model_score.h"
 
 using namespace linelet;
 

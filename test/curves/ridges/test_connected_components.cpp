@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "curves/ridges/scale_field.h"
-#include "curves/selection/refine_component.h"
+#include "curves/ridges/connected_components.h"
 
 using namespace linelet;
 

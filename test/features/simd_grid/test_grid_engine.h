@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <linelet/features/grid_tensor_engine.h>
+#include <linelet/features/tensor_estimation.h>
 
 namespace linelet::test {
 

@@ -23,9 +23,6 @@ lattice(int side)
   return points;
 }
 
-/** \brief A fast device behind a slow bus. */
-constexpr DeviceCost gpu = {0.5, 1e-7, 1e-11};
-
 } // namespace
 
 // What was measured (one thread, see engine_choice.h): times of tree and grid, in
@@ -63,18 +60,6 @@ TEST(EngineChoice, FollowsWhatWasMeasured)
 TEST(EngineChoice, NearestPointsAreForTheTree)
 {
   EXPECT_EQ(cheapestEngine({1000000, 1000000, 20, true}), Engine::Tree);
-  EXPECT_EQ(cheapestEngine({1000000, 1000000, 20, true}, &gpu), Engine::Tree);
-}
-
-TEST(EngineChoice, TheDeviceIsTakenWhereItPays)
-{
-  // A small cloud is done before the kernels are built.
-  EXPECT_EQ(cheapestEngine({200000, 200000, 50, false}, &gpu), Engine::Grid);
-  EXPECT_EQ(cheapestEngine({20000000, 20000000, 5000, false}, &gpu), Engine::OpenCL);
-  EXPECT_EQ(cheapestEngine({20000000, 20000000, 5000, false}), Engine::Grid);
-  // A device no faster than one thread never pays.
-  const DeviceCost slow = {0.5, 3e-7, 2e-9};
-  EXPECT_EQ(cheapestEngine({20000000, 20000000, 5000, false}, &slow), Engine::Grid);
 }
 
 TEST(EngineChoice, CountsNeighbors)
@@ -107,15 +92,11 @@ TEST(EngineChoice, AWishIsAWish)
   const Points points = lattice(3);
   TensorSettings settings;
   settings.radius = 1;
-  for (const Engine engine : {Engine::Tree, Engine::Grid, Engine::OpenCL}) {
+  for (const Engine engine : {Engine::Tree, Engine::Grid}) {
     settings.engine = engine;
     EXPECT_EQ(chosenEngine(points, points, settings), engine);
   }
   settings.engine = Engine::Auto;
   EXPECT_EQ(chosenEngine(points, {Point(0, 0, 0)}, settings), Engine::Tree);
   EXPECT_EQ(chosenEngine(lattice(200), lattice(200), settings), Engine::Grid);
-  const DeviceCost at_once = {0, 0, 0};
-  EXPECT_EQ(chosenEngine(points, points, settings, {}, &at_once), Engine::OpenCL);
-  settings.centroid = Centroid::WeightedMedian; // which the OpenCL engine lacks
-  EXPECT_NE(chosenEngine(points, points, settings, {}, &at_once), Engine::OpenCL);
 }

@@ -52,7 +52,7 @@ EigenStreamlineCurveReconstruction<PointInT>::reconstruct()
   if (!chosenPoints(points))
     return {};
   try {
-    return reconstructCurves(points, settings_);
+    return reconstructCurves(points, settings_, monitor_);
   }
   catch (const std::invalid_argument& error) {
     refuse(error.what());

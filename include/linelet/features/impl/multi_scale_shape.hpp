@@ -44,10 +44,14 @@ MultiScaleShapeFeature<PointInT>::initCompute()
   if (search_radius_ != 0)
     settings.max_radius = search_radius_;
   try {
-    plan_ = multiScaleRadii(surface_points_, settings);
+    plan_ = multiScaleRadii(surface_points_, settings, this->monitor_);
   }
   catch (const std::invalid_argument& error) {
     return this->refuse(error.what());
+  }
+  catch (const Canceled&) {
+    this->deinitCompute();
+    throw;
   }
   search_parameter_ = plan_.radii.back();
   return true;
@@ -81,8 +85,14 @@ MultiScaleShapeFeature<PointInT>::computeFeature(PointCloudOut& output)
         sink_(query, graph);
     };
   }
-  const MultiScaleShapes result =
-      multiScaleShapes(surface_points_, queries, settings, sink);
+  MultiScaleShapes result;
+  try {
+    result = multiScaleShapes(surface_points_, queries, settings, sink, this->monitor_);
+  }
+  catch (const Canceled&) {
+    this->deinitCompute(); // as PCL's compute would after this
+    throw;
+  }
   this->setOutput(output, result.shapes);
   if (settings_.centroid == Centroid::QueryPoint) {
     noise_rate_ = linelet::noiseRate(result.shapes);

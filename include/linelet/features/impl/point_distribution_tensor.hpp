@@ -20,7 +20,7 @@ PointDistributionTensorEstimation<PointInT>::PointDistributionTensorEstimation()
 
 template <typename PointInT>
 TensorSettings
-PointDistributionTensorEstimation<PointInT>::fullSettings() const
+PointDistributionTensorEstimation<PointInT>::getSettings() const
 {
   TensorSettings settings = settings_;
   settings.radius = search_radius_;
@@ -37,7 +37,7 @@ PointDistributionTensorEstimation<PointInT>::initCompute()
   if (k_ < 0)
     return this->refuse("k is negative.");
   try {
-    validate(fullSettings(), sizes_, input_->size());
+    validate(getSettings(), sizes_, input_->size());
   }
   catch (const std::invalid_argument& error) {
     return this->refuse(error.what());
@@ -71,9 +71,13 @@ PointDistributionTensorEstimation<PointInT>::estimate(const Points& surface,
                                                       const NeighborhoodSizes& sizes)
 {
   if (tree_ && settings.engine == Engine::Auto)
-    return estimateTensors(
-        PclSearch<PointInT>(*tree_, surface), surface, queries, settings, sizes);
-  return estimateTensors(surface, queries, settings, sizes);
+    return estimateTensors(PclSearch<PointInT>(*tree_, surface),
+                           surface,
+                           queries,
+                           settings,
+                           sizes,
+                           this->monitor_);
+  return estimateTensors(surface, queries, settings, sizes, this->monitor_);
 }
 
 template <typename PointInT>
@@ -83,10 +87,14 @@ PointDistributionTensorEstimation<PointInT>::computeFeature(PointCloudOut& outpu
   const Points queries = this->queryPoints();
   std::vector<PointDistributionTensor> records;
   try {
-    records = estimate(pointsOf(*surface_), queries, fullSettings(), querySizes());
+    records = estimate(pointsOf(*surface_), queries, getSettings(), querySizes());
+  }
+  catch (const Canceled&) {
+    this->deinitCompute(); // as PCL's compute would after this
+    throw;
   }
   catch (const std::exception& error) {
-    PCL_ERROR("[pcl::%s::compute] %s\n", getClassName().c_str(), error.what());
+    PCL_ERROR("[linelet::%s::compute] %s\n", getClassName().c_str(), error.what());
     records.assign(queries.size(), unknownTensor(0));
   }
   this->setOutput(output, records);

@@ -17,7 +17,7 @@ template <typename PointInT, typename RecordT, typename Settings>
 bool
 ShapeFeature<PointInT, RecordT, Settings>::refuse(const char* reason)
 {
-  PCL_ERROR("[pcl::%s::compute] %s\n", getClassName().c_str(), reason);
+  PCL_ERROR("[linelet::%s::compute] %s\n", getClassName().c_str(), reason);
   this->deinitCompute();
   return false;
 }

@@ -20,7 +20,7 @@ PointDistributionTensorEstimationOCL<PointInT>::PointDistributionTensorEstimatio
 
 template <typename PointInT>
 opencl::TensorEngine&
-PointDistributionTensorEstimationOCL<PointInT>::engine()
+PointDistributionTensorEstimationOCL<PointInT>::getDeviceEngine()
 {
   if (!engine_)
     engine_ = std::make_shared<opencl::TensorEngine>(device_);
@@ -34,7 +34,7 @@ PointDistributionTensorEstimationOCL<PointInT>::estimate(const Points& surface,
                                                          const TensorSettings& settings,
                                                          const NeighborhoodSizes& sizes)
 {
-  return engine().estimate(surface, queries, settings, sizes);
+  return getDeviceEngine().estimate(surface, queries, settings, sizes, this->monitor_);
 }
 
 } // namespace linelet

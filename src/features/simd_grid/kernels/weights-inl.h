@@ -252,8 +252,11 @@ struct Weight {
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(4), power<3>(s)); });
     else if constexpr (kernel == Kernel::EaseQuadratic)
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(2), power<2>(s)); });
-    else // EaseQuintic
+    else {
+      static_assert(kernel == Kernel::EaseQuintic,
+                    "a kernel without a form on vectors");
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(16), power<5>(s)); });
+    }
   }
 
   /** \brief (1 - sqrt(1 - 4 s^2)) / 2 of the halves, without the cancellation. At s =
@@ -295,15 +298,6 @@ struct Weight<Kernel::Step> {
   float end;
 };
 
-/** \brief Whether w is 0 from x = 1 on. */
-constexpr bool
-isCompact(Kernel kernel)
-{
-  return kernel != Kernel::Const && kernel != Kernel::LinearInverse &&
-         kernel != Kernel::QuadraticInverse && kernel != Kernel::CubicInverse &&
-         kernel != Kernel::FermiDirac && kernel != Kernel::Step;
-}
-
 /** \brief w of u anywhere, never negative. */
 template <Kernel kernel>
 struct ClampedWeight : Weight<kernel> {
@@ -313,7 +307,7 @@ struct ClampedWeight : Weight<kernel> {
   operator()(V u) const
   {
     const V w = Weight<kernel>::operator()(u);
-    if constexpr (!isCompact(kernel))
+    if constexpr (supportOf(kernel) == KernelSupport::Everywhere)
       return w;
     else if constexpr (kernel == Kernel::EaseElastic || kernel == Kernel::EaseBounce)
       return hn::IfThenElseZero(hn::Lt(u, constant(1)), hn::Max(w, hn::Zero(F())));
@@ -322,52 +316,27 @@ struct ClampedWeight : Weight<kernel> {
   }
 };
 
-/** \brief Calls act(kernel) with the kernel of \a weighting as an integral constant;
- * all of Fermi-Dirac are one. */
+/** \brief All of Fermi-Dirac are one. */
+constexpr Kernel
+vectorForm(Kernel kernel)
+{
+  return kernel == Kernel::FermiDirac1 || kernel == Kernel::FermiDirac2 ||
+                 kernel == Kernel::FermiDirac3
+             ? Kernel::FermiDirac
+             : kernel;
+}
+
+/** \brief Calls act(kernel) with the kernel of \a weighting as an integral constant. */
 template <class Act>
 HWY_INLINE void
 withKernel(const Weighting& weighting, const Act& act)
 {
   switch (weighting.kernel()) {
-#define LINELET_KERNEL(name)                                                           \
-  case Kernel::name:                                                                   \
-    return act(std::integral_constant<Kernel, Kernel::name>());
-    LINELET_KERNEL(Const)
-    LINELET_KERNEL(Linear)
-    LINELET_KERNEL(LinearInverse)
-    LINELET_KERNEL(Quadratic)
-    LINELET_KERNEL(QuadraticInverse)
-    LINELET_KERNEL(Cubic)
-    LINELET_KERNEL(CubicInverse)
-    LINELET_KERNEL(Sph3)
-    LINELET_KERNEL(Sph4)
-    LINELET_KERNEL(Sph5)
-    LINELET_KERNEL(Epanechnikov)
-    LINELET_KERNEL(EaseBounce)
-    LINELET_KERNEL(EaseCircular)
-    LINELET_KERNEL(EaseElastic)
-    LINELET_KERNEL(EaseExponential)
-    LINELET_KERNEL(EaseSine)
-    LINELET_KERNEL(EaseCubic)
-    LINELET_KERNEL(EaseQuadratic)
-    LINELET_KERNEL(EaseQuintic)
-    LINELET_KERNEL(CsRbf1)
-    LINELET_KERNEL(CsRbf2)
-    LINELET_KERNEL(CsRbf3)
-    LINELET_KERNEL(CsRbf4)
-    LINELET_KERNEL(CsRbf5)
-    LINELET_KERNEL(CsRbf6)
-    LINELET_KERNEL(CsRbf7)
-    LINELET_KERNEL(CsRbf8)
-    LINELET_KERNEL(CsRbf9)
-    LINELET_KERNEL(CsRbf10)
-    LINELET_KERNEL(Step)
+#define LINELET_KERNEL(kernel, name, support, weight)                                  \
+  case Kernel::kernel:                                                                 \
+    return act(std::integral_constant<Kernel, vectorForm(Kernel::kernel)>());
+    LINELET_KERNELS(LINELET_KERNEL)
 #undef LINELET_KERNEL
-  case Kernel::FermiDirac1:
-  case Kernel::FermiDirac2:
-  case Kernel::FermiDirac3:
-  case Kernel::FermiDirac:
-    return act(std::integral_constant<Kernel, Kernel::FermiDirac>());
   }
 }
 

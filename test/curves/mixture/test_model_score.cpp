@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "curves/selection/model_score.h"
+#include "curves/mixture/model_score.h"
 
 using namespace linelet;
 

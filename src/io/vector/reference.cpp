@@ -10,7 +10,10 @@
 #include <cpl_error.h>
 #include <ogr_spatialref.h>
 
-#include <linelet/io/cloud.h>
+#include <linelet/io/reference_system.h>
+#include <linelet/support/visibility.h>
+
+#include "io/reference_systems.h"
 
 namespace linelet::io {
 
@@ -108,6 +111,8 @@ parseReference(const std::string& wkt)
   return reference;
 }
 
+namespace {
+
 std::string
 wktOfCodes(const ReferenceCodes& codes)
 {
@@ -134,6 +139,16 @@ wktOfUnit(int code)
   local.SetLinearUnits(unit->name, unit->meters);
   return wktOf(local);
 }
+
+bool
+isUnderstood(const std::string& wkt)
+{
+  return parseReference(wkt) != nullptr;
+}
+
+constexpr ReferenceSystems systems = {isUnderstood, wktOfCodes, wktOfUnit};
+
+} // namespace
 
 std::string
 referenceName(const std::string& wkt)
@@ -178,3 +193,8 @@ unitsOf(const std::string& wkt)
 }
 
 } // namespace linelet::io
+
+// Whoever links linelet::vector asks for this symbol, which brings the object along.
+extern "C" LINELET_PUBLIC const bool linelet_reference_systems;
+const bool linelet_reference_systems =
+    (linelet::io::setReferenceSystems(&linelet::io::systems), true);

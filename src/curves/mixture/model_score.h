@@ -5,7 +5,8 @@
 
 #include <cstddef>
 
-#include "curves/mixture/em_fit.h"
+#include "cloud_frame.h"
+#include "em_model.h"
 
 namespace linelet {
 

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/features/engine_choice.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC opencl {
+
+/** \brief What work on an OpenCL device costs, in seconds. */
+struct DeviceCost {
+  double start = 0; ///< opening the device and building the kernels
+  double point = 0; ///< transfer, cells and sorting of a point
+  double pair = 0;  ///< a query and one of its neighbors
+};
+
+/** \brief Seconds that a device needs for \a work; infinite for k nearest points. */
+double
+estimatedSeconds(const DeviceCost& device, const EngineWork& work);
+
+/** \brief Whether \a device is the cheapest engine. It has to beat the grid on eight
+ * threads, whatever this machine has: the choice depends on the work alone. A centroid
+ * that it lacks (the weighted median) is not for it. */
+bool
+isCheapest(const DeviceCost& device, const EngineWork& work, Centroid centroid);
+
+} // namespace opencl
+} // namespace linelet

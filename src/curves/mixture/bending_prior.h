@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "mixture_state.h"
+#include "node_system.h"
+
+namespace linelet {
+
+/** \brief Measures how a curve bends around each of its bends
+ * (\ref EmSettings::even_curvature). */
+void
+measureEvenCurvature(const MixtureState& mixture, MixtureCurve& state, double spacing);
+
+/** \brief Adds to \a system what the prior says of the bends of a curve. */
+void
+stiffen(const MixtureState& mixture,
+        MixtureCurve& state,
+        double spacing,
+        NodeSystem& system);
+
+/** \brief Estimates how strongly a curve bends from its solved bends. */
+void
+measureBending(const MixtureState& mixture,
+               MixtureCurve& state,
+               double spacing,
+               const NodeSystem& system);
+
+} // namespace linelet

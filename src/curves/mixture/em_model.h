@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "curves/ridges/model_curve.h"
+#include "curves/ridges/scale_field.h"
+
+namespace linelet {
+
+/** \brief How a fit is run. */
+struct EmSettings {
+  double spacing = 0;         ///< of the nodes
+  double noise = 0;           ///< standard deviation to begin with
+  double least_noise = 0;     ///< the standard deviation never falls below this
+  double bending = 1;         ///< q: variance of the direction per length, 1 / length
+  double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
+  double fixed_radius =
+      0; ///< radius of fixed-radius noise to begin with; 0: normal noise
+  bool even_curvature = false;        ///< whether the curves are thought to bend evenly
+  bool varied_noise = false;          ///< whether the noise varies along the curves
+  const ScaleField* scales = nullptr; ///< by which spacing and noise grow from place to
+                                      ///< place; null: nowhere
+  int iterations = 15;
+  int resample_every = 5;
+};
+
+/** \brief A fitted model of a cloud. */
+struct EmFit {
+  ModelCurves curves;
+  double noise = 0;        ///< standard deviation per coordinate
+  double fixed_radius = 0; ///< radius of the noise; 0: normal noise
+  /// Fourth moment of the distances of the points from the curves over the square of
+  /// the second: 2 for normal noise (3 in a plane), 1.2 for fixed-radius noise.
+  double kurtosis = 0;
+  double outlier_share = 0;  ///< of the points
+  double log_likelihood = 0; ///< of the points under the mixture
+  double freedom = 0;        ///< effective parameters of the curves' geometry
+  /// Where the noise varies: -2 log of the prior density of its widths over their
+  /// posterior one (Laplace), which the criterion adds as it adds parameters.
+  double width_cost = 0;
+  std::vector<double> outlier; ///< per point the probability that no curve made it
+  std::vector<std::vector<double>> counts; ///< points explained by each edge
+
+  /** \brief Root mean square of the distances of points from their sources, per
+   * coordinate. */
+  double
+  deviation() const
+  {
+    return fixed_radius > 0
+               ? std::sqrt((fixed_radius * fixed_radius + noise * noise) / 3)
+               : noise;
+  }
+  /// Standard deviation at each node of each curve, or empty where it does not vary.
+  std::vector<std::vector<double>> noises;
+};
+
+} // namespace linelet

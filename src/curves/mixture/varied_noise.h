@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "mixture_state.h"
+#include "node_system.h"
+
+namespace linelet {
+
+/** \brief Estimates the standard deviation of normal noise, that of all. */
+void
+measureNoise(MixtureState& mixture);
+
+/** \brief Estimates how the noise varies along a curve, by the system of its nodes. */
+void
+measureWidths(MixtureState& mixture, MixtureCurve& state, NodeSystem& system);
+
+} // namespace linelet

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <linelet/support/points.h>
+
+#include "scale_field.h"
+
+namespace linelet {
+
+/** \brief The points of each connected component (linked over \a distance, which grows
+ * with \a scales where they are above 1), largest index sets of at least \a least
+ * points, in the order of their first points. */
+std::vector<Indices>
+connectedComponents(const Points& points,
+                    double distance,
+                    std::size_t least,
+                    const ScaleField* scales = nullptr);
+
+} // namespace linelet

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
+
+/** \brief What the GeoTIFF keys of a file say of its reference system: EPSG codes of
+ * its parts and of their units, 0 where not given. */
+struct ReferenceCodes {
+  int plan = 0, height = 0;
+  int plan_unit = 0, height_unit = 0;
+};
+
+/** \brief What readers of point files ask of reference systems. GDAL answers, in
+ * linelet::vector; a program that is linked without it takes WKT as it stands. */
+struct ReferenceSystems {
+  /** \brief Whether \a wkt describes a system. */
+  bool (*isUnderstood)(const std::string& wkt);
+
+  /** \brief WKT of the system with these codes; a unit that is given counts more than
+   * that of the system. Empty where PROJ does not know the horizontal part. */
+  std::string (*wktOfCodes)(const ReferenceCodes& codes);
+
+  /** \brief WKT of a system of which nothing but the unit is known; empty for meters
+   * and for units that are none of length. */
+  std::string (*wktOfUnit)(int code);
+};
+
+/** \brief Those that the program was linked with, or null. */
+const ReferenceSystems*
+referenceSystems();
+
+/** \brief Called once, when linelet::vector is loaded. */
+void
+setReferenceSystems(const ReferenceSystems* systems);
+
+} // namespace io
+} // namespace linelet
