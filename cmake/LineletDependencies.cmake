@@ -32,6 +32,8 @@ if(LINELET_BUILD_IO OR LINELET_BUILD_APPS)
 endif()
 if(LINELET_BUILD_APPS)
   find_package(CLI11 REQUIRED)
+endif()
+if(LINELET_BUILD_APPS AND LINELET_BUILD_BENCH)
   # Pictures: raster images, lettering and PNG, nothing that needs a display.
   find_package(VTK 9 REQUIRED
     COMPONENTS CommonDataModel IOImage RenderingCore RenderingFreeType)

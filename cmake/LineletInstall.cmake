@@ -35,6 +35,10 @@ function(linelet_component name description)
       string(APPEND PC_LINK " ${lib}")
     endforeach()
   endif()
+  # Found from where the file lies, so that what is installed can be moved.
+  file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  string(REGEX REPLACE "/$" "" up "${up}")
+  set(PC_PREFIX "\${pcfiledir}/${up}")
   list(JOIN PC_REQUIRES ", " PC_REQUIRES)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/linelet.pc.in
     ${PROJECT_BINARY_DIR}/linelet-${name}.pc @ONLY)

@@ -9,6 +9,7 @@
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
+#include "error_names.h"
 #include "kernel_sources.h"
 
 namespace linelet::opencl {

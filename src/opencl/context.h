@@ -15,10 +15,6 @@
 
 namespace linelet::opencl {
 
-/** \brief The name of an OpenCL error code, as in CL_OUT_OF_RESOURCES. */
-const char*
-errorName(cl_int code);
-
 /** \brief \a error of OpenCL as ours, in one sentence. */
 Error
 explained(const cl::Error& error, const std::string& device);

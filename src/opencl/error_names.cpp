@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "context.h"
+#include "error_names.h"
+
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/cl.h>
 
 namespace linelet::opencl {
 
 const char*
-errorName(cl_int code)
+errorName(std::int32_t code)
 {
   constexpr cl_int no_platform = -1001; // of the loader, CL_PLATFORM_NOT_FOUND_KHR
   switch (code) {

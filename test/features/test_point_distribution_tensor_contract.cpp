@@ -186,6 +186,49 @@ TEST_F(PdtEstimation, GettersMirrorSetters)
   EXPECT_EQ(estimation.getNumberOfThreads(), 3u);
 }
 
+TEST_F(PdtEstimation, SettingsAtOnceAreThoseOneByOne)
+{
+  const Cloud::Ptr cloud = scattered(300, 5);
+  TensorSettings settings;
+  settings.radius = 0.6;
+  settings.weighting = Kernel::Quadratic;
+  settings.centroid = Centroid::Mean;
+  Estimation estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setKSearch(9); // which the radius takes the place of
+  estimation.setSettings(settings);
+  EXPECT_EQ(estimation.getSettings().radius, 0.6);
+  EXPECT_EQ(estimation.getSettings().k, 0u);
+  EXPECT_EQ(estimation.getRadiusSearch(), 0.6);
+  expectSame(compute(estimation), reference(*cloud, *cloud, settings), 1e-5f);
+}
+
+TEST_F(PdtEstimation, IsCanceledByItsMonitorAndWorksAgain)
+{
+  class Impatient : public ProgressMonitor {
+  public:
+    bool
+    canceled() const override
+    {
+      return stop;
+    }
+    bool stop = true;
+  } monitor;
+  Estimation estimation;
+  estimation.setInputCloud(scattered(2000, 6));
+  estimation.setRadiusSearch(0.5);
+  estimation.setProgressMonitor(&monitor);
+  RecordCloud records;
+  EXPECT_THROW(estimation.compute(records), Canceled);
+  // Neither the stop nor the cloud of before stays.
+  monitor.stop = false;
+  const Cloud::Ptr other = scattered(100, 7);
+  estimation.setInputCloud(other);
+  TensorSettings settings;
+  settings.radius = 0.5;
+  expectSame(compute(estimation), reference(*other, *other, settings), 1e-5f);
+}
+
 TEST_F(PdtEstimation, RecordIsAPointTypeWithTheseFields)
 {
   pcl::PCLPointCloud2 message;

@@ -13,6 +13,7 @@
 
 #include <linelet/features/tensor_estimation.h>
 
+#include "error_names.h"
 #include "tensor_stages.h"
 
 // Each kernel alone against the same thing done on the host.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <vector>
+#include "pruning.h"
 
-#include "joining.h"
+#include <vector>
 
 namespace linelet {
 

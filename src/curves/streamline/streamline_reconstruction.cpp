@@ -16,6 +16,7 @@
 #include "growth.h"
 #include "joining.h"
 #include "line_lets.h"
+#include "pruning.h"
 #include "start_points.h"
 
 namespace linelet {

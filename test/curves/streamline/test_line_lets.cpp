@@ -10,6 +10,7 @@
 #include "curves/streamline/joining.h"
 #include "curves/streamline/line_lets.h"
 #include "curves/streamline/meeting.h"
+#include "curves/streamline/pruning.h"
 
 using namespace linelet;
 
