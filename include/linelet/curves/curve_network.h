@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -52,6 +53,12 @@ struct Curve {
   CurveEnd back;       ///< the end at points.back()
   std::vector<Index>
       support; ///< cloud points explained by each vertex (count), or empty
+  /// Standard deviation of its points about it, per coordinate: that of their noise, or
+  /// of a bundle too narrow to be told apart. NaN where unknown.
+  double noise = std::numeric_limits<double>::quiet_NaN();
+  double density = std::numeric_limits<double>::quiet_NaN(); ///< points per length
+  /// Log-likelihood ratio (natural) of the curve to its background alone.
+  double evidence = std::numeric_limits<double>::quiet_NaN();
 };
 
 /** \brief A place where curves meet. */

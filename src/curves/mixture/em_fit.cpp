@@ -17,7 +17,6 @@ namespace linelet {
 
 namespace {
 
-constexpr double first_outlier_share = 0.1;
 // A fit is given up whose score per point is above that of its rival by more than this,
 // divided by the iterations so far.
 constexpr double most_behind = 5;
@@ -80,7 +79,7 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
   mixture_.noise.varied = settings.varied_noise;
   mixture_.noise.deviation = std::max(settings.noise, settings.least_noise);
   mixture_.noise.fixed_radius = settings.fixed_radius;
-  mixture_.outlier_share = first_outlier_share;
+  mixture_.outlier_share = settings.outlier_share;
   mixture_.freedom = 0;
   mixture_.edge_count.clear();
   resampleCurves(settings);

@@ -18,6 +18,7 @@ struct EmSettings {
   double least_noise = 0;     ///< the standard deviation never falls below this
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
+  double outlier_share = 0.1; ///< of the points, to begin with
   double fixed_radius =
       0; ///< radius of fixed-radius noise to begin with; 0: normal noise
   bool even_curvature = false;        ///< whether the curves are thought to bend evenly
@@ -39,6 +40,7 @@ struct EmFit {
   double outlier_share = 0;  ///< of the points
   double log_likelihood = 0; ///< of the points under the mixture
   double freedom = 0;        ///< effective parameters of the curves' geometry
+  double evidence = 0; ///< half of what the criterion gains over no curve, where known
   /// Where the noise varies: -2 log of the prior density of its widths over their
   /// posterior one (Laplace), which the criterion adds as it adds parameters.
   double width_cost = 0;

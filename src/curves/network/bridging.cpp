@@ -152,6 +152,10 @@ appendBridge(ModelCurve& curve, const Points& bridge)
 void
 appendCurve(ModelCurve& first, const Points& bridge, const ModelCurve& second)
 {
+  // By the lengths, as the counts may be unknown.
+  const double a = length(first), b = length(second);
+  first.noise = (a * first.noise + b * second.noise) / (a + b);
+  first.evidence += second.evidence;
   // Counts of one half are none of the whole.
   if (second.counts.empty())
     first.counts.clear();

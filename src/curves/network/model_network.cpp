@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -74,6 +75,12 @@ networkOf(const ModelCurves& curves)
         model.closed ? EndKind::Loop : EndKind::Support;
     if (coarse.counts.size() == coarse.edges())
       curve.support = supportOf(model, coarse);
+    if (!coarse.counts.empty()) {
+      curve.noise = coarse.noise;
+      curve.density = std::accumulate(coarse.counts.begin(), coarse.counts.end(), 0.0) /
+                      length(coarse);
+      curve.evidence = coarse.evidence;
+    }
     network.curves.push_back(std::move(curve));
     reaches.emplace_back();
     for (std::size_t end = 0; end < 2; ++end)

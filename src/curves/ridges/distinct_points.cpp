@@ -61,4 +61,24 @@ thinned(const Points& points, double size)
   return at(points, chosen);
 }
 
+Points
+onePerCell(const Points& points, double size)
+{
+  const OccupiedCells cells = occupiedCells(points, size);
+  Indices chosen;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    Point mean = Point::Zero();
+    for (std::size_t k = cells.begin[c]; k < cells.begin[c + 1]; ++k)
+      mean += points[cells.indices[k]];
+    mean /= static_cast<double>(cells.begin[c + 1] - cells.begin[c]);
+    Index nearest = cells.indices[cells.begin[c]];
+    for (std::size_t k = cells.begin[c]; k < cells.begin[c + 1]; ++k)
+      if ((points[cells.indices[k]] - mean).squaredNorm() <
+          (points[nearest] - mean).squaredNorm())
+        nearest = cells.indices[k];
+    chosen.push_back(nearest);
+  }
+  return at(points, chosen);
+}
+
 } // namespace linelet

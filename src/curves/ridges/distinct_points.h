@@ -18,4 +18,9 @@ distinct(const Points& points);
 Points
 thinned(const Points& points, double size);
 
+/** \brief The point nearest to the middle of all in each cell of side \a size, in
+ * their order. */
+Points
+onePerCell(const Points& points, double size);
+
 } // namespace linelet

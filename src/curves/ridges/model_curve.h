@@ -20,6 +20,8 @@ struct ModelCurve {
   std::vector<std::size_t> hinges;
   double scale = 0;           ///< bandwidth of the ridges that it comes from
   std::vector<double> counts; ///< points explained by each edge, or empty
+  double noise = 0;    ///< standard deviation of its points about it, per coordinate
+  double evidence = 0; ///< log-likelihood ratio of curve to background
 
   /** \brief Number of edges. */
   std::size_t

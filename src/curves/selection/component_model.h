@@ -15,6 +15,7 @@
 #include <linelet/curves/refined_reconstruction.h>
 
 #include "curves/mixture/em_fit.h"
+#include "curves/mixture/model_score.h"
 #include "curves/ridges/ridge_trace.h"
 
 namespace linelet {
@@ -130,6 +131,7 @@ public:
   EmFit
   release()
   {
+    best_.fit.evidence = 0.5 * (scoreOfNothing(frame_, points_.size()) - best_.score);
     return std::move(best_.fit);
   }
 

@@ -20,6 +20,8 @@
 #include "curves/network/model_network.h"
 #include "curves/ridges/connected_components.h"
 #include "curves/ridges/distinct_points.h"
+#include "curves/tracking/mixed_cloud.h"
+#include "curves/tracking/mixed_reconstruction.h"
 #include "refine_component.h"
 
 namespace linelet {
@@ -36,6 +38,10 @@ constexpr std::size_t least_component = 5;
 // this along the curves.
 constexpr std::size_t most_varied = 60000;
 constexpr double uneven = 2.5;
+// A cloud is one of curves alone if it is linear around this share of its points; small
+// ones, noisy beside their extent, are if curves explain this share.
+constexpr double curves_alone = 0.9, least_explained = 0.5;
+constexpr std::size_t most_tried_twice = 5000;
 
 /** \brief The fit of one component, made near the origin, where numbers keep their
  * digits.
@@ -131,6 +137,51 @@ extended(const ModelCurve& curve)
   return result;
 }
 
+/** \brief Points that \a curves explain. */
+double
+explainedBy(const ModelCurves& curves)
+{
+  double sum = 0;
+  for (const ModelCurve& curve : curves)
+    sum = std::accumulate(curve.counts.begin(), curve.counts.end(), sum);
+  return sum;
+}
+
+/** \brief Curves of a cloud of hardly anything else, each connected component by
+ * itself. */
+ModelCurves
+componentCurves(const Points& points,
+                double scale_unit,
+                const RefinedSettings& settings,
+                ProgressMonitor* monitor)
+{
+  const double link = settings.distance_cutoff > 0 ? settings.distance_cutoff
+                                                   : link_distance * scale_unit;
+  ScaleField field;
+  if (points.size() <= most_varied)
+    field = ScaleField(points, scale_unit, uneven);
+  const ScaleField* scales = field.spread() > uneven ? &field : nullptr;
+  const std::vector<Indices> components =
+      connectedComponents(points, link, least_component, scales);
+  ModelCurves curves;
+  for (EmFit& fit : refineComponents(points, components, settings, scales, monitor)) {
+    double total = 0;
+    for (const std::vector<double>& counts : fit.counts)
+      total = std::accumulate(counts.begin(), counts.end(), total);
+    for (std::size_t c = 0; c < fit.curves.size(); ++c) {
+      ModelCurve& curve = fit.curves[c];
+      curve.counts = std::move(fit.counts[c]);
+      curve.noise = fit.deviation();
+      curve.evidence = fit.evidence *
+                       std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0) /
+                       total;
+      curves.push_back(extended(curve));
+    }
+  }
+  return bridgeGaps(
+      curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit);
+}
+
 } // namespace
 
 CurveNetwork
@@ -142,27 +193,27 @@ reconstructRefined(const Points& all,
     throw std::invalid_argument(
         "distance cutoff " + textOf(settings.distance_cutoff) +
         " is negative or not a number; 0 lets the method choose");
-  Points points = distinct(all);
+  const Points points = distinct(all);
   const double scale_unit = scaleUnit(points, 1024, 1, settings.threads);
   if (!(scale_unit > 0) || !std::isfinite(scale_unit))
     return {};
-  points = thinned(points, scale_unit);
-  const double link = settings.distance_cutoff > 0 ? settings.distance_cutoff
-                                                   : link_distance * scale_unit;
-  ScaleField field;
-  if (points.size() <= most_varied)
-    field = ScaleField(points, scale_unit, uneven);
-  const ScaleField* scales = field.spread() > uneven ? &field : nullptr;
-  const std::vector<Indices> components =
-      connectedComponents(points, link, least_component, scales);
+  // In a small cloud both ways are tried; a large one is looked at first.
+  const bool small = points.size() <= most_tried_twice;
+  const double linear = small ? 1 : linearShare(points, scale_unit, settings.threads);
   ModelCurves curves;
-  for (EmFit& fit : refineComponents(points, components, settings, scales, monitor))
-    for (std::size_t c = 0; c < fit.curves.size(); ++c) {
-      fit.curves[c].counts = std::move(fit.counts[c]);
-      curves.push_back(extended(fit.curves[c]));
-    }
-  return networkOf(bridgeGaps(
-      curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit));
+  if (linear < curves_alone)
+    curves = mixedCurves(points, scale_unit, settings, monitor);
+  // Curves too noisy to be followed may be most of a cloud still.
+  if (curves.empty() && linear >= least_explained)
+    curves =
+        componentCurves(thinned(points, scale_unit), scale_unit, settings, monitor);
+  const double explained = explainedBy(curves);
+  if (small && explained < least_explained * static_cast<double>(points.size())) {
+    ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
+    if (explainedBy(mixed) > explained)
+      curves = std::move(mixed);
+  }
+  return networkOf(curves);
 }
 
 } // namespace linelet

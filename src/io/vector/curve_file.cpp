@@ -3,6 +3,8 @@
 
 #include <linelet/io/vector_file.h>
 
+#include <cmath>
+
 #include <linelet/io/output_check.h>
 
 #include "curve_writers.h"
@@ -33,6 +35,12 @@ layerOf(const CurveNetwork& network, const Point& shift)
                           {"length", length(curve)},
                           {"front", std::string(nameOf(curve.front.kind))},
                           {"back", std::string(nameOf(curve.back.kind))}};
+    // The published preset does not measure them.
+    if (std::isfinite(curve.noise + curve.density + curve.evidence)) {
+      feature.attributes.emplace_back("noise", curve.noise);
+      feature.attributes.emplace_back("density", curve.density);
+      feature.attributes.emplace_back("evidence", curve.evidence);
+    }
     layer.features.push_back(std::move(feature));
   }
   return layer;

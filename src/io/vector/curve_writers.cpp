@@ -3,6 +3,8 @@
 
 #include "curve_writers.h"
 
+#include <cmath>
+
 #include "io/text/text_scan.h"
 
 namespace linelet::io {
@@ -96,7 +98,8 @@ curvesAsPly(const CurveNetwork& network, const Point& shift)
           "element curve " +
           std::to_string(sizes.lines) +
           "\nproperty int curve\nproperty uchar closed\nproperty double length\n"
-          "property uchar front\nproperty uchar back\nend_header\n";
+          "property uchar front\nproperty uchar back\nproperty double noise\n"
+          "property double density\nproperty double evidence\nend_header\n";
   appendVertices(text, network, shift, "");
   forEachLine(network, [&](const Curve& curve, std::size_t id, std::size_t first) {
     const std::size_t count = curve.points.size();
@@ -108,7 +111,12 @@ curvesAsPly(const CurveNetwork& network, const Point& shift)
     text += std::to_string(id) + (curve.closed ? " 1 " : " 0 ");
     appendNumber(text, length(curve));
     text += ' ' + std::to_string(static_cast<int>(curve.front.kind)) + ' ' +
-            std::to_string(static_cast<int>(curve.back.kind)) + '\n';
+            std::to_string(static_cast<int>(curve.back.kind));
+    for (const double value : {curve.noise, curve.density, curve.evidence}) {
+      text += ' ';
+      appendNumber(text, value);
+    }
+    text += '\n';
   });
   return text;
 }
@@ -135,7 +143,7 @@ curvesAsVtk(const CurveNetwork& network, const Point& shift)
       text += '\n';
     });
   };
-  text += "CELL_DATA " + lines + "\nFIELD attributes 5\n";
+  text += "CELL_DATA " + lines + "\nFIELD attributes 8\n";
   append("curve", "int", [&](const Curve&, std::size_t id) { appendNumber(text, id); });
   append("closed", "int", [&](const Curve& curve, std::size_t) {
     text += curve.closed ? '1' : '0';
@@ -149,19 +157,34 @@ curvesAsVtk(const CurveNetwork& network, const Point& shift)
   append("back", "string", [&](const Curve& curve, std::size_t) {
     text += nameOf(curve.back.kind);
   });
+  append("noise", "double", [&](const Curve& curve, std::size_t) {
+    appendNumber(text, curve.noise);
+  });
+  append("density", "double", [&](const Curve& curve, std::size_t) {
+    appendNumber(text, curve.density);
+  });
+  append("evidence", "double", [&](const Curve& curve, std::size_t) {
+    appendNumber(text, curve.evidence);
+  });
   return text;
 }
 
 std::string
 curvesAsCsv(const CurveNetwork& network, const Point& shift)
 {
-  std::string text = "curve,vertex,x,y,z,closed,length,front,back\n";
+  std::string text =
+      "curve,vertex,x,y,z,closed,length,front,back,noise,density,evidence\n";
   forEachLine(network, [&](const Curve& curve, std::size_t id, std::size_t) {
     std::string tail = curve.closed ? ",1," : ",0,";
     appendNumber(tail, length(curve));
     for (EndKind kind : {curve.front.kind, curve.back.kind}) {
       tail += ',';
       tail += nameOf(kind);
+    }
+    for (const double value : {curve.noise, curve.density, curve.evidence}) {
+      tail += ',';
+      if (std::isfinite(value))
+        appendNumber(tail, value);
     }
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       text += std::to_string(id) + ',' + std::to_string(i) + ',';

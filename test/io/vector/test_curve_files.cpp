@@ -263,8 +263,9 @@ TEST(CurveFiles, CsvHasARowForEachVertex)
   for (std::string line; std::getline(lines, line);)
     rows.push_back(line);
   ASSERT_EQ(rows.size(), 8U);
-  EXPECT_EQ(rows.front(), "curve,vertex,x,y,z,closed,length,front,back");
-  EXPECT_EQ(rows.back(), "1,3,689012,5527516,211,1,4,loop,loop");
+  EXPECT_EQ(rows.front(),
+            "curve,vertex,x,y,z,closed,length,front,back,noise,density,evidence");
+  EXPECT_EQ(rows.back(), "1,3,689012,5527516,211,1,4,loop,loop,,,");
 }
 
 TEST(CurveFiles, UnknownEndingsAreRefused)

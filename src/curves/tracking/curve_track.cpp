@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "curve_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linelet {
+
+namespace {
+
+constexpr double gate_width = 3;  // standard deviations
+constexpr double ring_width = 3;  // gates
+constexpr double stretch = 4;     // points expected on the stretch looked at
+constexpr double memory = 40;     // points over which density and noise are averaged
+constexpr double first_trust = 6; // points that the seed's values stand for
+// A curve is visible over so many points on average, then hidden over so many.
+constexpr double visible_points = 60, hidden_points = 12;
+constexpr double least_noise = 0.03; // of the D of the scene
+constexpr double widest_gate = 2;    // of the spacing of the points, times the stretch
+constexpr std::size_t loop_points = 12;
+
+/** \brief One pass along a curve in one direction. */
+class Pass {
+public:
+  Pass(const TrackedScene& scene,
+       const TrackBending& bending,
+       double patience,
+       unsigned most_points)
+      : scene_(scene), bending_(bending), patience_(patience), most_points_(most_points)
+  {
+  }
+
+  TrackState state;
+  double density = 0, noise = 0;
+  std::vector<Track::Member> members;
+  Points path;
+  double evidence = 0;
+  double dispersion = 1;
+  TrackState last; ///< where the evidence was greatest
+
+  void
+  run()
+  {
+    last = state;
+    double best_density = density, best_noise = noise;
+    std::size_t kept = 0;
+    double score = 0;
+    double count = first_trust, length = first_trust / density;
+    double squares = first_trust * noise * noise, weights = first_trust;
+    double visible = 1;
+    double chi_square = 0, freedom = 0;
+    Surroundings around;
+    const auto pass = [&](double h) {
+      if (!(h > 0))
+        return;
+      state.advance(h, walk());
+      const double hide = density / visible_points, show = density / hidden_points;
+      const double shown = visible * std::exp(-(density + hide) * h) +
+                           (1 - visible) * (1 - std::exp(-show * h));
+      const double hidden =
+          (1 - visible) * std::exp(-show * h) + visible * (1 - std::exp(-hide * h));
+      score += std::log(shown + hidden);
+      length += visible * h;
+      visible = shown / (shown + hidden);
+    };
+    while (score > evidence - patience_) {
+      const double h = stretch / density;
+      TrackState end = state;
+      end.advance(h, walk());
+      const double gate = gate_width * std::sqrt(end.covariance(0, 0) + noise * noise);
+      if (gate > widest_gate * h)
+        break;
+      lookAhead(scene_, state, h, gate, ring_width * gate, around);
+      chi_square += around.chi_square;
+      freedom += around.freedom;
+      double place = 0;
+      bool looped = false;
+      for (const auto& near : around.near) {
+        pass(near.place - place);
+        place = near.place;
+        const Point offset = state.across(scene_.points[near.index] - state.at);
+        const double variance = state.covariance(0, 0) + noise * noise;
+        const double squared = offset.squaredNorm();
+        const double ratio = density * std::exp(-0.5 * squared / variance) /
+                             (2 * M_PI * variance * around.background);
+        const double gain = visible * ratio;
+        const double weight = gain / (gain + 1);
+        score += std::log1p(gain);
+        visible = (visible + gain) / (1 + gain);
+        if (weight < 0.05)
+          continue;
+        squares += weight * std::max(0.0, 0.5 * squared - state.covariance(0, 0));
+        weights += weight;
+        count += weight;
+        state.observe(offset, noise * noise, weight);
+        if (count > memory) {
+          length *= memory / count;
+          count = memory;
+        }
+        if (weights > memory) {
+          squares *= memory / weights;
+          weights = memory;
+        }
+        members.push_back({near.index, weight});
+        path.push_back(state.at);
+        if (score > evidence) {
+          evidence = score;
+          kept = members.size();
+          last = state;
+          best_density = density;
+          best_noise = noise;
+          dispersion = std::max(1.0, (chi_square + 24) / (freedom + 24));
+        }
+        if (members.size() > loop_points && !first_.empty() &&
+            std::find(first_.begin(), first_.end(), near.index) != first_.end())
+          looped = true;
+        if (members.size() <= loop_points / 2)
+          first_.push_back(near.index);
+      }
+      density = count / length;
+      noise = std::max(std::sqrt(squares / weights), least_noise * scene_.unit);
+      pass(h - place);
+      if (looped || (most_points_ > 0 && members.size() >= most_points_))
+        break;
+    }
+    members.resize(kept);
+    path.resize(kept);
+    density = best_density;
+    noise = best_noise;
+  }
+
+private:
+  double
+  walk() const
+  {
+    const double reach = bending_.points / density;
+    return 3 * bending_.turn * bending_.turn / (reach * reach * reach);
+  }
+
+  const TrackedScene& scene_;
+  const TrackBending& bending_;
+  double patience_;
+  unsigned most_points_;
+  Indices first_;
+};
+
+/** \brief \a state turned about, and less certain: the points it knows come again. */
+TrackState
+turned(TrackState state)
+{
+  state.reverse();
+  state.covariance *= 4;
+  return state;
+}
+
+} // namespace
+
+Track
+followCurve(const TrackedScene& scene,
+            const TrackSeed& seed,
+            const TrackBending& bending,
+            double patience,
+            unsigned most_points)
+{
+  Pass first(scene, bending, patience, most_points);
+  first.density = seed.density;
+  first.noise = std::max(seed.noise, least_noise * scene.unit);
+  first.state.at = seed.at;
+  first.state.direction = seed.direction;
+  const double turn = std::max(0.02, 2 * first.noise / seed.radius);
+  first.state.covariance =
+      Point(first.noise * first.noise, turn * turn, std::pow(0.1 / seed.radius, 2))
+          .asDiagonal();
+  first.run();
+  if (first.members.size() < 3)
+    return {};
+  Pass second(scene, bending, patience, most_points);
+  second.density = first.density;
+  second.noise = first.noise;
+  second.state = turned(first.last);
+  second.state.at -= 1e-3 * scene.unit * second.state.direction;
+  second.run();
+  if (second.members.size() < 4)
+    return {};
+  Pass third(scene, bending, patience, most_points);
+  third.density = second.density;
+  third.noise = second.noise;
+  third.state = turned(second.last);
+  third.state.at -= 1e-3 * scene.unit * third.state.direction;
+  third.run();
+  Track track;
+  track.members = std::move(third.members);
+  track.path = std::move(third.path);
+  track.dispersion = third.dispersion;
+  track.evidence = third.evidence / third.dispersion; // quasi-likelihood
+  track.density = third.density;
+  track.noise = third.noise;
+  return track;
+}
+
+} // namespace linelet

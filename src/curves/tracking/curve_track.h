@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/support/points.h>
+
+#include "surroundings.h"
+
+namespace linelet {
+
+/** \brief Where a curve may be followed from. */
+struct TrackSeed {
+  Index index = 0;    ///< a point of it, or beside it
+  Point at;           ///< a place of it
+  Point direction;    ///< its tangent there, either way
+  double radius = 0;  ///< over which it looks straight
+  double density = 0; ///< points per length
+  double noise = 0;   ///< standard deviation of the points about it, per coordinate
+  double quality = 0; ///< by which seeds are ordered, the best largest
+};
+
+/** \brief How freely a curve may bend. */
+struct TrackBending {
+  double turn = 0.01; ///< standard deviation of its direction, radians, ...
+  double points = 10; ///< ... after so many points
+};
+
+/** \brief A curve that was followed through its surroundings. */
+struct Track {
+  struct Member {
+    Index index;
+    double weight; ///< probability that the point is one of the curve
+  };
+  std::vector<Member> members; ///< along the curve
+  Points path;                 ///< where the filter went, at the members
+  double evidence = 0;         ///< log-likelihood ratio of curve to background
+  double dispersion = 1;       ///< of the background
+  double density = 0;          ///< points per length where it is visible
+  double noise = 0;            ///< standard deviation about the curve, per coordinate
+};
+
+/** \brief Follows a curve from \a seed both ways by a Kalman filter with probabilistic
+ * data association.
+ *
+ * Points of the curve are a Poisson process of some density along it, scattered about
+ * it by normal noise, over a background that is measured around every stretch;
+ * stretches may be hidden, as by what stands above them (a hidden Markov chain). The
+ * evidence is the log-likelihood ratio of this to the background alone; the curve ends
+ * where going on has lost more than \a patience of it, cut back to where the evidence
+ * was greatest.
+ * \param[in] most_points the curve ends after so many each way; 0: no limit
+ *
+ * Bar-Shalom and Tse, Automatica 11 (1975). */
+Track
+followCurve(const TrackedScene& scene,
+            const TrackSeed& seed,
+            const TrackBending& bending,
+            double patience,
+            unsigned most_points = 0);
+
+} // namespace linelet

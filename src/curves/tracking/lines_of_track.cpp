@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "lines_of_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include <linelet/search/uniform_grid.h>
+
+namespace linelet {
+
+namespace {
+
+using Offset = Eigen::Vector2d;
+
+constexpr double least_share = 0.08; // of the points, for a line of its own
+constexpr std::size_t most_lines = 12;
+constexpr std::size_t most_offsets = 1500; // looked at, evenly spread
+constexpr double reach = 3;                // standard deviations
+
+/** \brief Axes across each edge, carried along the curve without a twist. */
+struct Frames {
+  Points first, second;
+};
+
+Frames
+framesOf(const ModelCurve& curve)
+{
+  Frames frames;
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const Point direction = (curve.to(e) - curve.from(e)).normalized();
+    Point first = e == 0 ? direction.unitOrthogonal() : frames.first.back();
+    first = (first - first.dot(direction) * direction).normalized();
+    frames.first.push_back(first);
+    frames.second.push_back(direction.cross(first));
+  }
+  return frames;
+}
+
+/** \brief Offsets of \a points from \a curve, of those within \a distance of it. */
+std::vector<Offset>
+offsetsFrom(const ModelCurve& curve,
+            const Frames& frames,
+            const Points& points,
+            double distance)
+{
+  std::vector<Offset> result;
+  const UniformGrid grid(points, 2 * distance);
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const Point chord = curve.to(e) - curve.from(e);
+    const double edge = chord.norm();
+    const Point middle = 0.5 * (curve.from(e) + curve.to(e));
+    const double radius = std::sqrt(distance * distance + 0.25 * edge * edge);
+    grid.forEachWithin(middle, radius, [&](Index i, double) {
+      const Point v = points[i] - middle;
+      const Offset off(v.dot(frames.first[e]), v.dot(frames.second[e]));
+      if (std::abs(v.dot(chord)) <= 0.5 * edge * edge && off.norm() <= distance)
+        result.push_back(off);
+    });
+  }
+  if (result.size() <= most_offsets)
+    return result;
+  std::vector<Offset> some;
+  for (std::size_t k = 0; k < most_offsets; ++k)
+    some.push_back(result[k * result.size() / most_offsets]);
+  return some;
+}
+
+/** \brief Where \a offsets gather on the scale \a width, the most of them first. */
+std::vector<Offset>
+modesOf(const std::vector<Offset>& offsets, double width)
+{
+  std::vector<char> used(offsets.size(), 0);
+  std::vector<Offset> modes;
+  const double near = 1.5 * width;
+  while (modes.size() < most_lines) {
+    std::size_t best = 0;
+    Offset mode;
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+      std::size_t count = 0;
+      for (std::size_t j = 0; !used[i] && j < offsets.size(); ++j)
+        count += !used[j] && (offsets[i] - offsets[j]).squaredNorm() < near * near;
+      if (count > best) {
+        best = count;
+        mode = offsets[i];
+      }
+    }
+    if (static_cast<double>(best) < least_share * static_cast<double>(offsets.size()))
+      break;
+    for (int round = 0; round < 3; ++round) {
+      Offset sum = Offset::Zero();
+      double count = 0;
+      for (std::size_t j = 0; j < offsets.size(); ++j)
+        if (!used[j] && (mode - offsets[j]).squaredNorm() < near * near) {
+          sum += offsets[j];
+          count += 1;
+        }
+      if (count > 0)
+        mode = sum / count;
+    }
+    for (std::size_t j = 0; j < offsets.size(); ++j)
+      if ((mode - offsets[j]).norm() < 2.5 * width)
+        used[j] = 1;
+    modes.push_back(mode);
+  }
+  return modes;
+}
+
+} // namespace
+
+std::vector<ParallelLines>
+linesAlong(const ModelCurve& curve,
+           const Points& points,
+           double noise,
+           double least_width)
+{
+  std::vector<ParallelLines> result;
+  const Frames frames = framesOf(curve);
+  const std::vector<Offset> offsets = offsetsFrom(curve, frames, points, reach * noise);
+  for (const double share : {0.5, 0.33, 0.2, 0.12}) {
+    const double width = share * noise;
+    if (width < least_width)
+      break;
+    const std::vector<Offset> modes = modesOf(offsets, width);
+    if (modes.size() < 2)
+      continue;
+    ParallelLines lines;
+    lines.width = width;
+    for (const Offset& mode : modes) {
+      lines.curves.push_back(curve);
+      Points& nodes = lines.curves.back().nodes;
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const std::size_t e = std::min(k, curve.edges() - 1);
+        nodes[k] += mode.x() * frames.first[e] + mode.y() * frames.second[e];
+      }
+    }
+    result.push_back(std::move(lines));
+  }
+  return result;
+}
+
+} // namespace linelet

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "mixed_reconstruction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numeric>
+
+#include <linelet/support/threads.h>
+
+#include "curves/ridges/distinct_points.h"
+#include "track_fit.h"
+#include "track_seeds.h"
+
+namespace linelet {
+
+namespace {
+
+// Seeds followed side by side; the best of them then take their points first.
+constexpr std::size_t batch_size = 64;
+// Closer points tell no more than one of them. In D.
+constexpr double least_distance = 0.25;
+// Stiff curves first: what they explain misleads no other any more. Radians per 10
+// points.
+constexpr TrackBending bendings[] = {{0.01, 10}, {0.15, 10}};
+// In clutter, the points around a seed spread wider than the curve that it lies on.
+constexpr double narrower = 0.25;
+// Log-likelihood ratios: that a curve needs beyond the logarithm of the number of
+// points, by which the most of so many starts would stand out by chance; that each of
+// its points must tell on average; and that a curve may lose where it is hidden.
+constexpr double least_evidence = 20, least_per_point = 0.5, patience = 12;
+// A start that came to nothing is not made again by points that it led over twice.
+constexpr int most_failures = 2;
+// Of its points, this share must be free still.
+constexpr double least_free = 0.8;
+// A refit that loses more of the length than this was misled by its surroundings, if
+// the evidence is this many times what is needed.
+constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
+// Points that lie farther from their curve than half their spacing along it make a
+// volume rather than a curve, unless it stands out clearly.
+constexpr double widest = 0.5;
+
+double
+lengthOf(const Points& path)
+{
+  double sum = 0;
+  for (std::size_t k = 1; k < path.size(); ++k)
+    sum += (path[k] - path[k - 1]).norm();
+  return sum;
+}
+
+double
+countOf(const EmFit& fit)
+{
+  double sum = 0;
+  for (const std::vector<double>& counts : fit.counts)
+    sum = std::accumulate(counts.begin(), counts.end(), sum);
+  return sum;
+}
+
+/** \brief Follows curves from seeds, and keeps book of what they explain. */
+class SceneCurves {
+public:
+  SceneCurves(TrackedScene& scene,
+              const RefinedSettings& settings,
+              ProgressMonitor* monitor)
+      : scene_(scene),
+        settings_(settings),
+        monitor_(monitor),
+        needed_(least_evidence + std::log(static_cast<double>(scene.points.size())))
+  {
+  }
+
+  void
+  follow(const std::vector<TrackSeed>& seeds, const TrackBending& bending)
+  {
+    failures_.assign(scene_.points.size(), 0);
+    std::size_t next = 0, tried = 0;
+    const std::size_t most =
+        settings_.start_points > 0 ? settings_.start_points : seeds.size();
+    while (next < seeds.size() && tried < most) {
+      const std::size_t before = next;
+      std::vector<TrackSeed> batch;
+      for (; next < seeds.size() && batch.size() < batch_size && tried < most; ++next) {
+        const Index i = seeds[next].index;
+        if (scene_.owner[i] >= 0 || failures_[i] >= most_failures)
+          continue;
+        batch.push_back(seeds[next]);
+        ++tried;
+      }
+      takeBest(batch, tracksFrom(batch, bending));
+      if (monitor_)
+        monitor_->advance(next - before);
+    }
+  }
+
+  ModelCurves
+  release()
+  {
+    return std::move(curves_);
+  }
+
+private:
+  bool
+  stopped() const
+  {
+    return monitor_ && monitor_->canceled();
+  }
+
+  std::vector<Track>
+  tracksFrom(const std::vector<TrackSeed>& batch, const TrackBending& bending) const
+  {
+    std::vector<Track> tracks(batch.size());
+    std::exception_ptr failure;
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings_.threads))
+    for (std::size_t k = 0; k < batch.size(); ++k)
+      try {
+        for (const double width : {1.0, narrower}) {
+          TrackSeed seed = batch[k];
+          seed.noise *= width;
+          Track track =
+              followCurve(scene_, seed, bending, patience, settings_.max_iterations);
+          if (track.evidence > tracks[k].evidence)
+            tracks[k] = std::move(track);
+        }
+      }
+      catch (...) {
+#pragma omp critical(linelet_tracks_failure)
+        failure = std::current_exception();
+      }
+    if (failure)
+      std::rethrow_exception(failure);
+    return tracks;
+  }
+
+  void
+  takeBest(const std::vector<TrackSeed>& batch, const std::vector<Track>& tracks)
+  {
+    std::vector<std::size_t> order(tracks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return tracks[a].evidence > tracks[b].evidence;
+    });
+    for (const std::size_t k : order) {
+      if (stopped())
+        throw Canceled();
+      if (take(tracks[k]))
+        continue;
+      ++failures_[batch[k].index];
+      for (const Track::Member& m : tracks[k].members)
+        if (m.weight > 0.5 && scene_.owner[m.index] < 0)
+          ++failures_[m.index];
+    }
+  }
+
+  /** \return false where \a track is no curve */
+  bool
+  take(const Track& track)
+  {
+    double total = 0, free = 0;
+    for (const Track::Member& m : track.members) {
+      total += m.weight;
+      free += scene_.owner[m.index] < 0 ? m.weight : 0;
+    }
+    if (track.evidence < std::max(needed_, least_per_point * total))
+      return false;
+    if (free < least_free * total)
+      return true; // of another curve, found meanwhile
+    const auto stop = [this] { return stopped(); };
+    TrackFit fit = fitTrack(scene_, track, FitTo::Surroundings, stop);
+    if (length(fit.fit.curves) < least_kept * lengthOf(track.path) &&
+        track.evidence > sure * needed_)
+      fit = fitTrack(scene_, track, FitTo::Members, stop);
+    const double count = countOf(fit.fit);
+    if (fit.fit.curves.empty() ||
+        (fit.fit.noise * count > widest * length(fit.fit.curves) &&
+         track.evidence < very_sure * needed_))
+      return false;
+    const int name = static_cast<int>(curves_.size());
+    for (std::size_t k = 0; k < fit.points.size(); ++k)
+      if (fit.explained[k])
+        scene_.owner[fit.points[k]] = name;
+    for (const Track::Member& m : track.members)
+      if (m.weight > 0.5)
+        scene_.owner[m.index] = name;
+    for (std::size_t c = 0; c < fit.fit.curves.size(); ++c) {
+      ModelCurve& curve = fit.fit.curves[c];
+      curve.counts = std::move(fit.fit.counts[c]);
+      curve.noise = fit.fit.noise;
+      const double own = std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0);
+      curve.evidence = track.evidence * own / std::max(count, 1.0);
+      curves_.push_back(std::move(curve));
+    }
+    return true;
+  }
+
+  TrackedScene& scene_;
+  const RefinedSettings& settings_;
+  ProgressMonitor* monitor_;
+  double needed_;
+  std::vector<int> failures_; // per point
+  ModelCurves curves_;
+};
+
+} // namespace
+
+ModelCurves
+mixedCurves(const Points& all,
+            double unit,
+            const RefinedSettings& settings,
+            ProgressMonitor* monitor)
+{
+  const Points points = onePerCell(all, least_distance * unit);
+  TrackedScene scene{points, UniformGrid(points, 2 * unit), {}, {}, unit};
+  ScenePoints measured =
+      measureScene(points, scene.grid, unit, settings.threads, monitor);
+  scene.surface = std::move(measured.surface);
+  scene.owner.assign(points.size(), -1);
+  if (monitor)
+    monitor->begin("curves", std::size(bendings) * measured.seeds.size());
+  SceneCurves curves(scene, settings, monitor);
+  for (const TrackBending& bending : bendings)
+    curves.follow(measured.seeds, bending);
+  return curves.release();
+}
+
+} // namespace linelet

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/curves/refined_reconstruction.h>
+
+#include "curves/ridges/model_curve.h"
+
+namespace linelet {
+
+/** \brief Curves of a scene in which surfaces, crowns and clutter stand beside them.
+ *
+ * Points whose neighborhood is a surface at its own scale take no part, but stay part
+ * of the background. Where the others look linear on some scale, a curve is followed
+ * both ways (\ref followCurve), stiff ones first; what has more evidence against the
+ * background around it than all starts together would give by chance is refitted (\ref
+ * fitTrack), and its points are explained. All lengths follow from the points around
+ * each curve.
+ * \param[in] points finite points, no two in one place
+ * \param[in] unit D
+ * \return curves with the points explained by each edge, their noise and evidence
+ * \throws Canceled */
+ModelCurves
+mixedCurves(const Points& points,
+            double unit,
+            const RefinedSettings& settings,
+            ProgressMonitor* monitor);
+
+} // namespace linelet

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/search/uniform_grid.h>
+#include <linelet/support/points.h>
+
+#include "track_state.h"
+
+namespace linelet {
+
+/** \brief A scene while curves are looked for in it. */
+struct TrackedScene {
+  Points points;
+  UniformGrid grid;          ///< of all points
+  std::vector<char> surface; ///< per point, whether it is one of a surface or volume
+  std::vector<int> owner;    ///< per point the curve that explains it, or -1
+  double unit = 0;           ///< D
+};
+
+/** \brief What lies around the next stretch of a curve. */
+struct Surroundings {
+  struct Near {
+    double place; ///< along the stretch
+    Index index;
+  };
+  std::vector<Near> near; ///< points that may be of the curve, by their place
+  double background = 0;  ///< points per volume that are expected without a curve
+  /// Of the counts in parts of the ring beside what independent points would give:
+  /// Pearson's chi-square, and its degrees of freedom.
+  double chi_square = 0, freedom = 0;
+};
+
+/** \brief Looks along the next \a length of a curve.
+ * \param[in] gate points within this distance of the expected curve may be its own
+ * \param[in] ring those beyond, up to this distance, tell the background: points per
+ * volume, or those of a surface that runs through the gate, whichever promises more */
+void
+lookAhead(const TrackedScene& scene,
+          const TrackState& state,
+          double length,
+          double gate,
+          double ring,
+          Surroundings& result);
+
+} // namespace linelet

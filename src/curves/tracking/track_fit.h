@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+
+#include "curve_track.h"
+#include "curves/mixture/em_fit.h"
+
+namespace linelet {
+
+/** \brief The points that a track is refitted to. */
+enum class FitTo {
+  Surroundings, ///< all around it: what is no curve loses against them
+  Members       ///< its members alone, where the others are so many that they hide it
+};
+
+/** \brief What a track is refitted as. */
+struct TrackFit {
+  EmFit fit;                   ///< curves in the coordinates of the scene
+  Indices points;              ///< the points of the scene that it was fitted to
+  std::vector<char> explained; ///< per such point whether a curve made it
+};
+
+/** \brief Fits the mixture to the points around \a track: one curve along it, or as
+ * many as its cross-section shows lines (\ref linesAlong), whatever the criterion
+ * prefers. No curve where none explains the points better than their background does.
+ */
+TrackFit
+fitTrack(const TrackedScene& scene,
+         const Track& track,
+         FitTo fit_to,
+         const std::function<bool()>& stop);
+
+} // namespace linelet

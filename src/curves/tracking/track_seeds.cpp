@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "track_seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <linelet/features/multi_scale.h>
+#include <linelet/support/threads.h>
+#include <linelet/tensor/eigen_analysis.h>
+#include <linelet/tensor/neighborhood_tensor.h>
+
+namespace linelet {
+
+namespace {
+
+constexpr double largest_radius = 17;                       // D
+constexpr std::uint32_t least_planar = 8, least_linear = 5; // neighbors
+constexpr double planar = 0.5, linear = 0.8, again_linear = 0.7;
+// Of the cells of a disc that scattered points would occupy, a surface fills most, and
+// lines side by side leave many empty.
+constexpr double disc_radius = 6; // radii at which it is planar
+constexpr std::size_t disc_cells = 12;
+constexpr double least_filled = 0.6;
+// Exponents by which the neighbors of a point of a surface grow with the radius.
+constexpr double least_growth = 1.2, most_growth = 3;
+
+/** \brief What the graph of a point says of a surface through it. */
+struct PlanarScales {
+  bool any = false;
+  double radius = 0;   ///< the largest scale at which the neighborhood is a surface
+  bool linear = false; ///< whether it is linear again beyond
+};
+
+PlanarScales
+planarScales(const ShapeGraph& graph, const std::vector<double>& radii)
+{
+  PlanarScales result;
+  int run = 0;
+  bool linear_before = false;
+  for (std::size_t k = 0; k < graph.size(); ++k) {
+    const ScaleShape& shape = graph[k];
+    const bool is_linear = shape.linearity >= linear && shape.neighbors >= least_linear;
+    if (result.any)
+      result.linear = result.linear || shape.linearity >= again_linear;
+    else
+      linear_before = linear_before || is_linear;
+    if (!(shape.planarity >= planar) || shape.neighbors < least_planar) {
+      run = 0;
+      continue;
+    }
+    if (run > 0) {
+      const double growth = std::log(double(shape.neighbors) / graph[k - 1].neighbors) /
+                            std::log(radii[k] / radii[k - 1]);
+      if (growth < least_growth || growth > most_growth)
+        run = 0;
+    }
+    if (++run < 3 || result.any)
+      continue;
+    result.any = true;
+    result.radius = radii[k - 2];
+    result.linear = linear_before;
+  }
+  return result;
+}
+
+/** \brief Whether the points around \a p within \a radius fill a disc, rather than a
+ * few lines side by side. */
+bool
+fillsDisc(const Points& points, const UniformGrid& grid, const Point& p, double radius)
+{
+  Points near;
+  grid.forEachWithin(
+      p, disc_radius * radius, [&](Index i, double) { near.push_back(points[i] - p); });
+  const double reach = disc_radius * radius;
+  const EigenSystem axes =
+      eigenAnalysis(neighborhoodTensor(near, Point::Zero(), reach, Kernel::Const));
+  std::array<char, disc_cells * disc_cells> occupied{};
+  const auto cell = [&](double x) {
+    const double place = (x / reach + 1) / 2 * disc_cells;
+    return static_cast<std::size_t>(std::clamp(place, 0.0, disc_cells - 0.5));
+  };
+  double count = 0;
+  for (const Point& v : near) {
+    if (std::abs(axes.normal().dot(v)) > radius)
+      continue;
+    count += 1;
+    occupied[cell(axes.vectors.col(1).dot(v)) * disc_cells +
+             cell(axes.vectors.col(2).dot(v))] = 1;
+  }
+  const double cells = M_PI / 4 * disc_cells * disc_cells;
+  const double random = cells * (1 - std::exp(-count / cells));
+  return static_cast<double>(std::count(occupied.begin(), occupied.end(), 1)) >=
+         least_filled * random;
+}
+
+TrackSeed
+seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
+{
+  TrackSeed seed;
+  seed.index = static_cast<Index>(i);
+  seed.at = at;
+  seed.direction = Point(shape.major_x, shape.major_y, shape.major_z);
+  seed.radius = radius;
+  seed.density = shape.neighbors / (2 * radius);
+  // Of a line through its middle, l3 is r^2 / 3; the query has as much noise as the
+  // neighbors around it.
+  const double least = shape.sphericity / 3, middle = least + shape.planarity / 2;
+  const double most = 1 - least - middle;
+  seed.noise = radius * std::sqrt((least + middle) / (4 * 3 * most));
+  seed.quality = shape.linearity * (1 - 1 / std::sqrt(double(shape.neighbors)));
+  return seed;
+}
+
+} // namespace
+
+ScenePoints
+measureScene(const Points& points,
+             const UniformGrid& grid,
+             double unit,
+             unsigned threads,
+             ProgressMonitor* monitor)
+{
+  ScenePoints scene;
+  scene.surface.assign(points.size(), 0);
+  MultiScaleSettings settings;
+  settings.weighting = Kernel::Const;
+  settings.max_radius = largest_radius * unit;
+  settings.scale_unit = unit;
+  settings.threads = threads;
+  const std::vector<double> radii = multiScaleRadii(points, settings).radii;
+  struct Doubtful {
+    Index index;
+    double radius;
+  };
+  std::vector<Doubtful> doubtful;
+  const auto sink = [&](std::size_t i, const ShapeGraph& graph) {
+    const PlanarScales surface = planarScales(graph, radii);
+    if (surface.any) {
+      scene.surface[i] = 1;
+      if (!surface.linear)
+        return;
+      doubtful.push_back({static_cast<Index>(i), surface.radius});
+    }
+    std::size_t finest = graph.size(), coarsest = graph.size();
+    for (std::size_t k = 0; k < graph.size(); ++k)
+      if (graph[k].linearity >= linear && graph[k].neighbors >= least_linear) {
+        coarsest = k;
+        if (finest == graph.size())
+          finest = k;
+      }
+    if (finest == graph.size())
+      return;
+    scene.seeds.push_back(seedAt(i, points[i], graph[finest], radii[finest]));
+    if (coarsest > finest + 1)
+      scene.seeds.push_back(seedAt(i, points[i], graph[coarsest], radii[coarsest]));
+  };
+  multiScaleShapes(points, points, settings, sink, monitor);
+#pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
+  for (std::size_t k = 0; k < doubtful.size(); ++k)
+    scene.surface[doubtful[k].index] =
+        fillsDisc(points, grid, points[doubtful[k].index], doubtful[k].radius);
+  scene.seeds.erase(std::remove_if(scene.seeds.begin(),
+                                   scene.seeds.end(),
+                                   [&](const TrackSeed& seed) {
+                                     return scene.surface[seed.index] != 0;
+                                   }),
+                    scene.seeds.end());
+  std::sort(scene.seeds.begin(), scene.seeds.end(), [](const auto& a, const auto& b) {
+    if (a.quality != b.quality)
+      return a.quality > b.quality;
+    return a.index != b.index ? a.index < b.index : a.radius < b.radius;
+  });
+  return scene;
+}
+
+} // namespace linelet

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Curves followed through clutter, beside the line that was planted.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "curves/tracking/curve_track.h"
+#include "curves/tracking/lines_of_track.h"
+
+using namespace linelet;
+
+namespace {
+
+/** \brief A parabola of 60 with 2 points per length, and scattered points around it. */
+Points
+lineInClutter(double clutter, unsigned seed, bool line = true)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, 0.03);
+  std::uniform_real_distribution<double> along(0, 60), across(-4, 4);
+  Points points;
+  for (int k = 0; line && k < 120; ++k) {
+    const double x = along(random);
+    points.emplace_back(x, noise(random), 0.001 * x * x + noise(random));
+  }
+  const int count = static_cast<int>(clutter * 60 * 8 * 8);
+  for (int k = 0; k < count; ++k)
+    points.emplace_back(along(random), across(random), across(random));
+  return points;
+}
+
+TrackedScene
+sceneOf(const Points& points)
+{
+  return {points,
+          UniformGrid(points, 0.5),
+          std::vector<char>(points.size(), 0),
+          std::vector<int>(points.size(), -1),
+          0.5};
+}
+
+TrackSeed
+seedAt(const Point& at)
+{
+  TrackSeed seed;
+  seed.at = at;
+  seed.direction = Point(1, 0.01, 0.05).normalized();
+  seed.radius = 3;
+  seed.density = 2;
+  seed.noise = 0.1;
+  return seed;
+}
+
+TEST(CurveTrack, FollowsALineThroughClutterToBothEnds)
+{
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    const Points points = lineInClutter(0.5, seed);
+    const TrackedScene scene = sceneOf(points);
+    const Track track = followCurve(scene, seedAt({30, 0, 0.9}), {0.01, 10}, 12);
+    ASSERT_GT(track.members.size(), 80U);
+    EXPECT_GT(track.evidence, 100);
+    EXPECT_LT(std::min(track.path.front().x(), track.path.back().x()), 3);
+    EXPECT_GT(std::max(track.path.front().x(), track.path.back().x()), 57);
+    EXPECT_NEAR(track.noise, 0.03, 0.015);
+    EXPECT_NEAR(track.density, 2, 0.8);
+    for (const Point& p : track.path)
+      EXPECT_LT(std::hypot(p.y(), p.z() - 0.001 * p.x() * p.x()), 0.12);
+  }
+}
+
+TEST(CurveTrack, HardlyEverSeesAThinCurveInClutterAlone)
+{
+  // The box of clutter is a thick curve itself: only thin ones count.
+  int starts = 0, seen = 0;
+  for (unsigned seed = 20; seed < 30; ++seed) {
+    const Points points = lineInClutter(0.5, seed, false);
+    const TrackedScene scene = sceneOf(points);
+    for (double x = 5; x < 60; x += 5, ++starts) {
+      const Track track = followCurve(scene, seedAt({x, 0, 0}), {0.01, 10}, 12);
+      seen += track.noise * track.density < 0.25 &&
+              track.evidence > 20 + std::log(points.size());
+    }
+  }
+  EXPECT_LE(seen, starts / 20) << "of " << starts;
+}
+
+TEST(CurveTrack, CrossesAHiddenStretch)
+{
+  Points points = lineInClutter(0.2, 8);
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [](const Point& p) { return p.x() > 25 && p.x() < 31; }),
+               points.end());
+  const TrackedScene scene = sceneOf(points);
+  const Track track = followCurve(scene, seedAt({15, 0, 0.2}), {0.01, 10}, 12);
+  ASSERT_FALSE(track.path.empty());
+  EXPECT_GT(std::max(track.path.front().x(), track.path.back().x()), 55);
+}
+
+TEST(CurveTrack, LeavesThePointsOfOtherCurves)
+{
+  const Points points = lineInClutter(0.2, 9);
+  TrackedScene scene = sceneOf(points);
+  for (std::size_t i = 0; i < 120; ++i)
+    scene.owner[i] = 0;
+  EXPECT_LT(followCurve(scene, seedAt({30, 0, 0.9}), {0.01, 10}, 12).evidence, 20);
+}
+
+TEST(LinesAlong, TellsFourLinesFromOneThickOne)
+{
+  std::mt19937 random(10);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::uniform_real_distribution<double> along(0, 50);
+  const Point offsets[] = {{0, -.2, -.2}, {0, .2, -.2}, {0, -.2, .2}, {0, .2, .2}};
+  Points points;
+  for (const Point& offset : offsets)
+    for (int k = 0; k < 60; ++k)
+      points.emplace_back(Point(along(random), noise(random), noise(random)) + offset);
+  ModelCurve middle;
+  for (int k = 0; k <= 50; ++k)
+    middle.nodes.emplace_back(k, 0, 0);
+  bool found = false;
+  for (const ParallelLines& lines : linesAlong(middle, points, 0.2, 0.01)) {
+    if (lines.curves.size() != 4)
+      continue;
+    found = true;
+    for (const Point& offset : offsets) {
+      double nearest = 1;
+      for (const ModelCurve& line : lines.curves)
+        nearest = std::min(nearest,
+                           (line.nodes.front() - middle.nodes.front() - offset).norm());
+      EXPECT_LT(nearest, 0.03);
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+} // namespace

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Scenes with ground, a roof, crowns and wires, and the same without wires.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <linelet/curves/reconstruct_curves.h>
+#include <linelet/io/cloud.h>
+#include <linelet/io/point_file.h>
+
+#include "test_data.h"
+
+using namespace linelet;
+
+namespace {
+
+constexpr int wires = 3;
+
+Point
+wireAt(int wire, double x)
+{
+  return {x, 4.0 * wire, 12 + 0.002 * (x - 40) * (x - 40)};
+}
+
+/** \brief 80 x 40, ground at 8 points per square, crowns beside \a with_wires. */
+Points
+scene(unsigned seed, bool with_wires)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::normal_distribution<double> noise(0, 0.03);
+  Points points;
+  for (int k = 0; k < 25600; ++k)
+    points.emplace_back(80 * unit(random), 40 * unit(random) - 20, noise(random));
+  for (int k = 0; k < 1500; ++k) { // a roof
+    const double x = 10 * unit(random), y = 8 * unit(random);
+    points.emplace_back(
+        50 + x, -18 + y, 7 - 0.6 * std::abs(y - 4) + 0.5 * noise(random));
+  }
+  for (int tree = 0; tree < 14; ++tree) {
+    const Point center(80 * unit(random), 14 + 5 * unit(random), 7);
+    for (int k = 0; k < 900; ++k) {
+      const Point direction =
+          Point(unit(random) - .5, unit(random) - .5, unit(random) - .5).normalized();
+      points.emplace_back(center + 3.0 * std::cbrt(unit(random)) * direction);
+    }
+  }
+  for (int wire = 0; with_wires && wire < wires; ++wire)
+    for (int k = 0; k < 200; ++k)
+      points.emplace_back(wireAt(wire, 80 * unit(random)) +
+                          Point(0, noise(random), noise(random)));
+  std::shuffle(points.begin(), points.end(), random);
+  return points;
+}
+
+double
+distanceTo(const CurveNetwork& network, const Point& p)
+{
+  double best = 1e300;
+  for (const Curve& curve : network.curves)
+    for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
+      const Point a = curve.points[k], ab = curve.points[k + 1] - a;
+      const double t =
+          std::clamp(ab.dot(p - a) / std::max(ab.squaredNorm(), 1e-300), 0.0, 1.0);
+      best = std::min(best, (a + t * ab - p).norm());
+    }
+  return best;
+}
+
+/** \brief Share of the wires within \a tolerance of \a network, both moved by \a move.
+ */
+double
+covered(const CurveNetwork& network, const Eigen::Affine3d& move, double tolerance)
+{
+  int near = 0, all = 0;
+  for (int wire = 0; wire < wires; ++wire)
+    for (double x = 0.5; x < 80; x += 0.5, ++all)
+      near += distanceTo(network, move * wireAt(wire, x)) <= tolerance;
+  return static_cast<double>(near) / all;
+}
+
+TEST(MixedReconstruction, FindsTheWiresOverGroundRoofAndCrowns)
+{
+  for (const unsigned seed : {1U, 2U}) {
+    SCOPED_TRACE(seed);
+    const CurveNetwork network = reconstructCurves(scene(seed, true));
+    EXPECT_GE(covered(network, Eigen::Affine3d::Identity(), 0.1), 0.97);
+    // Crowns of scattered points hold no branch: what is found there is wrong.
+    EXPECT_LE(length(network), 1.1 * wires * 81.5);
+    for (const Curve& curve : network.curves) {
+      EXPECT_GT(curve.evidence, 20);
+      EXPECT_TRUE(std::isfinite(curve.noise) && std::isfinite(curve.density));
+    }
+  }
+}
+
+TEST(MixedReconstruction, FindsNothingWhereThereIsNoCurve)
+{
+  for (const unsigned seed : {3U, 4U}) {
+    SCOPED_TRACE(seed);
+    EXPECT_LE(length(reconstructCurves(scene(seed, false))), 10);
+  }
+}
+
+TEST(MixedReconstruction, MovesTurnsAndScalesWithTheInput)
+{
+  Points points = scene(5, true);
+  Eigen::Affine3d move = Eigen::Affine3d::Identity();
+  move.translate(Point(300, -200, 50));
+  move.rotate(Eigen::AngleAxisd(0.7, Point::UnitZ()));
+  move.scale(3.2808); // feet
+  for (Point& p : points)
+    p = move * p;
+  EXPECT_GE(covered(reconstructCurves(points), move, 0.33), 0.97);
+}
+
+TEST(MixedReconstruction, IsTheSameForAnyNumberOfThreads)
+{
+  const Points points = scene(6, true);
+  ReconstructionSettings settings;
+  settings.threads = 1;
+  const CurveNetwork one = reconstructCurves(points, settings);
+  settings.threads = 3;
+  const CurveNetwork three = reconstructCurves(points, settings);
+  ASSERT_EQ(one.curves.size(), three.curves.size());
+  for (std::size_t c = 0; c < one.curves.size(); ++c)
+    EXPECT_EQ(one.curves[c].points, three.curves[c].points);
+}
+
+class Stopped : public ProgressMonitor {
+public:
+  bool
+  canceled() const override
+  {
+    return true;
+  }
+};
+
+TEST(MixedReconstruction, StopsWhenToldTo)
+{
+  Stopped monitor;
+  EXPECT_THROW(reconstructCurves(scene(7, true), {}, &monitor), Canceled);
+}
+
+TEST(MixedReconstruction, RealWiresOverRealGround)
+{
+  for (const char* name :
+       {"lidar/ahn4_12BZ1_21_thin8.las", "lidar/ahn4_12AN2_20_thin8.las"}) {
+    LINELET_NEEDS_DATA(name);
+    const io::Cloud cloud = io::readCloud(linelet::test::dataPath(name).string());
+    const io::Column* classes = cloud.find("classification");
+    ASSERT_NE(classes, nullptr);
+    const CurveNetwork network = reconstructCurves(cloud.points);
+    int near = 0, all = 0;
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      if (io::valueAt(*classes, i) == 14 && i % 50 == 0) {
+        ++all;
+        near += distanceTo(network, cloud.points[i]) <= 0.25;
+      }
+    EXPECT_GE(near, 0.97 * all) << name << ", " << all << " points looked at";
+  }
+}
+
+} // namespace
