@@ -18,7 +18,7 @@ namespace {
 
 constexpr double largest_radius = 17;                       // D
 constexpr std::uint32_t least_planar = 8, least_linear = 5; // neighbors
-constexpr double planar = 0.5, linear = 0.8, again_linear = 0.7;
+constexpr double planar = 0.5, linear = 0.75, again_linear = 0.7;
 // Of the cells of a disc that scattered points would occupy, a surface fills most, and
 // lines side by side leave many empty.
 constexpr double disc_radius = 6; // radii at which it is planar
