@@ -26,6 +26,8 @@ runEvaluate(const std::vector<std::string>& arguments)
   std::string curves, truth;
   frame.app.add_option("CURVES", curves, "reconstructed curves (.obj)")->required();
   frame.app.add_option("TRUTH", truth, "true curves (.obj)")->required();
+  frame.reads(curves);
+  frame.reads(truth);
   addOptions(frame.app, settings);
   frame.parse(arguments);
 

@@ -44,6 +44,7 @@ generateGeometry(const std::vector<std::string>& arguments)
   add.argument("NAME", geometry, "the curve" + geometryNames() + "; or corridor");
   CloudOutput output(frame);
   add("truth", truth, "file for the true curves (.obj and others)");
+  frame.writes(truth);
   frame.app
       .add_option(
           "--hole", hole, "no samples between these parts of the length, 0 to 1")

@@ -54,6 +54,9 @@ runImage(const std::vector<std::string>& arguments)
   std::string output;
   CloudInput input(frame);
   frame.app.add_option("OUTPUT", output, "picture, .png")->required();
+  frame.writes(output);
+  frame.reads(settings.curves);
+  frame.reads(settings.along);
   addOptions(frame.app, settings);
   addOptions(frame.app, shapes);
   frame.parse(arguments);
@@ -75,7 +78,7 @@ runImage(const std::vector<std::string>& arguments)
     throw std::runtime_error("width and height must be between 200 and 10000 pixels");
 
   io::Cloud cloud = input.read();
-  if (const auto usable = usablePoints(cloud, frame); usable.withheld() > 0)
+  if (const auto usable = input.usable(cloud); usable.leftOut() > 0)
     cloud.points = usable.points();
   if (cloud.points.empty())
     throw std::runtime_error(input.path() + ": there are no points to draw");

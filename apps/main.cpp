@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "frame.h"
 #include "help.h"
+#include "signals.h"
 #include "version.h"
 
 using namespace linelet::apps;
@@ -50,6 +51,7 @@ main(int argc, char** argv)
   for (const Command& command : commands()) {
     if (name != command.name)
       continue;
+    watchSignals();
     try {
       return command.run({arguments.begin() + 1, arguments.end()});
     }

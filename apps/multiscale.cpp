@@ -196,6 +196,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   addOptions(frame.app, settings);
   const OptionAdder add(frame.app);
   add("graphs", graphs, "CSV file for the graphs of every point");
+  frame.writes(graphs);
   add("centroid-shift",
       shift.radius,
       "first move every point to the mean of its neighbours within this radius (the "
@@ -207,7 +208,7 @@ runMultiscale(const std::vector<std::string>& arguments)
     io::checkWritable(graphs);
 
   io::Cloud cloud = input.read();
-  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const io::UsablePoints usable = input.usable(cloud);
   const Points points = shiftedPoints(cloud, usable, shift, &frame.monitor);
   const MultiScaleShapes plan = multiScaleRadii(points, settings, &frame.monitor);
   settings.radii = plan.radii;
@@ -229,9 +230,10 @@ runMultiscale(const std::vector<std::string>& arguments)
 
   frame.summary["points"] = cloud.points.size();
   frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
   report({noiseRate(about_points),
           noiseWidth(about_points),
-          static_cast<std::size_t>(without_scale) - usable.withheld()},
+          static_cast<std::size_t>(without_scale) - usable.leftOut()},
          plan,
          settings,
          output.path(),

@@ -157,25 +157,25 @@ describeSize(const TensorSettings& settings, const SizeFields& fields)
 /** \brief What the records of a cloud come to. */
 struct Tally {
   std::size_t points = 0;
-  std::size_t withheld = 0;  ///< of them, which take no part
+  std::size_t left_out = 0;  ///< of them, which take no part
   std::size_t unknown = 0;   ///< of the others, without a shape
   double mean_neighbors = 0; ///< of the others
 };
 
 Tally
-tallyOf(const Records& records, std::size_t withheld)
+tallyOf(const Records& records, std::size_t left_out)
 {
   Tally tally;
   tally.points = records.size();
-  tally.withheld = withheld;
+  tally.left_out = left_out;
   double neighbors = 0;
   for (const PointDistributionTensor& record : records) {
     tally.unknown += std::isnan(record.linearity) ? 1 : 0;
     neighbors += record.neighbors;
   }
-  tally.unknown -= withheld;
-  if (tally.points > withheld)
-    tally.mean_neighbors = neighbors / static_cast<double>(tally.points - withheld);
+  tally.unknown -= left_out;
+  if (tally.points > left_out)
+    tally.mean_neighbors = neighbors / static_cast<double>(tally.points - left_out);
   return tally;
 }
 
@@ -189,7 +189,7 @@ printUnknown(const Tally& tally, double scale_unit, const Points& points)
   std::printf("%zu points have no shape: too few neighbors, or all in one place\n",
               tally.unknown);
   // One point in a hundred is no reason for another radius.
-  if (tally.unknown * 100 <= tally.points - tally.withheld)
+  if (tally.unknown * 100 <= tally.points - tally.left_out)
     return;
   if (std::isnan(scale_unit))
     scale_unit = scaleUnit(points);
@@ -218,7 +218,6 @@ summarise(nlohmann::ordered_json& summary,
   summary["engine"] = nameOf(settings.engine);
   summary["mean_neighbors"] = tally.mean_neighbors;
   summary["unknown"] = tally.unknown;
-  summary["withheld"] = tally.withheld;
 }
 
 } // namespace
@@ -252,7 +251,7 @@ runTensor(const std::vector<std::string>& arguments)
   output.check();
 
   io::Cloud cloud = input.read();
-  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const io::UsablePoints usable = input.usable(cloud);
   const NeighbourhoodSizes sizes = sizesFrom(cloud, fields, input.path());
   double scale_unit = std::nan("");
   if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
@@ -266,7 +265,7 @@ runTensor(const std::vector<std::string>& arguments)
   addColumns(cloud, records);
   output.write(cloud);
 
-  const Tally tally = tallyOf(records, usable.withheld());
+  const Tally tally = tallyOf(records, usable.leftOut());
   std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
               output.path().c_str(),
               tally.points,
@@ -275,6 +274,8 @@ runTensor(const std::vector<std::string>& arguments)
               std::string(nameOf(settings.engine)).c_str());
   printUnknown(tally, scale_unit, usable.points());
   summarise(frame.summary, tally, settings, fields);
+  frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
   return frame.finish();
 }
 

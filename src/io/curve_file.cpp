@@ -148,8 +148,10 @@ writeCurves(const std::string& path,
             const CurveNetwork& network,
             const Point& shift,
             const std::string& wkt,
-            std::vector<std::string>* warnings)
+            std::vector<std::string>* warnings,
+            Monitor* monitor)
 {
+  throwIfCancelled(monitor);
   const std::string ending = endingOf(path);
   if (ending == ".obj")
     writeText(path, curvesAsObj(network, shift));
@@ -160,7 +162,7 @@ writeCurves(const std::string& path,
   else if (ending == ".csv")
     writeText(path, curvesAsCsv(network, shift));
   else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
-    writeLayers(path, {layerOf(network, shift)}, wkt, warnings);
+    writeLayers(path, {layerOf(network, shift)}, wkt, warnings, monitor);
   else
     noCurveFormat(path);
 }

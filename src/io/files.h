@@ -7,14 +7,15 @@
 #include <string_view>
 
 #include <linelet/io/output_file.h>
+#include <linelet/support/monitor.h>
 
 namespace linelet::io {
 
 /** \brief A file in memory, read-only: mapped where it is a regular file. */
 class MappedFile {
 public:
-  /** \throws FileError */
-  explicit MappedFile(const std::string& path);
+  /** \throws FileError, Cancelled */
+  explicit MappedFile(const std::string& path, const Monitor* monitor = nullptr);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile&
@@ -31,15 +32,6 @@ private:
   std::string owned_; ///< content of what cannot be mapped (pipes)
   void* mapped_ = nullptr;
 };
-
-/** \brief Where the content of \a path is written until it is whole: a name beside it,
- * or \a path itself where that is a device or a pipe. */
-std::string
-stagingPath(const std::string& path);
-
-/** \brief Puts the finished \a staged in the place of \a path. \throws FileError */
-void
-publish(const std::string& staged, const std::string& path);
 
 /** \brief The sentence for a file that cannot be written, from errno. */
 std::string

@@ -4,7 +4,6 @@
 #include <linelet/io/vector_file.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include <cpl_conv.h>
@@ -17,6 +16,7 @@
 #include "files.h"
 #include "geojson.h"
 #include "reference.h"
+#include "staged_file.h"
 
 namespace linelet::io {
 
@@ -65,17 +65,6 @@ public:
 
 private:
   const char* name_;
-};
-
-struct RemoveUnlessPublished {
-  const std::string& staged;
-  const std::string& path;
-  ~RemoveUnlessPublished()
-  {
-    std::error_code ignored;
-    if (staged != path)
-      std::filesystem::remove(staged, ignored);
-  }
 };
 
 /** Makes layers in a dataset of one driver. */
@@ -192,7 +181,8 @@ void
 writeGeoPackage(const std::string& path,
                 const std::string& staged,
                 const std::vector<VectorLayer>& layers,
-                const std::string& wkt)
+                const std::string& wkt,
+                const Monitor* monitor)
 {
   // The same input gives the same bytes: no time of writing.
   const GdalOption date("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
@@ -210,6 +200,7 @@ writeGeoPackage(const std::string& path,
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
       writer.setAttributes(*out, feature);
       writer.add(*layer, *out);
+      throwIfCancelled(monitor);
     }
   }
   writer.close();
@@ -233,13 +224,15 @@ labelStyle(const std::string& text, double height)
 void
 writeDxf(const std::string& path,
          const std::string& staged,
-         const std::vector<VectorLayer>& layers)
+         const std::vector<VectorLayer>& layers,
+         const Monitor* monitor)
 {
   CPLErrorReset();
   LayerWriter writer(path, staged, "DXF");
   OGRLayer* layer = writer.makeLayer("entities", wkbUnknown, nullptr);
   for (const VectorLayer& content : layers)
     for (const VectorFeature& feature : content.features) {
+      throwIfCancelled(monitor);
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
       const std::string& own = feature.drawing_layer;
       out->SetField("Layer", own.empty() ? content.name.c_str() : own.c_str());
@@ -269,8 +262,10 @@ void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
             const std::string& wkt,
-            std::vector<std::string>* warnings)
+            std::vector<std::string>* warnings,
+            Monitor* monitor)
 {
+  throwIfCancelled(monitor);
   const std::string ending = endingOf(path);
   if (ending == ".geojson") {
     if (wkt.empty() && warnings != nullptr && !isEmpty(layers))
@@ -278,19 +273,18 @@ writeLayers(const std::string& path,
                                  "GeoJSON take the coordinates for degrees; .gpkg says "
                                  "it is unknown");
     OutputFile file(path);
-    file.write(layersAsGeoJson(layers, wkt));
+    file.write(layersAsGeoJson(layers, wkt, monitor));
     return file.commit();
   }
   if (ending != ".gpkg" && ending != ".dxf")
     throw FileError(path + ": the ending '" + ending +
                     "' names no vector format; use .geojson, .gpkg or .dxf");
-  const std::string staged = stagingPath(path);
-  const RemoveUnlessPublished cleaner{staged, path};
+  StagedFile staged(path);
   if (ending == ".gpkg")
-    writeGeoPackage(path, staged, layers, wkt);
+    writeGeoPackage(path, staged.place(), layers, wkt, monitor);
   else
-    writeDxf(path, staged, layers);
-  publish(staged, path);
+    writeDxf(path, staged.place(), layers, monitor);
+  staged.publish();
 }
 
 } // namespace linelet::io

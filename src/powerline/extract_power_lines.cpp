@@ -121,6 +121,9 @@ extractPowerLines(const Points& points,
   PowerLineNetwork network;
   network.classes = classes;
   network.classes.resize(points.size(), 0);
+  for (std::uint8_t& number : network.classes)
+    if (number == wire_class || number == pylon_class)
+      number = unclassified; // until found
   network.wire_id.assign(points.size(), 0);
   network.span_id.assign(points.size(), 0);
   network.wire_distance.assign(points.size(), std::numeric_limits<float>::quiet_NaN());
@@ -183,7 +186,7 @@ extractPowerLines(const io::Cloud& cloud,
       classes[i] = static_cast<std::uint8_t>(io::valueAt(*column, i));
   }
   const MetricFrame frame(cloud);
-  const io::UsablePoints usable(cloud);
+  const io::UsablePoints usable(cloud, nullptr, settings.points);
   if (frame.units().areMetres())
     return extractPowerLines(usable.points(), classes, settings, monitor);
   Points points(cloud.points.size());

@@ -141,18 +141,18 @@ TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
     text +=
         std::to_string(0.1 * i) + ",0,5,14\n" + std::to_string(0.1 * i) + ",20,0,2\n";
   const std::string cloud = write("scene.csv", text), output = path("wires.obj");
-  runWell("curves " + cloud + " " + output + " --classes 14 --json " +
+  runWell("curves " + cloud + " " + output + " --keep-classes 14 --json " +
           path("wires.json"));
   EXPECT_EQ(json(path("wires.json"))["points"], 100);
   const CurveNetwork network = io::readCurves(output);
   ASSERT_EQ(network.curves.size(), 1u);
   for (const Point& vertex : network.curves[0].points)
     EXPECT_NEAR(vertex.z(), 5, 1e-3);
-  EXPECT_THAT(runWell("curves " + cloud + " " + output + " --classes 99").error,
-              HasSubstr("no point is of a class of --classes"));
+  EXPECT_THAT(runWell("curves " + cloud + " " + output + " --keep-classes 99").error,
+              HasSubstr("no point is left"));
   runWell("generate circle " + path("circle.xyz"));
   expectOneLineOf("curves " + path("circle.xyz") + " " + path("out.obj") +
-                      " --classes 14",
+                      " --keep-classes 14",
                   "no classes");
 }
 

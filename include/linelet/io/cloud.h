@@ -105,4 +105,10 @@ struct Units {
 Units
 unitsOf(const std::string& wkt);
 
+/** \brief Why lengths in the plan of \a cloud mean nothing, as a clause to follow the
+ * name of its file: its reference system counts in degrees, or none is told and the
+ * coordinates look like it. Empty where they are lengths for all that is known. */
+std::string
+degreesIn(const Cloud& cloud);
+
 } // namespace linelet::io

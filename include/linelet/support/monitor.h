@@ -44,4 +44,13 @@ public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
+/** \brief Ends work that \a monitor, which may be null, asked to stop. Not for loops
+ * that run in several threads: nothing may be thrown out of these. \throws Cancelled */
+inline void
+throwIfCancelled(const Monitor* monitor)
+{
+  if (monitor != nullptr && monitor->cancelled())
+    throw Cancelled();
+}
+
 } // namespace linelet
