@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include <bench/runs/benchmark.h>
+#include <bench/runs/benchmark_grid.h>
+#include <bench/runs/benchmark_summary.h>
 #include <linelet/curves/reconstruct_curves.h>
-#include <linelet/evaluation/benchmark.h>
-#include <linelet/evaluation/benchmark_grid.h>
-#include <linelet/evaluation/benchmark_summary.h>
 #include <linelet/io/output_file.h>
 
 #include "commands.h"
@@ -26,8 +26,8 @@ namespace linelet::apps {
 
 namespace {
 
-using evaluation::BenchmarkRow;
-using evaluation::BenchmarkRun;
+using bench::BenchmarkRow;
+using bench::BenchmarkRun;
 
 /** \brief Which runs are made, and what becomes of their rows. */
 struct BenchmarkOptions {
@@ -85,28 +85,28 @@ checkedLabel(const std::string& label)
   return label;
 }
 
-std::vector<evaluation::Geometry>
+std::vector<bench::Geometry>
 geometriesOf(const std::vector<std::string>& names)
 {
-  std::vector<evaluation::Geometry> geometries;
+  std::vector<bench::Geometry> geometries;
   for (const std::string& name : names)
     if (name == "benchmark" || name == "held-out") {
-      const auto& group = name == "benchmark" ? evaluation::benchmarkGeometries()
-                                              : evaluation::heldOutGeometries();
+      const auto& group = name == "benchmark" ? bench::benchmarkGeometries()
+                                              : bench::heldOutGeometries();
       geometries.insert(geometries.end(), group.begin(), group.end());
     }
     else
-      geometries.push_back(fromName<evaluation::Geometry>(name));
+      geometries.push_back(fromName<bench::Geometry>(name));
   return geometries;
 }
 
 std::vector<BenchmarkRun>
 runsOf(const BenchmarkOptions& options)
 {
-  const std::vector<evaluation::Geometry> geometries = geometriesOf(options.geometries);
+  const std::vector<bench::Geometry> geometries = geometriesOf(options.geometries);
   std::vector<BenchmarkRun> runs;
   if (options.clean) {
-    for (const evaluation::Geometry geometry : geometries)
+    for (const bench::Geometry geometry : geometries)
       for (const std::size_t points : {128, 256, 512}) {
         BenchmarkRun run;
         run.geometry = geometry;
@@ -115,7 +115,7 @@ runsOf(const BenchmarkOptions& options)
       }
     return runs;
   }
-  const evaluation::BenchmarkGrid grid(geometries);
+  const bench::BenchmarkGrid grid(geometries);
   const std::size_t count = options.all ? 0 : options.sample;
   for (const std::size_t index : grid.stratifiedSample(count, options.seed))
     runs.push_back(grid.at(index));
@@ -132,7 +132,7 @@ public:
       return;
     if (std::ifstream in(path); in && in.peek() != std::ifstream::traits_type::eof()) {
       try {
-        old_ = evaluation::readCsv(in);
+        old_ = bench::readCsv(in);
       }
       catch (const std::runtime_error& error) {
         throw std::runtime_error(path + ": " + error.what() + "; name another file");
@@ -140,9 +140,9 @@ public:
     }
     // Written anew beside it: a line that was cut off is lost, the file never.
     std::ostringstream whole;
-    whole << evaluation::benchmark_csv_header << '\n';
+    whole << bench::benchmark_csv_header << '\n';
     for (const BenchmarkRow& row : old_)
-      evaluation::writeCsv(whole, row);
+      bench::writeCsv(whole, row);
     io::OutputFile fresh(path);
     fresh.write(whole.str());
     fresh.commit();
@@ -161,7 +161,7 @@ public:
   {
     if (path_.empty())
       return;
-    evaluation::writeCsv(out_, row);
+    bench::writeCsv(out_, row);
     check();
   }
 
@@ -192,9 +192,9 @@ plot(const std::string& path,
   std::vector<MethodRows> methods = {{method, rows}};
   std::set<std::string> runs;
   for (const BenchmarkRun& run : wanted)
-    runs.insert(evaluation::keyOf("", run));
+    runs.insert(bench::keyOf("", run));
   for (const BenchmarkRow& row : old) {
-    if (row.method == method || runs.count(evaluation::keyOf("", row.run)) == 0)
+    if (row.method == method || runs.count(bench::keyOf("", row.run)) == 0)
       continue;
     auto found = std::find_if(methods.begin(), methods.end(), [&](const auto& m) {
       return m.first == row.method;
@@ -215,15 +215,15 @@ takeDone(const std::string& method,
 {
   std::set<std::string> wanted_keys, done_keys;
   for (const BenchmarkRun& run : wanted)
-    wanted_keys.insert(evaluation::keyOf(method, run));
+    wanted_keys.insert(bench::keyOf(method, run));
   std::vector<BenchmarkRow> done;
   for (const BenchmarkRow& row : old) {
-    const std::string key = evaluation::keyOf(row.method, row.run);
+    const std::string key = bench::keyOf(row.method, row.run);
     if (wanted_keys.count(key) > 0 && done_keys.insert(key).second)
       done.push_back(row);
   }
   const auto isDone = [&](const BenchmarkRun& run) {
-    return done_keys.count(evaluation::keyOf(method, run)) > 0;
+    return done_keys.count(bench::keyOf(method, run)) > 0;
   };
   wanted.erase(std::remove_if(wanted.begin(), wanted.end(), isDone), wanted.end());
   return done;
@@ -266,10 +266,10 @@ runBenchmark(const std::vector<std::string>& arguments)
   std::vector<BenchmarkRow> rows = takeDone(method, file.old(), missing);
   frame.summary["method"] = method;
   frame.summary["resumed"] = rows.size();
-  evaluation::runBenchmark(
+  bench::runBenchmark(
       method,
       missing,
-      [&](const Points& points, Monitor* monitor) {
+      [&](const Points& points, ProgressMonitor* monitor) {
         return reconstructCurves(points, settings, monitor);
       },
       [&](const BenchmarkRow& row) {
@@ -282,10 +282,10 @@ runBenchmark(const std::vector<std::string>& arguments)
   std::printf("%s, %zu runs\n%s",
               method.c_str(),
               rows.size(),
-              evaluation::summaryTable(rows).c_str());
+              bench::summaryTable(rows).c_str());
   if (!options.plot.empty() && !rows.empty())
     plot(options.plot, method, rows, wanted, file.old());
-  const evaluation::RunSummary all_runs = evaluation::summarise(rows);
+  const bench::RunSummary all_runs = bench::summarize(rows);
   frame.summary["runs"] = rows.size();
   frame.summary["success"] = all_runs.success;
   frame.summary["mean_ms"] = all_runs.milliseconds;

@@ -11,7 +11,7 @@ commands()
   static const std::vector<Command> all = {
       {"info", "say what a point file holds", runInfo},
       {"convert", "convert between point file formats", runConvert},
-      {"tensor", "measure the shape of every point's neighbourhood", runTensor},
+      {"tensor", "measure the shape of every point's neighborhood", runTensor},
       {"multiscale", "measure it over many radii and find the best", runMultiscale},
       {"curves", "reconstruct curves from a point cloud", runCurves},
       {"powerlines", "find every wire of an airborne or UAV scan", runPowerlines},

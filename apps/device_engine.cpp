@@ -16,7 +16,7 @@ std::vector<PointDistributionTensor>
 estimateOnDevice([[maybe_unused]] const std::string& device,
                  [[maybe_unused]] const Points& points,
                  [[maybe_unused]] const TensorSettings& settings,
-                 [[maybe_unused]] const NeighbourhoodSizes& sizes,
+                 [[maybe_unused]] const NeighborhoodSizes& sizes,
                  [[maybe_unused]] Frame& frame)
 {
 #ifdef LINELET_HAS_OPENCL

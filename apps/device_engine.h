@@ -22,7 +22,7 @@ std::vector<PointDistributionTensor>
 estimateOnDevice(const std::string& device,
                  const Points& points,
                  const TensorSettings& settings,
-                 const NeighbourhoodSizes& sizes,
+                 const NeighborhoodSizes& sizes,
                  Frame& frame);
 
 /** \brief What `--engine auto` takes the costs of a GPU to be; nothing where there is

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <linelet/evaluation/measures.h>
+#include <bench/measures/measures.h>
 #include <linelet/io/vector_file.h>
 
 #include "commands.h"
@@ -22,7 +22,7 @@ runEvaluate(const std::vector<std::string>& arguments)
       "Tells how far reconstructed curves are from the true ones: largest distance "
       "(E_H), mean distance (E_V), length (E_Len) and covered length (E_Com) "
       "relative to the truth. The defaults suit curves of extent 10.");
-  evaluation::MeasureSettings settings;
+  bench::MeasureSettings settings;
   std::string curves, truth;
   frame.app.add_option("CURVES", curves, "reconstructed curves (.obj)")->required();
   frame.app.add_option("TRUTH", truth, "true curves (.obj)")->required();
@@ -32,7 +32,7 @@ runEvaluate(const std::vector<std::string>& arguments)
   frame.parse(arguments);
 
   const CurveNetwork found = io::readCurves(curves), known = io::readCurves(truth);
-  const evaluation::Measures m = evaluation::measure(found, known, settings);
+  const bench::Measures m = bench::measure(found, known, settings);
   std::printf("E_H %.6g\nE_V %.6g\nE_Len %.6g\nE_Com %.6g\n%s\n",
               m.e_h,
               m.e_v,

@@ -95,7 +95,7 @@ ProgressBar::advance(std::size_t steps)
 }
 
 bool
-ProgressBar::cancelled() const
+ProgressBar::canceled() const
 {
   return stopRequested();
 }

@@ -14,14 +14,14 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <linelet/support/monitor.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::apps {
 
 /** \brief Progress on stderr where that is a terminal: stage, bar, estimate of the time
- * left, shown once a stage takes longer than a second. Cancelled by signals (see
+ * left, shown once a stage takes longer than a second. Canceled by signals (see
  * signals.h). */
-class ProgressBar : public Monitor {
+class ProgressBar : public ProgressMonitor {
 public:
   ProgressBar();
   ~ProgressBar() override;
@@ -30,7 +30,7 @@ public:
   void
   advance(std::size_t steps) override;
   bool
-  cancelled() const override;
+  canceled() const override;
 
 private:
   void

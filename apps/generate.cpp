@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <linelet/evaluation/geometries.h>
-#include <linelet/evaluation/test_cloud.h>
+#include <bench/geometries/geometries.h>
+#include <bench/geometries/test_cloud.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/vector_file.h>
 
@@ -24,7 +24,7 @@ std::string
 geometryNames()
 {
   std::string names;
-  for (const auto& entry : Names<evaluation::Geometry>::table)
+  for (const auto& entry : Names<bench::Geometry>::table)
     names += (names.empty() ? ": " : ", ") + std::string(entry.second);
   return names;
 }
@@ -36,8 +36,8 @@ generateGeometry(const std::vector<std::string>& arguments)
               "Makes noisy samples of a known curve, for tests and measurements; or, "
               "as linelet generate corridor, which has options of its own (linelet "
               "generate corridor --help), a scene with power lines.");
-  evaluation::SamplingSettings settings;
-  auto geometry = evaluation::Geometry::Circle;
+  bench::SamplingSettings settings;
+  auto geometry = bench::Geometry::Circle;
   std::string truth;
   std::vector<double> hole;
   const OptionAdder add(frame.app);
@@ -60,8 +60,8 @@ generateGeometry(const std::vector<std::string>& arguments)
   if (!hole.empty())
     settings.hole = {hole[0], hole[1]};
   io::Cloud cloud;
-  cloud.points = evaluation::sample(geometry, settings);
-  const CurveNetwork network = evaluation::truthOf(geometry, settings.out_of_plane);
+  cloud.points = bench::sample(geometry, settings);
+  const CurveNetwork network = bench::truthOf(geometry, settings.out_of_plane);
   frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())

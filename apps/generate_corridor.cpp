@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/evaluation/corridor.h>
+#include <bench/scenes/corridor.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/vector_file.h>
 
@@ -36,7 +36,7 @@ constexpr const char* utm_32 =
     R"(AXIS["Easting",EAST],AXIS["Northing",NORTH],AUTHORITY["EPSG","25832"]])";
 
 io::Cloud
-toCloud(evaluation::CorridorScan& scan)
+toCloud(bench::CorridorScan& scan)
 {
   io::Cloud cloud;
   cloud.shift = scan.shift;
@@ -53,10 +53,10 @@ toCloud(evaluation::CorridorScan& scan)
 }
 
 CurveNetwork
-toNetwork(const std::vector<evaluation::CorridorWire>& wires)
+toNetwork(const std::vector<bench::CorridorWire>& wires)
 {
   CurveNetwork network;
-  for (const evaluation::CorridorWire& wire : wires) {
+  for (const bench::CorridorWire& wire : wires) {
     Curve curve;
     curve.points = wire.points;
     network.curves.push_back(std::move(curve));
@@ -74,7 +74,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
       "Simulates an airborne scan of a power line corridor: terrain, trees, "
       "houses, cranes, fences, a high-voltage line and pole lines below it. The "
       "classes in the file are the truth (14 wire, 15 pylon or pole).");
-  evaluation::CorridorSettings settings;
+  bench::CorridorSettings settings;
   std::string truth;
   CloudOutput output(frame);
   OptionAdder(frame.app)("truth", truth, "file for the true wires, a polyline a span");
@@ -85,8 +85,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
   if (!truth.empty())
     io::checkCurvesOutput(truth);
 
-  evaluation::CorridorScan scan =
-      evaluation::simulateCorridor(settings, &frame.monitor);
+  bench::CorridorScan scan = bench::simulateCorridor(settings, &frame.monitor);
   std::map<int, std::size_t> classes;
   for (const std::uint8_t c : scan.classification)
     ++classes[c];

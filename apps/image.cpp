@@ -22,7 +22,7 @@ draw(const io::Cloud& cloud,
      const PictureSettings& settings,
      const MultiScaleSettings& shapes,
      const std::string& file,
-     Monitor* monitor)
+     ProgressMonitor* monitor)
 {
   switch (settings.kind) {
   case PictureKind::Profile:
@@ -42,7 +42,7 @@ runImage(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "image",
-      "Draws a PNG picture, without a display: the cloud, coloured and seen "
+      "Draws a PNG picture, without a display: the cloud, colored and seen "
       "from any side, with curves over it; a multi-scale feature image, whose "
       "columns are places along a line and whose rows are radii; or the graphs "
       "of linearity, planarity and sphericity of one point over the radius, with "
@@ -68,7 +68,7 @@ runImage(const std::vector<std::string>& arguments)
     else if (!settings.point.empty())
       settings.kind = PictureKind::Graphs;
   }
-  // Medians of every neighbourhood of a whole cloud take their time.
+  // Medians of every neighborhood of a whole cloud take their time.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
   checkPictureOutput(output);

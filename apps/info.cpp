@@ -205,7 +205,7 @@ print(const ordered_json& info)
         info["bounds"]["minimum"][static_cast<std::size_t>(axis)].get<double>(),
         info["bounds"]["maximum"][static_cast<std::size_t>(axis)].get<double>());
   printNumber(
-      "scale unit D", info["scale_unit"], "(median distance to the 6th neighbour)");
+      "scale unit D", info["scale_unit"], "(median distance to the 6th neighbor)");
   printNumber("density", info["density"], "points a square unit");
   printNumber("spacing", info["spacing"], "units, of the ground plan");
   for (const auto& [name, count] : info["flags"].items())

@@ -67,7 +67,7 @@ addColumns(io::Cloud& cloud, const std::vector<MultiScaleShape>& shapes)
   add("major_y", &S::major_y, "direction, optimal scale");
   add("major_z", &S::major_z, "direction, optimal scale");
   add("neighbors", &S::neighbors, "points within optimal radius");
-  add("first_neighbors", &S::first_neighbors, "neighbours, smallest scale");
+  add("first_neighbors", &S::first_neighbors, "neighbors, smallest scale");
   add("scale", &S::scale, "number of the optimal scale");
 }
 
@@ -89,7 +89,7 @@ announce(const Points& points, const MultiScaleSettings& settings)
     cost.seconds += estimateCost(points, aboutPoints(settings)).seconds;
   if (cost.seconds > long_work)
     std::fprintf(stderr,
-                 "linelet multiscale: largest radius %.4g holds %.0f neighbours a "
+                 "linelet multiscale: largest radius %.4g holds %.0f neighbors a "
                  "point; about %.0f s for %zu points, less with a smaller "
                  "--max-radius\n",
                  settings.radii.back(),
@@ -103,7 +103,7 @@ std::vector<MultiScaleShape>
 measure(const Points& points,
         const MultiScaleSettings& settings,
         const std::string& graphs,
-        Monitor* monitor)
+        ProgressMonitor* monitor)
 {
   if (graphs.empty())
     return multiScaleShapes(points, points, settings, {}, monitor).shapes;
@@ -117,13 +117,13 @@ measure(const Points& points,
   return shapes;
 }
 
-/** \brief The usable points of \a cloud, moved to the means of their neighbours where
+/** \brief The usable points of \a cloud, moved to the means of their neighbors where
  * \a shift has a radius, which moves them in \a cloud as well. */
 Points
 shiftedPoints(io::Cloud& cloud,
               const io::UsablePoints& usable,
               const CentroidShiftSettings& shift,
-              Monitor* monitor)
+              ProgressMonitor* monitor)
 {
   if (shift.radius == 0)
     return usable.points();
@@ -179,14 +179,14 @@ runMultiscale(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "multiscale",
-      "Measures the shape of every point's neighbourhood over many radii and "
+      "Measures the shape of every point's neighborhood over many radii and "
       "chooses the one that shows a curve best. Adds the shape, direction and "
       "radius of the optimal scale and what the graphs of linearity and "
       "sphericity come to; prints the noise rate. All attributes of the input "
       "are kept; points flagged as withheld take no part and have no shape.\n"
       "Time grows with the number of points within the largest radius: on wires "
       "in proportion to it, on surfaces to its square. A job of more than a few "
-      "seconds says before it starts how many neighbours a point has and how "
+      "seconds says before it starts how many neighbors a point has and how "
       "long it will take.");
   MultiScaleSettings settings;
   CentroidShiftSettings shift;
@@ -199,7 +199,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   frame.writes(graphs);
   add("centroid-shift",
       shift.radius,
-      "first move every point to the mean of its neighbours within this radius (the "
+      "first move every point to the mean of its neighbors within this radius (the "
       "output has the moved points); 0: do not");
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;

@@ -31,7 +31,7 @@ notNegative(const std::string& text)
  *
  *     template <class Visit> void describe(S& s, Visit&& visit)
  *     {
- *       visit("max-radius", s.max_radius, "largest radius, metres; 0: 60 D");
+ *       visit("max-radius", s.max_radius, "largest radius, meters; 0: 60 D");
  *     }
  *
  * which is the only place that says its options' names and meaning; the defaults are

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include <linelet/powerline/extract_power_lines.h>
-#include <linelet/powerline/output_files.h>
+#include <linelet/powerline_output/output_files.h>
 
 #include "cloud_files.h"
 #include "commands.h"
@@ -76,7 +76,7 @@ refuseOtherResults(const std::string& folder,
 
 /** \brief What the wires of a network come to. */
 struct Totals {
-  double length = 0;        ///< metres
+  double length = 0;        ///< meters
   std::size_t hazards = 0;  ///< wires with less clearance than is in order
   std::size_t doubtful = 0; ///< wires with a remark
 };
@@ -110,7 +110,7 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
 }
 
 void
-summarise(nlohmann::ordered_json& summary,
+summarize(nlohmann::ordered_json& summary,
           const PowerLineNetwork& network,
           const Totals& totals)
 {
@@ -142,7 +142,7 @@ runPowerlines(const std::vector<std::string>& arguments)
   bool overwrite = false;
   CloudInput input(frame,
                    CloudInput::Use::Analysis,
-                   "point file, z up, metres or feet (by its reference system); "
+                   "point file, z up, meters or feet (by its reference system); "
                    "classes are not needed");
   frame.app
       .add_option("OUTDIR",
@@ -162,12 +162,12 @@ runPowerlines(const std::vector<std::string>& arguments)
   io::Cloud cloud = input.read();
   const io::Units units = io::unitsOf(cloud.wkt);
   requireLengths(cloud, input.path());
-  if (!units.height_stated && !units.areMetres())
+  if (!units.height_stated && !units.areMeters())
     frame.warn("the reference system tells no unit of heights; they count as " +
                units.height_name + ", like x and y");
   if (cloud.wkt.empty())
     frame.warn(input.path() +
-               " tells no reference system: its coordinates count as metres");
+               " tells no reference system: its coordinates count as meters");
   settings.points = output.points = input.classes();
   const io::UsablePoints usable = input.usable(cloud);
   const std::size_t withheld = usable.withheld(), ignored = usable.ignored();
@@ -196,7 +196,7 @@ runPowerlines(const std::vector<std::string>& arguments)
   frame.summary["points"] = points;
   frame.summary["withheld"] = withheld;
   frame.summary["ignored"] = ignored;
-  summarise(frame.summary, network, totals);
+  summarize(frame.summary, network, totals);
   frame.summary["files"] = files;
   return frame.finish();
 }

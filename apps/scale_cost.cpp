@@ -12,7 +12,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Points in some neighbourhoods: engines gain from queries that lie together.
+/** \brief Points in some neighborhoods: engines gain from queries that lie together.
  */
 Points
 clusters(const Points& points, std::size_t centers, std::size_t size)

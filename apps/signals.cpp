@@ -44,7 +44,7 @@ watch()
   pollfd second{wake[0], POLLIN, 0};
   ::poll(&second, 1, patience);
   io::removeUnfinishedFiles();
-  constexpr char text[] = "linelet: cancelled\n";
+  constexpr char text[] = "linelet: canceled\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
   ::_exit(1);
 }

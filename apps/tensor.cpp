@@ -22,7 +22,7 @@ namespace {
 
 using Records = std::vector<PointDistributionTensor>;
 
-/** \brief Fields of the cloud that size the neighbourhoods point by point. */
+/** \brief Fields of the cloud that size the neighborhoods point by point. */
 struct SizeFields {
   std::string radius, knn; // names; empty: none
 };
@@ -39,11 +39,11 @@ fieldOf(const io::Cloud& cloud, const std::string& name, const std::string& file
                            (names.empty() ? " none" : names));
 }
 
-/** \brief Sizes of neighbourhoods from \a fields of the cloud, where there are any. */
-NeighbourhoodSizes
+/** \brief Sizes of neighborhoods from \a fields of the cloud, where there are any. */
+NeighborhoodSizes
 sizesFrom(const io::Cloud& cloud, const SizeFields& fields, const std::string& file)
 {
-  NeighbourhoodSizes sizes;
+  NeighborhoodSizes sizes;
   if (!fields.radius.empty()) {
     const io::Column& column = fieldOf(cloud, fields.radius, file);
     for (std::size_t i = 0; i < cloud.points.size(); ++i)
@@ -67,12 +67,12 @@ addColumns(io::Cloud& cloud, const Records& records)
   const auto add = [&](const char* name, auto member, const char* description) {
     addColumn(cloud, records, name, member, description);
   };
-  add("xx", &R::xx, "neighbourhood tensor");
-  add("xy", &R::xy, "neighbourhood tensor");
-  add("xz", &R::xz, "neighbourhood tensor");
-  add("yy", &R::yy, "neighbourhood tensor");
-  add("yz", &R::yz, "neighbourhood tensor");
-  add("zz", &R::zz, "neighbourhood tensor");
+  add("xx", &R::xx, "neighborhood tensor");
+  add("xy", &R::xy, "neighborhood tensor");
+  add("xz", &R::xz, "neighborhood tensor");
+  add("yy", &R::yy, "neighborhood tensor");
+  add("yz", &R::yz, "neighborhood tensor");
+  add("zz", &R::zz, "neighborhood tensor");
   add("lambda1", &R::lambda1, "smallest eigenvalue");
   add("lambda2", &R::lambda2, "middle eigenvalue");
   add("lambda3", &R::lambda3, "largest eigenvalue");
@@ -85,7 +85,7 @@ addColumns(io::Cloud& cloud, const Records& records)
   add("linearity", &R::linearity, "shape factor CL, 0 to 1");
   add("planarity", &R::planarity, "shape factor CP, 0 to 1");
   add("sphericity", &R::sphericity, "shape factor CS, 0 to 1");
-  add("neighbors", &R::neighbors, "points in the neighbourhood");
+  add("neighbors", &R::neighbors, "points in the neighborhood");
 }
 
 /** \brief A radius for points of which nothing else is known. */
@@ -111,7 +111,7 @@ chooseRadius(double scale_unit, const std::string& file)
 Records
 estimate(const Points& points,
          TensorSettings& settings,
-         const NeighbourhoodSizes& sizes,
+         const NeighborhoodSizes& sizes,
          const std::string& device,
          Frame& frame)
 {
@@ -127,7 +127,7 @@ estimate(const Points& points,
     try {
       return estimateOnDevice(device, points, settings, sizes, frame);
     }
-    catch (const Cancelled&) {
+    catch (const Canceled&) {
       throw;
     }
     catch (const std::runtime_error& error) {
@@ -199,7 +199,7 @@ printUnknown(const Tally& tally, double scale_unit, const Points& points)
 }
 
 void
-summarise(nlohmann::ordered_json& summary,
+summarize(nlohmann::ordered_json& summary,
           const Tally& tally,
           const TensorSettings& settings,
           const SizeFields& fields)
@@ -227,9 +227,9 @@ runTensor(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "tensor",
-      "Measures the shape of every point's neighbourhood: tensor, eigenvalues, "
+      "Measures the shape of every point's neighborhood: tensor, eigenvalues, "
       "major direction, normal, linearity, planarity, sphericity and number of "
-      "neighbours, added to the attributes of the input. Without --radius, --knn "
+      "neighbors, added to the attributes of the input. Without --radius, --knn "
       "or a field the radius is chosen: three times the scale unit D. Points flagged "
       "as withheld take no part and have no shape.");
   TensorSettings settings;
@@ -252,7 +252,7 @@ runTensor(const std::vector<std::string>& arguments)
 
   io::Cloud cloud = input.read();
   const io::UsablePoints usable = input.usable(cloud);
-  const NeighbourhoodSizes sizes = sizesFrom(cloud, fields, input.path());
+  const NeighborhoodSizes sizes = sizesFrom(cloud, fields, input.path());
   double scale_unit = std::nan("");
   if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
       fields.knn.empty()) {
@@ -273,7 +273,7 @@ runTensor(const std::vector<std::string>& arguments)
               tally.mean_neighbors,
               std::string(nameOf(settings.engine)).c_str());
   printUnknown(tally, scale_unit, usable.points());
-  summarise(frame.summary, tally, settings, fields);
+  summarize(frame.summary, tally, settings, fields);
   frame.summary["withheld"] = usable.withheld();
   frame.summary["ignored"] = usable.ignored();
   return frame.finish();

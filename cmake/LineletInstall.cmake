@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# find_package(linelet CONFIG) and its components: the core always; io, powerline,
-# evaluation and opencl where they were built.
+# find_package(linelet CONFIG) and its components: the core always; io, powerline and
+# opencl where they were built.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

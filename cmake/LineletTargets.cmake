@@ -10,15 +10,12 @@ function(linelet_settings target)
     $<$<BOOL:${LINELET_WERROR}>:-Werror>)
 endfunction()
 
-# linelet_room(NAME SOURCES a.cpp ... [DEPENDS targets of the public headers] [PRIVATE
-# targets of the sources alone] [EXPORT set])
+# linelet_library(NAME SOURCES a.cpp ... [DEPENDS targets of the public headers] [PRIVATE
+# targets of the sources alone])
 #
-# A room is a folder of include/linelet and src, and a library linelet::NAME.
-function(linelet_room name)
-  cmake_parse_arguments(ROOM "" "EXPORT" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
-  if(NOT ROOM_EXPORT)
-    set(ROOM_EXPORT linelet)
-  endif()
+# A library linelet::NAME.
+function(linelet_library name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   set(target linelet_${name})
   add_library(${target} ${ROOM_SOURCES})
   add_library(linelet::${name} ALIAS ${target})
@@ -32,7 +29,18 @@ function(linelet_room name)
   if(LINELET_WITH_OPENMP)
     target_link_libraries(${target} PUBLIC OpenMP::OpenMP_CXX)
   endif()
-  install(TARGETS ${target} EXPORT ${ROOM_EXPORT}Targets
+endfunction()
+
+# linelet_room(NAME SOURCES ... [DEPENDS ...] [PRIVATE ...] [EXPORT set])
+#
+# A library that is installed: a folder of include/linelet and src.
+function(linelet_room name)
+  cmake_parse_arguments(ROOM "" "EXPORT" "" ${ARGN})
+  if(NOT ROOM_EXPORT)
+    set(ROOM_EXPORT linelet)
+  endif()
+  linelet_library(${name} ${ROOM_UNPARSED_ARGUMENTS})
+  install(TARGETS linelet_${name} EXPORT ${ROOM_EXPORT}Targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()

@@ -13,10 +13,10 @@ namespace linelet::apps {
 
 namespace {
 
-using evaluation::RunSummary;
-using evaluation::SummaryGroup;
+using bench::RunSummary;
+using bench::SummaryGroup;
 
-/// Apart for colour-blind readers and in grey; more methods begin anew.
+/// Apart for color-blind readers and in gray; more methods begin anew.
 constexpr std::array<Color, 4> bar_colors = {
     {{0.16, 0.47, 0.84}, {0.95, 0.72, 0.25}, {0.55, 0.06, 0.10}, {0.45, 0.45, 0.48}}};
 
@@ -144,11 +144,11 @@ drawBenchmark(const std::vector<MethodRows>& methods, int width, int height)
   std::vector<std::pair<Color, std::string>> legend;
   std::vector<std::vector<SummaryGroup>> groups; // of each method
   for (const auto& [name, rows] : methods) {
-    const RunSummary all = evaluation::summarise(rows);
+    const RunSummary all = bench::summarize(rows);
     legend.emplace_back(barColor(legend.size()),
                         name + ": " + numberText(all.success, 3) + " of " +
                             std::to_string(all.runs) + " runs");
-    groups.push_back(evaluation::summariseByProperty(rows));
+    groups.push_back(bench::summarizeByProperty(rows));
   }
   canvas.text({margin, 26},
               "Success of reconstructions",

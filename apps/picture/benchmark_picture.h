@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/evaluation/benchmark_summary.h>
+#include <bench/runs/benchmark_summary.h>
 
 #include "canvas.h"
 
 namespace linelet::apps {
 
 /** \brief A method and its rows, at least one. */
-using MethodRows = std::pair<std::string, std::vector<evaluation::BenchmarkRow>>;
+using MethodRows = std::pair<std::string, std::vector<bench::BenchmarkRow>>;
 
 /** \brief Success by geometry, number of points, noise and noise rate: a panel each,
  * a bar a method, whiskers of one standard error. */

@@ -53,7 +53,7 @@ public:
   void
   ring(Spot center, double radius, double width, const Color& color);
 
-  /** \brief One line of text, \a at its alignment point, vertically centred there.
+  /** \brief One line of text, \a at its alignment point, vertically centered there.
    * \param[in] size height of capitals and descenders together, pixels
    * \param[in] upwards written from bottom to top */
   void

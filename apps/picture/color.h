@@ -17,10 +17,10 @@ namespace linelet::apps {
 /** \brief Red, green, blue in [0, 1]. */
 using Color = std::array<double, 3>;
 
-/** \brief Which colours stand for linearity, planarity and sphericity. */
+/** \brief Which colors stand for linearity, planarity and sphericity. */
 enum class ShapeColors {
-  Classic, ///< light grey, blue, green
-  Safe     ///< pale yellow, blue, dark red: apart for colour-blind readers and in grey
+  Classic, ///< light gray, blue, green
+  Safe     ///< pale yellow, blue, dark red: apart for color-blind readers and in gray
 };
 
 inline Color
@@ -32,7 +32,7 @@ mix(const Color& a, const Color& b, double part_of_b)
   return result;
 }
 
-/** \brief The pure colours of linearity, planarity and sphericity. */
+/** \brief The pure colors of linearity, planarity and sphericity. */
 inline std::array<Color, 3>
 shapeColors(ShapeColors colors)
 {
@@ -41,7 +41,7 @@ shapeColors(ShapeColors colors)
   return {{{0.99, 0.91, 0.60}, {0.16, 0.47, 0.84}, {0.55, 0.06, 0.10}}};
 }
 
-/** \brief CL * first + CP * second + CS * third colour. */
+/** \brief CL * first + CP * second + CS * third color. */
 inline Color
 shapeColor(ShapeColors colors, double linearity, double planarity, double sphericity)
 {
@@ -56,7 +56,7 @@ shapeColor(ShapeColors colors, double linearity, double planarity, double spheri
 }
 
 /** \brief A scalar in [0, 1] from dark violet over green to yellow: rising in
- * lightness, so that it reads in grey and for the colour-blind. */
+ * lightness, so that it reads in gray and for the color-blind. */
 inline Color
 scalarColor(double t)
 {
@@ -86,7 +86,7 @@ namespace linelet {
 
 template <>
 struct Names<apps::ShapeColors> {
-  static constexpr std::string_view kind = "colours";
+  static constexpr std::string_view kind = "colors";
   static constexpr std::array<std::pair<apps::ShapeColors, std::string_view>, 2> table =
       {{{apps::ShapeColors::Classic, "classic"}, {apps::ShapeColors::Safe, "safe"}}};
 };

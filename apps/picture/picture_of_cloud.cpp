@@ -30,7 +30,7 @@ std::vector<Color>
 colorsByShape(const Points& points,
               const MultiScaleSettings& settings,
               ShapeColors colors,
-              Monitor* monitor)
+              ProgressMonitor* monitor)
 {
   std::vector<Color> result(points.size(), ink::grid);
   std::array<std::vector<double>, 3> factors;
@@ -55,7 +55,7 @@ colorsByShape(const Points& points,
   return result;
 }
 
-/// Values with the range that colours are spread over: nearly all, but no outlier.
+/// Values with the range that colors are spread over: nearly all, but no outlier.
 struct Scalars {
   std::string name;
   std::vector<double> values;
@@ -75,7 +75,7 @@ scalars(const io::Cloud& cloud, const std::string& name, const std::string& file
       names += " " + other.name;
     throw std::runtime_error(
         file + ": there is no attribute '" + name +
-        "' to colour by; use shape, height, grey, rgb or one of its "
+        "' to color by; use shape, height, grey, rgb or one of its "
         "own:" +
         (names.empty() ? " none" : names));
   }
@@ -112,13 +112,13 @@ relative(const Scalars& scalars, double value)
 }
 
 std::vector<Color>
-colorsByScalar(const Scalars& scalars, bool grey)
+colorsByScalar(const Scalars& scalars, bool gray)
 {
   std::vector<Color> colors;
   for (const double value : scalars.values) {
     const double t = relative(scalars, value);
     colors.push_back(!std::isfinite(value) ? ink::grid
-                     : grey ? mix({0.62, 0.63, 0.66}, {0.90, 0.90, 0.92}, t)
+                     : gray ? mix({0.62, 0.63, 0.66}, {0.90, 0.90, 0.92}, t)
                             : scalarColor(t));
   }
   return colors;
@@ -132,7 +132,7 @@ colorsByRgb(const io::Cloud& cloud, const std::string& file)
   double largest = 0;
   for (const io::Column* channel : channels) {
     if (channel == nullptr)
-      throw std::runtime_error(file + ": there are no colours (red, green, blue); use "
+      throw std::runtime_error(file + ": there are no colors (red, green, blue); use "
                                       "--color height");
     for (std::size_t i = 0; i < cloud.points.size(); ++i)
       largest = std::max(largest, io::valueAt(*channel, i));
@@ -181,7 +181,7 @@ pictureOfCloud(const io::Cloud& cloud,
                const PictureSettings& settings,
                const MultiScaleSettings& shapes,
                const std::string& file,
-               Monitor* monitor)
+               ProgressMonitor* monitor)
 {
   CloudView view;
   view.points = cloud.points;
@@ -196,7 +196,7 @@ pictureOfCloud(const io::Cloud& cloud,
     view.curves = io::readCurves(settings.curves, cloud.shift);
 
   const bool by_shape = settings.color == "shape", by_rgb = settings.color == "rgb";
-  const bool grey = settings.color == "grey";
+  const bool gray = settings.color == "grey";
   Scalars values;
   if (by_shape)
     view.colors = colorsByShape(cloud.points, shapes, settings.colors, monitor);
@@ -204,9 +204,9 @@ pictureOfCloud(const io::Cloud& cloud,
     view.colors = colorsByRgb(cloud, file);
   else {
     values = scalars(cloud, settings.color, file);
-    view.colors = colorsByScalar(values, grey);
+    view.colors = colorsByScalar(values, gray);
   }
-  const bool legend = by_shape || (!by_rgb && !grey);
+  const bool legend = by_shape || (!by_rgb && !gray);
   Canvas canvas = drawCloud(view,
                             static_cast<int>(settings.width),
                             static_cast<int>(settings.height),

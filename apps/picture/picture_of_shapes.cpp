@@ -37,7 +37,7 @@ graphsAt(const Points& cloud,
          const Points& queries,
          MultiScaleSettings settings,
          const std::vector<double>& radii,
-         Monitor* monitor)
+         ProgressMonitor* monitor)
 {
   settings.radii = radii;
   settings.stop_change = 0;
@@ -109,7 +109,7 @@ probeThroughPoint(const io::Cloud& cloud,
   const MultiScaleShape& shape = result.shapes[0];
   if (std::isnan(shape.major_x))
     throw std::runtime_error(file + ": the point at " + worldText(cloud, point) +
-                             " has too few neighbours for a direction; name another or "
+                             " has too few neighbors for a direction; name another or "
                              "raise --max-radius");
   const Point direction = Eigen::Vector3f(shape.major_x, shape.major_y, shape.major_z)
                               .cast<double>()
@@ -182,7 +182,7 @@ pictureOfProfile(const io::Cloud& cloud,
                  const PictureSettings& settings,
                  const MultiScaleSettings& shapes,
                  const std::string& file,
-                 Monitor* monitor)
+                 ProgressMonitor* monitor)
 {
   const Probe probe = probeLine(cloud, settings, shapes, file);
   if (settings.columns < 2 || probe.line.size() < 2)

@@ -19,7 +19,7 @@ namespace linelet::apps {
 
 /** \brief What a picture shows. */
 enum class PictureKind {
-  Cloud,   ///< the points, coloured
+  Cloud,   ///< the points, colored
   Profile, ///< the multi-scale feature image along a line
   Graphs   ///< the graphs of one point
 };
@@ -75,14 +75,14 @@ describe(PictureSettings& s, Visit&& visit)
   visit("title", s.title, "of the picture; empty: says what it shows");
 }
 
-/** \brief The points of \a cloud, coloured as \a settings say.
+/** \brief The points of \a cloud, colored as \a settings say.
  * \throws std::runtime_error where there is no such attribute */
 Canvas
 pictureOfCloud(const io::Cloud& cloud,
                const PictureSettings& settings,
                const MultiScaleSettings& shapes,
                const std::string& file,
-               Monitor* monitor);
+               ProgressMonitor* monitor);
 
 /** \brief The multi-scale feature image along the line that \a settings name. */
 Canvas
@@ -90,7 +90,7 @@ pictureOfProfile(const io::Cloud& cloud,
                  const PictureSettings& settings,
                  const MultiScaleSettings& shapes,
                  const std::string& file,
-                 Monitor* monitor);
+                 ProgressMonitor* monitor);
 
 /** \brief The graphs of the point that \a settings name. */
 Canvas

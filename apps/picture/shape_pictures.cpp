@@ -16,7 +16,7 @@ namespace {
 constexpr double left_margin = 90, right_margin = 30, top_margin = 92,
                  bottom_margin = 66;
 
-/// The lines of the graphs: the map's colours, dark enough for white paper.
+/// The lines of the graphs: the map's colors, dark enough for white paper.
 Color
 lineColor(ShapeColors colors, std::size_t factor)
 {
@@ -43,7 +43,7 @@ drawShapeLegend(Canvas& canvas, Spot at, ShapeColors colors)
               {pure[2], "sphericity CS"}});
 }
 
-/// Borders halfway (in the axis' own measure) between neighbouring values.
+/// Borders halfway (in the axis' own measure) between neighboring values.
 std::vector<double>
 borders(const Axis& axis, const std::vector<double>& values)
 {

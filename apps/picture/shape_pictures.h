@@ -14,7 +14,7 @@
 
 namespace linelet::apps {
 
-/** \brief The shapes of neighbourhoods along a line, at many radii. */
+/** \brief The shapes of neighborhoods along a line, at many radii. */
 struct ShapeProfile {
   std::string title;
   std::string position_label;     ///< what runs along the picture
@@ -25,7 +25,7 @@ struct ShapeProfile {
 };
 
 /** \brief Multi-scale feature image: a column a position, a row a radius (small at the
- * bottom), coloured by shape; the optimal radius as a dotted line. White where there is
+ * bottom), colored by shape; the optimal radius as a dotted line. White where there is
  * no shape. */
 Canvas
 drawShapeProfile(const ShapeProfile& profile,

@@ -11,7 +11,7 @@ namespace linelet {
 CurveNetwork
 reconstructCurves(const Points& points,
                   const ReconstructionSettings& settings,
-                  Monitor* monitor)
+                  ProgressMonitor* monitor)
 {
   validate(settings);
   if (settings.preset == Preset::Published)

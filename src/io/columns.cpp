@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "text_scan.h"
+#include "io/text/text_scan.h"
 
 namespace linelet::io {
 
@@ -101,7 +101,7 @@ makeNamesUnique(std::vector<Column>& columns)
 
 /** Takes rgb or rgba, in the bits of a float or an integer, apart. */
 void
-unpackColours(std::vector<Column>& columns)
+unpackColors(std::vector<Column>& columns)
 {
   for (const char* name : {"rgb", "rgba"}) {
     Column* packed = findIn(columns, name);
@@ -216,7 +216,7 @@ cloudFromColumns(const Source& source, std::vector<Column> columns)
         point[axis] -= cloud.shift[axis];
     columns.erase(columns.begin() + (column - columns.data()));
   }
-  constexpr double coarse = 1e-5; // of the extent: a millimetre in a hundred metres
+  constexpr double coarse = 1e-5; // of the extent: a millimeter in a hundred meters
   if (extent > 0 && gap > coarse * extent) {
     std::string apart;
     appendNumber(apart, gap);
@@ -225,35 +225,35 @@ cloudFromColumns(const Source& source, std::vector<Column> columns)
                 "lost; store them in 8 bytes, or less a shift (linelet convert "
                 "--shifted)");
   }
-  unpackColours(columns);
+  unpackColors(columns);
   makeNamesUnique(columns);
   cloud.columns = std::move(columns);
   return cloud;
 }
 
 bool
-isColour(std::string_view name)
+isColor(std::string_view name)
 {
   return name == "red" || name == "green" || name == "blue";
 }
 
 std::optional<std::array<std::vector<std::uint8_t>, 3>>
-byteColours(const Cloud& cloud)
+byteColors(const Cloud& cloud)
 {
-  std::array<std::vector<std::uint8_t>, 3> colours;
+  std::array<std::vector<std::uint8_t>, 3> colors;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::array<const char*, 3> names = {"red", "green", "blue"};
     const Column* column = cloud.find(names[i]);
     if (column == nullptr)
       return {};
     if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&column->values))
-      colours[i] = *bytes;
+      colors[i] = *bytes;
     else if (const auto* words =
                  std::get_if<std::vector<std::uint16_t>>(&column->values))
       for (std::uint16_t word : *words) {
         if ((word & 0xFFU) != 0)
           return {};
-        colours[i].push_back(static_cast<std::uint8_t>(word >> 8));
+        colors[i].push_back(static_cast<std::uint8_t>(word >> 8));
       }
     else
       return {};
@@ -261,7 +261,7 @@ byteColours(const Cloud& cloud)
   const auto type = [&](const char* name) { return typeOf(*cloud.find(name)); };
   if (type("red") != type("green") || type("red") != type("blue"))
     return {};
-  return colours;
+  return colors;
 }
 
 } // namespace linelet::io

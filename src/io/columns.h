@@ -24,7 +24,7 @@ canonicalNames(const std::vector<std::string>& names);
 std::string
 wordName(std::string_view name);
 
-/** \brief Makes a cloud of columns among which are x, y and z. Packed colours (rgb,
+/** \brief Makes a cloud of columns among which are x, y and z. Packed colors (rgb,
  * rgba) are taken apart.
  *
  * The shift is a whole number near the points where these are far from the origin, so
@@ -33,13 +33,13 @@ Cloud
 cloudFromColumns(const Source& source, std::vector<Column> columns);
 
 /** \brief red, green and blue with 8 bits each where the cloud has no more than that:
- * bytes, or 16 bit values whose lower half is empty, as LAS stores 8 bit colours. */
+ * bytes, or 16 bit values whose lower half is empty, as LAS stores 8 bit colors. */
 std::optional<std::array<std::vector<std::uint8_t>, 3>>
-byteColours(const Cloud& cloud);
+byteColors(const Cloud& cloud);
 
 /** \brief Whether \a name is red, green or blue. */
 bool
-isColour(std::string_view name);
+isColor(std::string_view name);
 
 /** \brief How the coordinates of a cloud were most likely written down. */
 struct CoordinateForm {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "columns.h"
-#include "text_scan.h"
+#include "io/text/text_scan.h"
 
 namespace linelet::io {
 

@@ -15,7 +15,7 @@ namespace linelet::io {
 struct FileWork {
   std::string name; ///< path, for messages
   std::vector<std::string>* warnings = nullptr;
-  Monitor* monitor = nullptr;
+  ProgressMonitor* monitor = nullptr;
 
   void
   warn(const std::string& what) const
@@ -24,15 +24,15 @@ struct FileWork {
       warnings->push_back(name + ": " + what);
   }
 
-  /** \brief Tells the monitor of \a steps more points. \throws Cancelled */
+  /** \brief Tells the monitor of \a steps more points. \throws Canceled */
   void
   advance(std::size_t steps) const
   {
     if (monitor == nullptr)
       return;
     monitor->advance(steps);
-    if (monitor->cancelled())
-      throw Cancelled();
+    if (monitor->canceled())
+      throw Canceled();
   }
 };
 

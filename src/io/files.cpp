@@ -36,7 +36,7 @@ cannotRead(const std::string& path)
 
 } // namespace
 
-MappedFile::MappedFile(const std::string& path, const Monitor* monitor)
+MappedFile::MappedFile(const std::string& path, const ProgressMonitor* monitor)
 {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   struct stat status {};
@@ -51,7 +51,7 @@ MappedFile::MappedFile(const std::string& path, const Monitor* monitor)
     ssize_t got = 0;
     while ((got = ::read(file.number, buffer, sizeof buffer)) > 0) {
       owned_.append(buffer, static_cast<std::size_t>(got));
-      throwIfCancelled(monitor);
+      throwIfCanceled(monitor);
     }
     if (got < 0)
       cannotRead(path);

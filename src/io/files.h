@@ -7,15 +7,16 @@
 #include <string_view>
 
 #include <linelet/io/output_file.h>
-#include <linelet/support/monitor.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::io {
 
 /** \brief A file in memory, read-only: mapped where it is a regular file. */
 class MappedFile {
 public:
-  /** \throws FileError, Cancelled */
-  explicit MappedFile(const std::string& path, const Monitor* monitor = nullptr);
+  /** \throws FileError, Canceled */
+  explicit MappedFile(const std::string& path,
+                      const ProgressMonitor* monitor = nullptr);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile&

@@ -72,7 +72,7 @@ Cloud
 readCloud(const std::string& path,
           const ReadOptions& options,
           std::vector<std::string>* warnings,
-          Monitor* monitor)
+          ProgressMonitor* monitor)
 {
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
     throw FileError(path + ": is a folder; name a point file");
@@ -91,7 +91,7 @@ writeCloud(const std::string& path,
            const Cloud& cloud,
            const WriteOptions& options,
            std::vector<std::string>* warnings,
-           Monitor* monitor)
+           ProgressMonitor* monitor)
 {
   const Format& format = writtenFormatOf(path);
   if (options.shifted && format.write == writeLas)

@@ -49,7 +49,7 @@ wktOf(const OGRSpatialReference& reference)
 struct LengthUnit {
   int code;
   const char* name;
-  double metres;
+  double meters;
 };
 constexpr LengthUnit length_units[] = {{9001, "metre", 1},
                                        {9002, "foot", 0.3048},
@@ -73,8 +73,8 @@ makePlan(OGRSpatialReference& plan, const ReferenceCodes& codes)
     return false;
   const LengthUnit* unit = unitOfCode(codes.plan_unit);
   if (unit != nullptr && plan.IsProjected() != 0 &&
-      std::abs(plan.GetLinearUnits() - unit->metres) > exactly)
-    plan.SetLinearUnitsAndUpdateParameters(unit->name, unit->metres);
+      std::abs(plan.GetLinearUnits() - unit->meters) > exactly)
+    plan.SetLinearUnitsAndUpdateParameters(unit->name, unit->meters);
   return true;
 }
 
@@ -86,12 +86,12 @@ makeHeight(OGRSpatialReference& height, const ReferenceCodes& codes)
   const bool known =
       codes.height != 0 && height.importFromEPSG(codes.height) == OGRERR_NONE;
   if (unit == nullptr ||
-      (known && std::abs(height.GetLinearUnits() - unit->metres) <= exactly))
+      (known && std::abs(height.GetLinearUnits() - unit->meters) <= exactly))
     return known;
   const std::string name = known ? height.GetName() : "unknown height";
   height.Clear();
   height.SetVertCS(name.c_str(), "unknown", 2005);
-  height.SetLinearUnits(unit->name, unit->metres);
+  height.SetLinearUnits(unit->name, unit->meters);
   return true;
 }
 
@@ -127,11 +127,11 @@ std::string
 wktOfUnit(int code)
 {
   const LengthUnit* unit = unitOfCode(code);
-  if (unit == nullptr || unit->metres == 1)
+  if (unit == nullptr || unit->meters == 1)
     return {};
   OGRSpatialReference local;
   local.SetLocalCS("unknown reference system");
-  local.SetLinearUnits(unit->name, unit->metres);
+  local.SetLinearUnits(unit->name, unit->meters);
   return wktOf(local);
 }
 
@@ -152,24 +152,24 @@ unitsOf(const std::string& wkt)
   if (reference == nullptr)
     return units;
   const Quiet quiet;
-  const auto take = [](const char* given, double metres, std::string& name) {
+  const auto take = [](const char* given, double meters, std::string& name) {
     name = given != nullptr ? given : "unknown unit";
-    return std::abs(metres - 1) <= exactly ? 1 : metres;
+    return std::abs(meters - 1) <= exactly ? 1 : meters;
   };
   const char* name = nullptr;
   units.height_stated = reference->IsVertical() != 0;
   if (units.height_stated) {
-    const double metres = reference->GetTargetLinearUnits("VERT_CS", &name);
-    units.height = take(name, metres, units.height_name);
+    const double meters = reference->GetTargetLinearUnits("VERT_CS", &name);
+    units.height = take(name, meters, units.height_name);
   }
   if (reference->IsGeographic() != 0 || reference->IsGeocentric() != 0) {
     units.plan = std::numeric_limits<double>::quiet_NaN();
     units.plan_name =
-        reference->IsGeographic() != 0 ? "degree" : "metre from the Earth's centre";
+        reference->IsGeographic() != 0 ? "degree" : "metre from the Earth's center";
     return units;
   }
-  const double metres = reference->GetLinearUnits(&name);
-  units.plan = take(name, metres, units.plan_name);
+  const double meters = reference->GetLinearUnits(&name);
+  units.plan = take(name, meters, units.plan_name);
   if (!units.height_stated) {
     units.height = units.plan;
     units.height_name = units.plan_name;

@@ -33,7 +33,7 @@ struct ReferenceCodes {
 std::string
 wktOfCodes(const ReferenceCodes& codes);
 
-/** \brief WKT of a system of which nothing but the unit is known; empty for metres and
+/** \brief WKT of a system of which nothing but the unit is known; empty for meters and
  * for units that are none of length. */
 std::string
 wktOfUnit(int code);

@@ -10,7 +10,7 @@
 #include <linelet/io/point_file.h>
 
 #include "files.h"
-#include "text_scan.h"
+#include "io/text/text_scan.h"
 
 namespace linelet::io {
 

@@ -7,14 +7,14 @@
 
 #include "columns.h"
 #include "files.h"
-#include "text_scan.h"
+#include "io/text/text_scan.h"
 #include "writers.h"
 
 namespace linelet::io {
 
 namespace {
 
-/** A column of the output: an attribute, a coordinate or a packed colour. */
+/** A column of the output: an attribute, a coordinate or a packed color. */
 struct Output {
   std::string name;
   ValueType type;
@@ -109,15 +109,15 @@ coordinates(const Target& target, const Cloud& cloud, bool pcl)
   return {{"x", type, nullptr, 0}, {"y", type, nullptr, 1}, {"z", type, nullptr, 2}};
 }
 
-/** The cloud's 8 bit colours as columns. */
+/** The cloud's 8 bit colors as columns. */
 std::vector<Column>
-colourColumns(const Cloud& cloud)
+colorColumns(const Cloud& cloud)
 {
   std::vector<Column> columns;
-  if (auto colours = byteColours(cloud))
+  if (auto colors = byteColors(cloud))
     for (std::size_t i = 0; i < 3; ++i)
       columns.push_back(
-          {std::array<const char*, 3>{"red", "green", "blue"}[i], (*colours)[i], {}});
+          {std::array<const char*, 3>{"red", "green", "blue"}[i], (*colors)[i], {}});
   return columns;
 }
 
@@ -176,19 +176,19 @@ writePcd(const Target& target, const Cloud& cloud)
 {
   std::vector<Output> outputs = coordinates(target, cloud, true);
   WordNames names;
-  // PCL reads colours as the bits of a float called rgb.
-  const std::vector<Column> colours = colourColumns(cloud);
+  // PCL reads colors as the bits of a float called rgb.
+  const std::vector<Column> colors = colorColumns(cloud);
   Column packed{"rgb", std::vector<std::uint32_t>(), {}};
-  if (!colours.empty()) {
+  if (!colors.empty()) {
     auto& bits = std::get<std::vector<std::uint32_t>>(packed.values);
     bits.assign(cloud.points.size(), 0);
-    for (const Column& colour : colours)
+    for (const Column& color : colors)
       for (std::size_t i = 0; i < bits.size(); ++i)
-        bits[i] = bits[i] << 8 | std::get<std::vector<std::uint8_t>>(colour.values)[i];
+        bits[i] = bits[i] << 8 | std::get<std::vector<std::uint8_t>>(color.values)[i];
     outputs.push_back({names.take("rgb"), ValueType::UInt32, &packed});
   }
   for (const Column& column : cloud.columns)
-    if (colours.empty() || !isColour(column.name))
+    if (colors.empty() || !isColor(column.name))
       outputs.push_back({names.take(column.name), typeOf(column), &column});
 
   std::string fields = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
@@ -227,12 +227,12 @@ writePly(const Target& target, const Cloud& cloud)
                                           "double"};
   std::vector<Output> outputs = coordinates(target, cloud, false);
   WordNames names;
-  const std::vector<Column> colours = colourColumns(cloud);
+  const std::vector<Column> colors = colorColumns(cloud);
   for (const Column& column : cloud.columns) {
     const Column* source = &column;
-    for (const Column& colour : colours)
-      if (colour.name == column.name)
-        source = &colour;
+    for (const Column& color : colors)
+      if (color.name == column.name)
+        source = &color;
     std::string name = column.name;
     if (name.rfind("normal_", 0) == 0 && name.size() == 8)
       name = std::string("n") + name.back();

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "text_scan.h"
+#include "io/text/text_scan.h"
 
 namespace linelet::io {
 

@@ -55,7 +55,7 @@ public:
     return queue_;
   }
 
-  /** \brief Neighbours that the tensor kernel takes at a time: 1, 4, 8 or 16. */
+  /** \brief Neighbors that the tensor kernel takes at a time: 1, 4, 8 or 16. */
   unsigned
   lanes() const
   {

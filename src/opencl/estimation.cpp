@@ -42,8 +42,8 @@ public:
              const Points& surface,
              const Points& queries,
              const TensorSettings& settings,
-             const NeighbourhoodSizes& sizes,
-             Monitor* monitor)
+             const NeighborhoodSizes& sizes,
+             ProgressMonitor* monitor)
       : context_(context),
         surface_(surface),
         queries_(queries),
@@ -164,7 +164,7 @@ private:
 
   /** \brief Estimates on the host what the device left undecided: pairs at the radius
    * where it has no double, and nearest points equally far or hard to find.
-   * \param[in] wanted numbers of nearest points, empty for neighbourhoods by radius */
+   * \param[in] wanted numbers of nearest points, empty for neighborhoods by radius */
   void
   completeOnHost(const std::vector<cl_uint>& wanted)
   {
@@ -178,7 +178,7 @@ private:
     if (open.empty())
       return;
     Points queries;
-    NeighbourhoodSizes sizes;
+    NeighborhoodSizes sizes;
     TensorSettings settings = settings_;
     settings.engine = Engine::Auto;
     for (const Index i : open) {
@@ -197,8 +197,8 @@ private:
   const Points& surface_;
   const Points& queries_;
   const TensorSettings& settings_;
-  const NeighbourhoodSizes& sizes_;
-  Monitor* monitor_;
+  const NeighborhoodSizes& sizes_;
+  ProgressMonitor* monitor_;
   Outcome outcome_;
   Slabs slabs_;
 };
@@ -211,8 +211,8 @@ estimateOn(Context& context,
            const Points& surface,
            const Points& queries,
            const TensorSettings& settings,
-           const NeighbourhoodSizes& sizes,
-           Monitor* monitor)
+           const NeighborhoodSizes& sizes,
+           ProgressMonitor* monitor)
 {
   return Estimation(context, memory_limit, surface, queries, settings, sizes, monitor)
       .run();

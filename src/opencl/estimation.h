@@ -18,14 +18,14 @@ struct Outcome {
 };
 
 /** \brief \ref TensorEngine::estimate on an open device, with settings that it knows.
- * \throws cl::Error, Error, Cancelled */
+ * \throws cl::Error, Error, Canceled */
 Outcome
 estimateOn(Context& context,
            std::size_t memory_limit,
            const Points& surface,
            const Points& queries,
            const TensorSettings& settings,
-           const NeighbourhoodSizes& sizes,
-           Monitor* monitor);
+           const NeighborhoodSizes& sizes,
+           ProgressMonitor* monitor);
 
 } // namespace linelet::opencl

@@ -41,7 +41,7 @@ Slabs::Slabs(Context& context,
              std::size_t memory_limit,
              int threads,
              StageTimes& times,
-             Monitor* monitor)
+             ProgressMonitor* monitor)
     : context_(context),
       surface_(surface),
       queries_(queries),
@@ -58,8 +58,8 @@ Slabs::forEach(const Indices& points,
                const std::vector<double>& radii,
                const Work& work)
 {
-  if (monitor_ != nullptr && monitor_->cancelled())
-    throw Cancelled();
+  if (monitor_ != nullptr && monitor_->canceled())
+    throw Canceled();
   if (points.empty() || queries.empty())
     return;
   double largest = 0;
@@ -127,7 +127,7 @@ Slab
 Slabs::upload(const Indices& points, const Indices& queries, const CellFrame& frame)
 {
   Lap lap(context_.queue());
-  // Most often every point asks for its own neighbourhood.
+  // Most often every point asks for its own neighborhood.
   const bool same = &surface_ == &queries_ && points == queries;
   Slab slab{
       frame, frame.layout(std::max(points.size(), queries.size())), {}, {}, {}, {}, {}};

@@ -52,13 +52,13 @@ public:
         std::size_t memory_limit,
         int threads,
         StageTimes& times,
-        Monitor* monitor);
+        ProgressMonitor* monitor);
 
   /** \brief Calls \a work for the slabs of some queries and the points around them.
    * \param[in] points finite ones of the surface
-   * \param[in] queries finite ones, each with a neighbourhood
-   * \param[in] radii how far neighbours lie, by query
-   * \throws Cancelled between slabs
+   * \param[in] queries finite ones, each with a neighborhood
+   * \param[in] radii how far neighbors lie, by query
+   * \throws Canceled between slabs
    * \throws cl::Error */
   void
   forEach(const Indices& points,
@@ -92,7 +92,7 @@ private:
   std::size_t memory_limit_;
   int threads_;
   StageTimes& times_;
-  Monitor* monitor_;
+  ProgressMonitor* monitor_;
   std::size_t count_ = 0;
 };
 

@@ -63,7 +63,7 @@ bitsFor(std::size_t count)
 } // namespace
 
 CellFrame::CellFrame(const Points& points, const Indices& chosen, double radius)
-    // A sliver more than the radius, so that rounding never puts a neighbour two cells
+    // A sliver more than the radius, so that rounding never puts a neighbor two cells
     // off.
     : cell_size(radius * (1 + 1e-6))
 {

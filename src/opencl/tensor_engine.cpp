@@ -44,8 +44,8 @@ std::vector<PointDistributionTensor>
 TensorEngine::estimate(const Points& surface,
                        const Points& queries,
                        const TensorSettings& settings,
-                       const NeighbourhoodSizes& sizes,
-                       Monitor* monitor)
+                       const NeighborhoodSizes& sizes,
+                       ProgressMonitor* monitor)
 {
   validate(settings, sizes, queries.size());
   const bool nearest = settings.k > 0 || !sizes.counts.empty();

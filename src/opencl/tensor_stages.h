@@ -13,7 +13,7 @@
 
 namespace linelet::opencl {
 
-/** \brief Definitions that specialise the tensor kernel for a centroid and weightings.
+/** \brief Definitions that specialize the tensor kernel for a centroid and weightings.
  */
 std::string
 tensorDefinitions(Centroid centroid,
@@ -25,10 +25,10 @@ struct DeviceTensors {
   cl::Buffer radii;      // one a query, by index
   cl_uint stride = 0;    // between components
   cl::Buffer components; // xx xy xz yy yz zz
-  cl::Buffer counts;     // neighbours
+  cl::Buffer counts;     // neighbors
 };
 
-/** \brief Runs the tensor kernel, specialised by \a definitions.
+/** \brief Runs the tensor kernel, specialized by \a definitions.
  * \param[in] radii one a query */
 DeviceTensors
 computeTensors(Context& context,
@@ -38,11 +38,11 @@ computeTensors(Context& context,
 
 /** \brief Runs the eigen-analysis.
  * \return records (\ref PointDistributionTensor), by index of the query; their number
- * of neighbours is \ref undecided where that of the tensors is */
+ * of neighbors is \ref undecided where that of the tensors is */
 cl::Buffer
 computeShapes(Context& context, const DeviceTensors& tensors, const Slab& slab);
 
-/** \brief Instead of a number of neighbours, where only double could tell it and the
+/** \brief Instead of a number of neighbors, where only double could tell it and the
  * device has none. */
 constexpr cl_uint undecided = 0xffffffff;
 

@@ -11,9 +11,9 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double bundle_width = 0.7; // metres between conductors of one bundle
+constexpr double bundle_width = 0.7; // meters between conductors of one bundle
 constexpr double least_cover = 0.5;  // of the bins of a conductor in its own right
-constexpr double complete = 0.8;     // part of its neighbour's length
+constexpr double complete = 0.8;     // part of its neighbor's length
 
 /** The conductor that hangs like \a whole, shifted to where \a part was seen. */
 bool
@@ -53,20 +53,20 @@ sortBundles(Growth& growth,
   });
   std::vector<Strand> wires;
   for (Piece& piece : pieces) {
-    Strand* neighbour = nullptr;
+    Strand* neighbor = nullptr;
     double nearest = bundle_width;
     for (Strand& wire : wires) {
       const Parallel parallel = compare(piece.model, wire.piece.model);
       if (parallel.overlap < 0.7 * piece.model.length() || parallel.distance > nearest)
         continue;
       nearest = parallel.distance;
-      neighbour = &wire;
+      neighbor = &wire;
     }
-    if (neighbour == nullptr) {
+    if (neighbor == nullptr) {
       wires.push_back({std::move(piece), {}});
       continue;
     }
-    const SpanModel& whole = neighbour->piece.model;
+    const SpanModel& whole = neighbor->piece.model;
     if (piece.model.length() >= complete * whole.length()) {
       wires.push_back({std::move(piece), {}});
       continue;
@@ -80,7 +80,7 @@ sortBundles(Growth& growth,
       continue;
     }
     growth.claim(piece, 0);
-    neighbour->companions.push_back(std::move(piece));
+    neighbor->companions.push_back(std::move(piece));
   }
   return wires;
 }

@@ -23,7 +23,7 @@ struct Scale {
   std::size_t least_points;
 };
 
-// Without the smallest scale, wires a metre apart merge; without the largest, sparse
+// Without the smallest scale, wires a meter apart merge; without the largest, sparse
 // ones are lost.
 constexpr std::array<Scale, 4> scales = {
     {{1, 0.85, 5}, {2, 0.93, 5}, {4, 0.975, 5}, {8, 0.995, 6}}};
@@ -31,10 +31,10 @@ constexpr double voxel = 0.5;        // one seed, or one point of the coarse clo
 constexpr double steepest = 0.55;    // of a wire's direction, as sine
 constexpr double round_enough = 0.3; // sphericity that ends the search for a line
 constexpr std::size_t enough = 8;    // points that make it worth believing
-constexpr double bundle_radius = 4;  // metres, of the search for a wire among others
+constexpr double bundle_radius = 4;  // meters, of the search for a wire among others
 constexpr double bundle_linearity = 0.5;
 constexpr std::size_t crowded = 400; // points around, too many for wires alone
-constexpr double bundle_tube = 0.12; // metres
+constexpr double bundle_tube = 0.12; // meters
 
 struct VoxelRun {
   Indices order;                   // candidates, voxel by voxel
@@ -76,14 +76,14 @@ struct Shape {
 Shape
 shapeAround(const UniformGrid& grid,
             const Points& points,
-            const Point& centre,
+            const Point& center,
             double radius)
 {
   Shape shape;
   Point sum = Point::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  grid.forEachWithin(centre, radius, [&](Index i, double) {
-    const Point v = points[i] - centre;
+  grid.forEachWithin(center, radius, [&](Index i, double) {
+    const Point v = points[i] - center;
     sum += v;
     squares.noalias() += v * v.transpose();
     ++shape.count;
@@ -104,15 +104,15 @@ shapeAround(const UniformGrid& grid,
 }
 
 // A wire that runs close to others makes no line with them, but there is a line through
-// the point itself, in about the direction of all, with a moat around it.
+// the point itself, in about the direction of all, with a guard ring around it.
 Seed
 seedAmongOthers(const Candidates& candidates, Index c)
 {
   const Seed none = {c, 0, 0, Point::Zero()};
-  const Point& centre = candidates.points[c];
+  const Point& center = candidates.points[c];
   std::vector<Point> around;
-  candidates.grid.forEachWithin(centre, bundle_radius, [&](Index i, double) {
-    around.push_back(candidates.points[i] - centre);
+  candidates.grid.forEachWithin(center, bundle_radius, [&](Index i, double) {
+    around.push_back(candidates.points[i] - center);
   });
   if (around.size() < 12 || around.size() > crowded)
     return none;
@@ -133,18 +133,19 @@ seedAmongOthers(const Candidates& candidates, Index c)
         std::abs(direction.z()) > steepest)
       return none;
   }
-  std::size_t tube = 0, moat = 0;
+  std::size_t tube = 0, guard_ring = 0;
   std::array<bool, 8> filled = {};
   for (const Point& v : around) {
     const double off = v.cross(direction).norm();
     tube += off <= bundle_tube;
-    moat += off > bundle_tube && off <= 2 * bundle_tube;
+    guard_ring += off > bundle_tube && off <= 2 * bundle_tube;
     if (off <= bundle_tube) {
       const double place = (direction.dot(v) / bundle_radius + 1) / 2;
       filled[static_cast<std::size_t>(std::clamp(place * 8, 0.0, 7.0))] = true;
     }
   }
-  if (tube < 5 || moat * 3 > tube || std::count(filled.begin(), filled.end(), true) < 5)
+  if (tube < 5 || guard_ring * 3 > tube ||
+      std::count(filled.begin(), filled.end(), true) < 5)
     return none;
   return {c, 0.5F, static_cast<float>(bundle_radius), direction};
 }
@@ -174,7 +175,7 @@ findCandidates(const Points& points, const Ground& ground, double min_height)
 }
 
 std::vector<Seed>
-findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor)
+findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor)
 {
   const VoxelRun voxels = sortIntoVoxels(candidates.points);
   const std::size_t count = voxels.begins.size() - 1;
@@ -194,7 +195,7 @@ findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor)
   const auto blocks = static_cast<std::ptrdiff_t>((count + 4095) / 4096);
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::ptrdiff_t block = 0; block < blocks; ++block) {
-    if (stop || (monitor != nullptr && monitor->cancelled())) {
+    if (stop || (monitor != nullptr && monitor->canceled())) {
       stop = true;
       continue;
     }
@@ -230,7 +231,7 @@ findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor)
       monitor->advance(last - first);
   }
   if (stop)
-    throw Cancelled();
+    throw Canceled();
   best.erase(std::remove_if(best.begin(),
                             best.end(),
                             [](const Seed& seed) { return seed.linearity <= 0; }),

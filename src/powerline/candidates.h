@@ -8,8 +8,8 @@
 #include <linelet/powerline/ground.h>
 #include <linelet/powerline/power_line_settings.h>
 #include <linelet/search/uniform_grid.h>
-#include <linelet/support/monitor.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::powerline {
 
@@ -17,9 +17,9 @@ namespace linelet::powerline {
 struct Candidates {
   Points points;
   Indices input;             ///< index of each in the input
-  std::vector<float> height; ///< above ground, metres
+  std::vector<float> height; ///< above ground, meters
   UniformGrid grid;
-  double least_height; ///< above ground, of all of them, metres
+  double least_height; ///< above ground, of all of them, meters
 };
 
 /** \brief Points higher above \a ground than \a min_height, in input order. */
@@ -30,13 +30,13 @@ findCandidates(const Points& points, const Ground& ground, double min_height);
 struct Seed {
   Index candidate;
   float linearity;
-  float radius;    ///< of the neighbourhood that showed it, metres
+  float radius;    ///< of the neighborhood that showed it, meters
   Point direction; ///< unit length
 };
 
-/** \brief Candidates whose neighbourhood at one of several radii (1, 2, 4, 8 m) is a
- * nearly horizontal line, best first. One a voxel of half a metre is tried. */
+/** \brief Candidates whose neighborhood at one of several radii (1, 2, 4, 8 m) is a
+ * nearly horizontal line, best first. One a voxel of half a meter is tried. */
 std::vector<Seed>
-findSeeds(const Candidates& candidates, unsigned threads, Monitor* monitor);
+findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor);
 
 } // namespace linelet::powerline

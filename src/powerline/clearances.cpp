@@ -12,12 +12,12 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double sample_step = 1;    // metres along a wire
-constexpr double farthest = 30;      // metres, vegetation beyond is of no interest
-constexpr double company_radius = 1; // metres
+constexpr double sample_step = 1;    // meters along a wire
+constexpr double farthest = 30;      // meters, vegetation beyond is of no interest
+constexpr double company_radius = 1; // meters
 constexpr std::size_t company = 3;   // points around, else it is a bird or noise
-constexpr double support_zone = 6;   // metres around supports, where fittings hang
-// Metres before a free end, where what is not taken for wire is, more often than not,
+constexpr double support_zone = 6;   // meters around supports, where fittings hang
+// Meters before a free end, where what is not taken for wire is, more often than not,
 // the rest of the wire or of its twin.
 constexpr double free_zone = 1;
 

@@ -11,22 +11,22 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double company_reach = 14; // metres between wires of one span
+constexpr double company_reach = 14; // meters between wires of one span
 constexpr double company_part = 0.7; // of the length of the wire that is to grow
 constexpr double thin_cover = 0.1;   // of the bins of a wire beside others
 constexpr double thin_clean = 0.9;   // of those, clean
-constexpr double overshoot = 1;      // metres beyond the end of the company
-constexpr double border_step = 5;    // metres beyond an end
-constexpr double border_reach = 2;   // metres around that place
-constexpr double stub_reach = 8;     // metres from the end of a wire to its stub
-constexpr double stub_gap = 0.5;     // metres between them where they meet
-constexpr double least_stub = 4;     // metres
+constexpr double overshoot = 1;      // meters beyond the end of the company
+constexpr double border_step = 5;    // meters beyond an end
+constexpr double border_reach = 2;   // meters around that place
+constexpr double stub_reach = 8;     // meters from the end of a wire to its stub
+constexpr double stub_gap = 0.5;     // meters between them where they meet
+constexpr double least_stub = 4;     // meters
 constexpr double least_cosine = 0.99;
 
 // A stub has the length that the data leave it.
 bool
-goesOn(const std::vector<Hanging>& wires,
-       const Hanging& stub,
+goesOn(const std::vector<WireWithEnds>& wires,
+       const WireWithEnds& stub,
        const Underside& underside)
 {
   const SpanModel& m = stub.model();
@@ -34,7 +34,7 @@ goesOn(const std::vector<Hanging>& wires,
     if (!leavesData(m, 1 - side, underside))
       continue;
     const Point near = m.at(stub.edge(side));
-    for (const Hanging& wire : wires) {
+    for (const WireWithEnds& wire : wires) {
       for (int other = 0; other < 2; ++other) {
         if ((wire.model().at(wire.edge(other)) - near).norm() > stub_reach ||
             wire.outward(other).dot(stub.outward(side)) > -0.5)
@@ -65,15 +65,15 @@ leavesData(const SpanModel& model, int side, const Underside& underside)
 }
 
 void
-completeByCompany(std::vector<Hanging>& wires,
+completeByCompany(std::vector<WireWithEnds>& wires,
                   Growth& growth,
                   const PowerLineSettings& settings)
 {
-  for (Hanging& wire : wires) {
+  for (WireWithEnds& wire : wires) {
     Piece& piece = wire.strand.piece;
     const SpanModel& m = piece.model;
     double low = m.begin, high = m.end;
-    for (const Hanging& other : wires) {
+    for (const WireWithEnds& other : wires) {
       if (&other == &wire)
         continue;
       const Parallel parallel = compare(m, other.model());
@@ -103,7 +103,7 @@ completeByCompany(std::vector<Hanging>& wires,
 }
 
 void
-addStubs(std::vector<Hanging>& wires,
+addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,
          const std::vector<Seed>& seeds,
          const Underside& underside,
@@ -120,7 +120,7 @@ addStubs(std::vector<Hanging>& wires,
       continue;
     const bool near = std::any_of(wires.begin(),
                                   wires.begin() + static_cast<std::ptrdiff_t>(count),
-                                  [&](const Hanging& w) {
+                                  [&](const WireWithEnds& w) {
                                     return std::min((w.ends[0].place - p).norm(),
                                                     (w.ends[1].place - p).norm()) <
                                            2 * stub_reach + settings.min_length;
@@ -130,7 +130,7 @@ addStubs(std::vector<Hanging>& wires,
     for (Piece& piece : growth.grow(seed)) {
       for (const Index i : piece.members)
         tried[i] = 1;
-      Hanging stub;
+      WireWithEnds stub;
       stub.strand.piece = std::move(piece);
       if (!weigh(growth, stub.strand.piece, relaxed).accepted ||
           !goesOn(wires, stub, underside))

@@ -14,9 +14,9 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double kink_reach = 6;              // metres from where wires meet one by one
-constexpr double vague_kink = 1.5;            // metres; a vaguer place is left as it is
-constexpr double firmest = 0.15, loosest = 1; // metres, spread of attachment points
+constexpr double kink_reach = 6;              // meters from where wires meet one by one
+constexpr double vague_kink = 1.5;            // meters; a vaguer place is left as it is
+constexpr double firmest = 0.15, loosest = 1; // meters, spread of attachment points
 
 /** Two wires that meet at a support, as seen along the line. */
 struct Pair {
@@ -35,13 +35,13 @@ public:
   double
   across(const Point& p) const
   {
-    return across_.dot(p.head<2>() - arm_.centre);
+    return across_.dot(p.head<2>() - arm_.center);
   }
 
   double
   along(const Point& p) const
   {
-    return arm_.along.dot(p.head<2>() - arm_.centre) - arm_.turn * across(p);
+    return arm_.along.dot(p.head<2>() - arm_.center) - arm_.turn * across(p);
   }
 
 private:
@@ -50,12 +50,15 @@ private:
 };
 
 Pair
-pairOf(const Hanging& a, const Hanging& b, const Tower& tower, const Points& points)
+pairOf(const WireWithEnds& a,
+       const WireWithEnds& b,
+       const Tower& tower,
+       const Points& points)
 {
   const ArmFrame frame(tower.arm);
   std::vector<std::pair<double, double>> heights, offsets;
   double low = 0, high = 0;
-  for (const Hanging* wire : {&a, &b})
+  for (const WireWithEnds* wire : {&a, &b})
     for (const Index i : wire->strand.piece.members) {
       const double s = frame.along(points[i]);
       heights.emplace_back(s, points[i].z() - tower.lowest_arm);
@@ -88,11 +91,11 @@ likelihoodAt(const std::vector<Pair>& pairs, double s)
 } // namespace
 
 void
-moveToKink(Tower& tower, const std::vector<Hanging>& wires, const Points& points)
+moveToKink(Tower& tower, const std::vector<WireWithEnds>& wires, const Points& points)
 {
   std::vector<Pair> pairs;
   for (const auto& [w, side] : tower.ends) {
-    const Hanging& wire = wires[static_cast<std::size_t>(w)];
+    const WireWithEnds& wire = wires[static_cast<std::size_t>(w)];
     const End& end = wire.ends[static_cast<std::size_t>(side)];
     if (w < end.partner)
       pairs.push_back(
@@ -119,12 +122,12 @@ moveToKink(Tower& tower, const std::vector<Hanging>& wires, const Points& points
   const double spread = std::sqrt(std::max(0.0, squares / total - place * place));
   if (spread > vague_kink)
     return;
-  tower.arm.centre += place * tower.arm.along;
+  tower.arm.center += place * tower.arm.along;
   tower.arm.spread = std::clamp(spread, firmest, loosest);
 }
 
 void
-fitCrossarm(Tower& tower, const std::vector<Hanging>& wires)
+fitCrossarm(Tower& tower, const std::vector<WireWithEnds>& wires)
 {
   Crossarm& arm = tower.arm;
   const Eigen::Vector2d across(-arm.along.y(), arm.along.x());
@@ -133,7 +136,7 @@ fitCrossarm(Tower& tower, const std::vector<Hanging>& wires)
     if (const End& end =
             wires[static_cast<std::size_t>(w)].ends[static_cast<std::size_t>(side)];
         end.partner >= 0) {
-      const Eigen::Vector2d offset = end.place.head<2>() - arm.centre;
+      const Eigen::Vector2d offset = end.place.head<2>() - arm.center;
       places.emplace_back(across.dot(offset), arm.along.dot(offset));
     }
   if (places.size() < 2)
@@ -156,7 +159,7 @@ fitCrossarm(Tower& tower, const std::vector<Hanging>& wires)
     line = normal.ldlt().solve(right);
     arm.spread = std::clamp(std::sqrt(squares / total), firmest, loosest);
   }
-  arm.centre += line[0] * arm.along;
+  arm.center += line[0] * arm.along;
   arm.turn = line[1];
 }
 

@@ -15,23 +15,23 @@ namespace linelet::powerline {
  * points, rms, lengths, sag, largest gap, supports, confidence. Ids follow the order of
  * \a wires; spans and numbers come with \ref numberWires. */
 std::vector<Wire>
-describeWires(const std::vector<Hanging>& wires,
+describeWires(const std::vector<WireWithEnds>& wires,
               Growth& growth,
               const PowerLineSettings& settings);
 
 /** \brief Gathers wires into spans and spans into lines, numbers everything, and puts
  * wires and spans of \a network in order (line, span, wire).
- * \return for every wire of \a hanging its id */
+ * \return for every wire of \a with_ends its id */
 std::vector<int>
 numberWires(PowerLineNetwork& network,
-            const std::vector<Hanging>& hanging,
+            const std::vector<WireWithEnds>& with_ends,
             const std::vector<Tower>& towers);
 
 /** \brief Gives every point its class, wire and span. */
 void
 labelPoints(PowerLineNetwork& network,
             const Points& points,
-            const std::vector<Hanging>& hanging,
+            const std::vector<WireWithEnds>& with_ends,
             const std::vector<int>& ids,
             const std::vector<Tower>& towers,
             const Growth& growth);

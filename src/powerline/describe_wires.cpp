@@ -16,10 +16,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double plain_gap = 8; // metres without a point that are nothing unusual
+constexpr double plain_gap = 8; // meters without a point that are nothing unusual
 
 std::string
-metres(double value)
+meters(double value)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", value);
@@ -38,34 +38,34 @@ void
 judge(Wire& wire, const Evidence& evidence, double max_gap)
 {
   const double density = static_cast<double>(wire.points) / std::max(1.0, wire.length);
-  lower(wire, 0.4 + 0.6 * density, metres(density) + " points per metre");
+  lower(wire, 0.4 + 0.6 * density, meters(density) + " points per meter");
   if (wire.largest_gap > plain_gap)
     lower(wire,
           1 - 0.6 * (wire.largest_gap - plain_gap) / std::max(1.0, max_gap),
-          "gap of " + metres(wire.largest_gap) + " m");
+          "gap of " + meters(wire.largest_gap) + " m");
   const double covered =
       static_cast<double>(evidence.occupied) / std::max(1, evidence.bins);
-  lower(wire, 0.3 + covered, "points on " + metres(100 * covered) + " % of its length");
-  lower(wire, 1 - (wire.rms - 0.1) * 4, "points scatter by " + metres(wire.rms) + " m");
+  lower(wire, 0.3 + covered, "points on " + meters(100 * covered) + " % of its length");
+  lower(wire, 1 - (wire.rms - 0.1) * 4, "points scatter by " + meters(wire.rms) + " m");
   const double clean =
       static_cast<double>(evidence.clean) / std::max(1, evidence.occupied);
   lower(wire, 0.35 + 0.75 * clean, "other things close around");
-  lower(wire, 0.6 + 0.4 * wire.length / 25, "only " + metres(wire.length) + " m long");
+  lower(wire, 0.6 + 0.4 * wire.length / 25, "only " + meters(wire.length) + " m long");
   if (wire.front_support == 0 && wire.back_support == 0)
     lower(wire, 0.85, "no support seen");
 }
 
 void
-measure(Wire& wire, const Hanging& hanging, const Points& points)
+measure(Wire& wire, const WireWithEnds& with_ends, const Points& points)
 {
   const Catenary& c = wire.curve;
   std::vector<double> places = {c.from, c.to};
   double squares = 0;
-  for (const Index i : hanging.strand.piece.members) {
+  for (const Index i : with_ends.strand.piece.members) {
     places.push_back(std::clamp(c.along(points[i]), c.from, c.to));
     squares += std::pow(c.distance(points[i]), 2);
   }
-  wire.points = hanging.strand.piece.members.size();
+  wire.points = with_ends.strand.piece.members.size();
   wire.rms =
       std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, wire.points)));
   std::sort(places.begin(), places.end());
@@ -87,7 +87,7 @@ measure(Wire& wire, const Hanging& hanging, const Points& points)
 } // namespace
 
 std::vector<Wire>
-describeWires(const std::vector<Hanging>& wires,
+describeWires(const std::vector<WireWithEnds>& wires,
               Growth& growth,
               const PowerLineSettings& settings)
 {
@@ -96,25 +96,26 @@ describeWires(const std::vector<Hanging>& wires,
   const auto count = static_cast<std::ptrdiff_t>(wires.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings.threads))
   for (std::ptrdiff_t w = 0; w < count; ++w) {
-    const Hanging& hanging = wires[static_cast<std::size_t>(w)];
+    const WireWithEnds& with_ends = wires[static_cast<std::size_t>(w)];
     Wire& wire = result[static_cast<std::size_t>(w)];
     Points fixed;
-    for (const End& end : hanging.ends)
+    for (const End& end : with_ends.ends)
       if (end.fixed)
         fixed.push_back(end.place);
     Catenary& c = wire.curve;
-    const Piece& piece = hanging.strand.piece;
+    const Piece& piece = with_ends.strand.piece;
     c = fitCatenary(piece.model, points, piece.members, fixed, piece.cut());
-    if (hanging.ends[0].fixed)
-      c.from = c.along(hanging.ends[0].place);
-    if (hanging.ends[1].fixed)
-      c.to = c.along(hanging.ends[1].place);
-    wire.front = hanging.ends[0].fixed ? hanging.ends[0].place : c.at(c.from);
-    wire.back = hanging.ends[1].fixed ? hanging.ends[1].place : c.at(c.to);
-    wire.front_support = hanging.ends[0].support + 1;
-    wire.back_support = hanging.ends[1].support + 1;
-    wire.conductors = piece.thickness > 0 || !hanging.strand.companions.empty() ? 2 : 1;
-    measure(wire, hanging, points);
+    if (with_ends.ends[0].fixed)
+      c.from = c.along(with_ends.ends[0].place);
+    if (with_ends.ends[1].fixed)
+      c.to = c.along(with_ends.ends[1].place);
+    wire.front = with_ends.ends[0].fixed ? with_ends.ends[0].place : c.at(c.from);
+    wire.back = with_ends.ends[1].fixed ? with_ends.ends[1].place : c.at(c.to);
+    wire.front_support = with_ends.ends[0].support + 1;
+    wire.back_support = with_ends.ends[1].support + 1;
+    wire.conductors =
+        piece.thickness > 0 || !with_ends.strand.companions.empty() ? 2 : 1;
+    measure(wire, with_ends, points);
   }
   PowerLineSettings any_length = settings; // the border of the data leaves short ones
   any_length.min_length = 0;

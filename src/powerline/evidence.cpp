@@ -11,20 +11,20 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double largest_rms = 0.16;      // metres
-constexpr double bundle_radius = 0.5;     // metres, of a bundle in one vector
-constexpr double bundle_rms = 0.35;       // metres
-constexpr double bundle_tolerance = 0.15; // metres; what fits closer is one wire
-// Points a metre of a bundle, else its moat says nothing: beside single wires that may
-// be told apart, and where these have been found.
+constexpr double largest_rms = 0.16;      // meters
+constexpr double bundle_radius = 0.5;     // meters, of a bundle in one vector
+constexpr double bundle_rms = 0.35;       // meters
+constexpr double bundle_tolerance = 0.15; // meters; what fits closer is one wire
+// Points a meter of a bundle, else its guard ring says nothing: beside single wires
+// that may be told apart, and where these have been found.
 constexpr double bundle_density = 6, last_density = 3;
 constexpr double steepest_end = 0.6;
-constexpr double least_height = 4;   // metres, mean
-constexpr double hump = 0.10;        // metres of negative sag that noise may cause
-constexpr double clean_length = 6;   // metres that must be clean at least
+constexpr double least_height = 4;   // meters, mean
+constexpr double hump = 0.10;        // meters of negative sag that noise may cause
+constexpr double clean_length = 6;   // meters that must be clean at least
 constexpr double clean_part = 0.5;   // of the occupied bins
 constexpr double least_cover = 0.35; // of the bins
-constexpr double crowd = 0.35;       // moat points a tube point in a clean bin
+constexpr double crowd = 0.35;       // guard ring points a tube point in a clean bin
 constexpr std::size_t least_points = 8;
 
 } // namespace
@@ -57,7 +57,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
     if (bin.tube == 0)
       continue;
     ++e.occupied;
-    if (static_cast<double>(bin.moat) <= crowd * static_cast<double>(bin.tube))
+    if (static_cast<double>(bin.guard_ring) <= crowd * static_cast<double>(bin.tube))
       ++e.clean;
   }
   e.sound = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
@@ -70,7 +70,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
 namespace {
 
 // Whether a piece is a bundle whose conductors the points do not tell apart: then it
-// fills a wider tube, and the moat lies around that.
+// fills a wider tube, and the guard ring lies around that.
 bool
 isBundle(const Growth& growth,
          Piece& piece,
@@ -98,7 +98,7 @@ std::vector<Piece>
 growAll(Growth& growth,
         const std::vector<Seed>& seeds,
         const PowerLineSettings& settings,
-        Monitor* monitor)
+        ProgressMonitor* monitor)
 {
   std::vector<Piece> wires;
   // Wires that failed because others, not yet claimed, were too near get a second
@@ -111,8 +111,8 @@ growAll(Growth& growth,
     for (std::size_t k = 0; k < seeds.size(); ++k) {
       if (monitor != nullptr && k % 256 == 255) {
         monitor->advance(256);
-        if (monitor->cancelled())
-          throw Cancelled();
+        if (monitor->canceled())
+          throw Canceled();
       }
       if (tried[seeds[k].candidate] != 0)
         continue;

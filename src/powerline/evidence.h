@@ -12,10 +12,10 @@ struct Evidence {
   int bins = 0;     ///< of 2 m, begin to end
   int occupied = 0; ///< with points of the wire
   int clean = 0;    ///< occupied, and next to nothing right around the wire
-  double rms = 0;   ///< of the members, metres
-  double sag = 0;   ///< of the model between its ends, metres; negative: bulges upwards
+  double rms = 0;   ///< of the members, meters
+  double sag = 0;   ///< of the model between its ends, meters; negative: bulges upwards
   double slope = 0; ///< steepest, at the ends
-  double height = 0;     ///< mean of the members above ground, metres
+  double height = 0;     ///< mean of the members above ground, meters
   bool sound = false;    ///< a wire, but perhaps too thinly covered with points
   bool accepted = false; ///< and not that
 };
@@ -31,7 +31,7 @@ std::vector<Piece>
 growAll(Growth& growth,
         const std::vector<Seed>& seeds,
         const PowerLineSettings& settings,
-        Monitor* monitor);
+        ProgressMonitor* monitor);
 
 /** \brief Adds to \a pieces what is left of thin bundles, or of wires that strips which
  * do not fit show twice: their conductors are too near each other to be found one by

@@ -15,15 +15,15 @@
 #include <linelet/support/text.h>
 
 #include "powerline/describe.h"
+#include "powerline/false_positives.h"
 #include "powerline/find_ground.h"
-#include "powerline/lookalikes.h"
 #include "powerline/shows_terrain.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double wire_height = 4; // metres, wires hang higher in the mean
+constexpr double wire_height = 4; // meters, wires hang higher in the mean
 
 void
 require(bool in_order, const char* name, double value, const char* range)
@@ -52,7 +52,7 @@ check(const PowerLineSettings& s)
 /** Names the stages to the monitor and keeps their times. */
 class Stages {
 public:
-  Stages(PowerLineNetwork& network, Monitor* monitor)
+  Stages(PowerLineNetwork& network, ProgressMonitor* monitor)
       : network_(network), monitor_(monitor)
   {
   }
@@ -64,8 +64,8 @@ public:
   {
     finish();
     if (monitor_ != nullptr) {
-      if (monitor_->cancelled())
-        throw Cancelled();
+      if (monitor_->canceled())
+        throw Canceled();
       monitor_->begin(stage, 0);
     }
     network_.stages.push_back({stage, 0});
@@ -84,7 +84,7 @@ private:
   }
 
   PowerLineNetwork& network_;
-  Monitor* monitor_;
+  ProgressMonitor* monitor_;
   Clock::time_point begun_;
 };
 
@@ -111,7 +111,7 @@ PowerLineNetwork
 extractPowerLines(const Points& points,
                   const std::vector<std::uint8_t>& classes,
                   const PowerLineSettings& settings,
-                  Monitor* monitor)
+                  ProgressMonitor* monitor)
 {
   check(settings);
   if (!classes.empty() && classes.size() != points.size())
@@ -141,33 +141,33 @@ extractPowerLines(const Points& points,
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
-    addSiblings(growth, pieces, settings);
+    addParallelWires(growth, pieces, settings);
     addBundles(growth, seeds, pieces, settings);
     mergePieces(growth, pieces, settings);
-    std::vector<Hanging> hanging;
+    std::vector<WireWithEnds> with_ends;
     for (Strand& strand : sortBundles(growth, std::move(pieces), settings))
-      hanging.push_back({std::move(strand), {}});
+      with_ends.push_back({std::move(strand), {}});
     stages.begin("supports");
-    completeByCompany(hanging, growth, settings);
-    matchEnds(hanging);
-    splitAtPoles(hanging, growth);
-    dropLookalikes(hanging, growth, points, ground);
-    matchEnds(hanging);
-    dropUnlikely(hanging, growth, underside, settings);
-    addStubs(hanging, growth, seeds, underside, settings);
-    matchEnds(hanging);
-    if (mendBreaks(hanging, growth, settings))
-      matchEnds(hanging);
-    std::vector<Tower> towers = buildTowers(hanging, growth, ground, settings);
-    if (dropMisled(hanging, growth)) {
-      matchEnds(hanging);
-      towers = buildTowers(hanging, growth, ground, settings);
+    completeByCompany(with_ends, growth, settings);
+    matchEnds(with_ends);
+    splitAtPoles(with_ends, growth);
+    dropFalsePositives(with_ends, growth, points, ground);
+    matchEnds(with_ends);
+    dropUnlikely(with_ends, growth, underside, settings);
+    addStubs(with_ends, growth, seeds, underside, settings);
+    matchEnds(with_ends);
+    if (mendBreaks(with_ends, growth, settings))
+      matchEnds(with_ends);
+    std::vector<Tower> towers = buildTowers(with_ends, growth, ground, settings);
+    if (dropMisled(with_ends, growth)) {
+      matchEnds(with_ends);
+      towers = buildTowers(with_ends, growth, ground, settings);
     }
     stages.begin("catenaries");
-    network.wires = describeWires(hanging, growth, settings);
-    const std::vector<int> ids = numberWires(network, hanging, towers);
+    network.wires = describeWires(with_ends, growth, settings);
+    const std::vector<int> ids = numberWires(network, with_ends, towers);
     stages.begin("labels");
-    labelPoints(network, points, hanging, ids, towers, growth);
+    labelPoints(network, points, with_ends, ids, towers, growth);
     stages.begin("clearances");
     measureClearances(network, candidates, settings);
   }
@@ -177,7 +177,7 @@ extractPowerLines(const Points& points,
 PowerLineNetwork
 extractPowerLines(const io::Cloud& cloud,
                   const PowerLineSettings& settings,
-                  Monitor* monitor)
+                  ProgressMonitor* monitor)
 {
   std::vector<std::uint8_t> classes;
   if (const io::Column* column = cloud.find("classification")) {
@@ -187,13 +187,13 @@ extractPowerLines(const io::Cloud& cloud,
   }
   const MetricFrame frame(cloud);
   const io::UsablePoints usable(cloud, nullptr, settings.points);
-  if (frame.units().areMetres())
+  if (frame.units().areMeters())
     return extractPowerLines(usable.points(), classes, settings, monitor);
   Points points(cloud.points.size());
   std::transform(usable.points().begin(),
                  usable.points().end(),
                  points.begin(),
-                 [&](const Point& p) { return frame.metres(p); });
+                 [&](const Point& p) { return frame.meters(p); });
   return extractPowerLines(points, classes, settings, monitor);
 }
 

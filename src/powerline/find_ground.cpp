@@ -17,7 +17,7 @@ namespace {
 constexpr double cell_size = 2;
 constexpr int largest_radius = 12;    // cells: lowers buildings up to 50 m wide
 constexpr double terrain_slope = 0.5; // steepest rise that an opening must leave alone
-constexpr double step = 0.3;          // height noise, metres
+constexpr double step = 0.3;          // height noise, meters
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 struct Raster {
@@ -56,7 +56,7 @@ emptyRaster(const PlanExtent& extent)
   return raster;
 }
 
-// Lifts cells far below all but one of their neighbours: multipath returns.
+// Lifts cells far below all but one of their neighbors: multipath returns.
 void
 repairPits(std::vector<float>& heights, int columns, int rows)
 {

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr std::size_t sample = 600;                     // points that take part
-constexpr double noise = 0.05;                          // metres, scales the priors
+constexpr double noise = 0.05;                          // meters, scales the priors
 constexpr double swing_spread = 0.3;                    // radian
-constexpr double usual_bend = 2e-3, bend_spread = 4e-3; // 1 / a, 1/metres
+constexpr double usual_bend = 2e-3, bend_spread = 4e-3; // 1 / a, 1/meters
 constexpr double flattest = 1e-5, tightest = 0.05;      // 1 / a
 constexpr double hold = 8; // weight of an attachment point, in points
 

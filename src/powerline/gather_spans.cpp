@@ -14,11 +14,11 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double side_by_side = 14; // metres between neighbouring wires of a span
+constexpr double side_by_side = 14; // meters between neighboring wires of a span
 constexpr double shared_part = 0.6; // of the longer wire
 
 bool
-inOneSpan(const Hanging& a, const Hanging& b)
+inOneSpan(const WireWithEnds& a, const WireWithEnds& b)
 {
   const int a0 = a.ends[0].support, a1 = a.ends[1].support;
   const int b0 = b.ends[0].support, b1 = b.ends[1].support;
@@ -40,7 +40,7 @@ inOneSpan(const Hanging& a, const Hanging& b)
 
 // Puts a wire into a span, turned like the first wire there.
 void
-add(WiresOfSpan& span, const std::vector<Hanging>& wires, std::size_t w)
+add(WiresOfSpan& span, const std::vector<WireWithEnds>& wires, std::size_t w)
 {
   const bool reversed =
       !span.wires.empty() &&
@@ -57,7 +57,8 @@ using Link = std::tuple<std::size_t, int, std::size_t, int>;
 
 // All links between spans and how many wires go on over them, the most first.
 std::vector<std::pair<int, Link>>
-countLinks(const std::vector<WiresOfSpan>& spans, const std::vector<Hanging>& wires)
+countLinks(const std::vector<WiresOfSpan>& spans,
+           const std::vector<WireWithEnds>& wires)
 {
   std::vector<std::size_t> span_of(wires.size());
   std::vector<char> reversed(wires.size());
@@ -93,7 +94,7 @@ countLinks(const std::vector<WiresOfSpan>& spans, const std::vector<Hanging>& wi
 
 // Links every end of a span with the span that most of its wires go on to.
 void
-linkSpans(std::vector<WiresOfSpan>& spans, const std::vector<Hanging>& wires)
+linkSpans(std::vector<WiresOfSpan>& spans, const std::vector<WireWithEnds>& wires)
 {
   for (const auto& [count, link] : countLinks(spans, wires)) {
     const auto [a, side_a, b, side_b] = link;
@@ -109,10 +110,10 @@ linkSpans(std::vector<WiresOfSpan>& spans, const std::vector<Hanging>& wires)
 } // namespace
 
 std::vector<WiresOfSpan>
-gatherSpans(const std::vector<Hanging>& wires)
+gatherSpans(const std::vector<WireWithEnds>& wires)
 {
   Groups groups(wires.size());
-  uniteNeighbours(groups, wires, side_by_side, inOneSpan);
+  uniteNeighbors(groups, wires, side_by_side, inOneSpan);
   std::vector<WiresOfSpan> spans;
   std::map<std::size_t, std::size_t> place;
   for (std::size_t w = 0; w < wires.size(); ++w) {

@@ -29,6 +29,6 @@ struct WiresOfSpan {
 /** \brief Gathers wires between the same two supports, or side by side where supports
  * are not seen, and links the spans that follow each other in a line. */
 std::vector<WiresOfSpan>
-gatherSpans(const std::vector<Hanging>& wires);
+gatherSpans(const std::vector<WireWithEnds>& wires);
 
 } // namespace linelet::powerline

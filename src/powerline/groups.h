@@ -17,7 +17,7 @@ namespace linelet::powerline {
 
 /** \brief Unites wires that go on as one another beyond their supports. */
 inline void
-unitePartners(Groups& groups, const std::vector<Hanging>& wires)
+unitePartners(Groups& groups, const std::vector<WireWithEnds>& wires)
 {
   for (std::size_t w = 0; w < wires.size(); ++w)
     for (const End& end : wires[w].ends)
@@ -26,13 +26,13 @@ unitePartners(Groups& groups, const std::vector<Hanging>& wires)
 }
 
 /** \brief Unites all wires \a a and \a b with \a together(a, b), which is asked only
- * about wires whose stretches along x are at most \a reach metres apart. */
+ * about wires whose stretches along x are at most \a reach meters apart. */
 template <class Together>
 void
-uniteNeighbours(Groups& groups,
-                const std::vector<Hanging>& wires,
-                double reach,
-                Together&& together)
+uniteNeighbors(Groups& groups,
+               const std::vector<WireWithEnds>& wires,
+               double reach,
+               Together&& together)
 {
   const auto left = [&](std::size_t w) {
     return std::min(wires[w].ends[0].place.x(), wires[w].ends[1].place.x());

@@ -10,11 +10,11 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double lock_length = 8;    // metres, from which bundles are told apart
-constexpr double lock_reach = 0.7;   // metres, around the model
-constexpr double lock_kernel = 0.12; // metres
-constexpr double seed_tube = 0.3;    // metres
-constexpr double widest_tube = 0.6;  // metres, where the prediction is vague
+constexpr double lock_length = 8;    // meters, from which bundles are told apart
+constexpr double lock_reach = 0.7;   // meters, around the model
+constexpr double lock_kernel = 0.12; // meters
+constexpr double seed_tube = 0.3;    // meters
+constexpr double widest_tube = 0.6;  // meters, where the prediction is vague
 constexpr std::size_t lock_sample = 400;
 
 void
@@ -69,10 +69,10 @@ Growth::look(const SpanModel& model,
   Bin bin;
   const double reach = std::max(ring_radius, 2 * tolerance);
   const double half = (to - from) / 2;
-  const Point centre = model.at((from + to) / 2);
+  const Point center = model.at((from + to) / 2);
   const double rise = half * std::abs(SpanModel::slope(model.z, (from + to) / 2));
   candidates_.grid.forEachWithin(
-      centre, std::sqrt(half * half + rise * rise) + reach, [&](Index i, double) {
+      center, std::sqrt(half * half + rise * rise) + reach, [&](Index i, double) {
         if (owner_[i] != nobody)
           return;
         const Point& p = candidates_.points[i];
@@ -88,7 +88,7 @@ Growth::look(const SpanModel& model,
         else if (d <= reach) {
           ++bin.ring;
           if (d <= 2 * tolerance)
-            ++bin.moat;
+            ++bin.guard_ring;
         }
       });
   return bin;
@@ -159,12 +159,12 @@ Growth::lockOnStrongestWire(Piece& piece) const
   }
   Eigen::Vector2d best = Eigen::Vector2d::Zero();
   double best_density = -1;
-  for (const Eigen::Vector2d& centre : residuals) {
+  for (const Eigen::Vector2d& center : residuals) {
     double density = 0;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& r : residuals) {
       const double w =
-          std::exp(-(r - centre).squaredNorm() / (2 * lock_kernel * lock_kernel));
+          std::exp(-(r - center).squaredNorm() / (2 * lock_kernel * lock_kernel));
       density += w;
       sum += w * r;
     }

@@ -31,15 +31,15 @@ struct Piece {
 
 /** \brief What stands around one bin of a wire. */
 struct Bin {
-  std::size_t tube = 0; ///< points within the tolerance
-  std::size_t moat = 0; ///< points beyond it, up to twice the tolerance
-  std::size_t ring = 0; ///< points from the tolerance to \ref ring_radius
+  std::size_t tube = 0;       ///< points within the tolerance
+  std::size_t guard_ring = 0; ///< points beyond it, up to twice the tolerance
+  std::size_t ring = 0;       ///< points from the tolerance to \ref ring_radius
 };
 
-constexpr double bin_length = 2; ///< metres
-constexpr double growth_gap = 8; ///< metres, bridged while growing
+constexpr double bin_length = 2; ///< meters
+constexpr double growth_gap = 8; ///< meters, bridged while growing
 constexpr double ring_radius =
-    0.8; ///< metres, of the surroundings a bin is compared with
+    0.8; ///< meters, of the surroundings a bin is compared with
 
 /** \brief Grows wires from seeds and keeps book of who owns which candidate. */
 class Growth {

@@ -13,17 +13,21 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double widest_support = 16; // metres between ends that face each other
-constexpr double largest_gap = 1.5;   // metres between wires that meet
-constexpr double farthest_reach = 10; // metres that a wire is carried on to its support
+constexpr double widest_support = 16; // meters between ends that face each other
+constexpr double largest_gap = 1.5;   // meters between wires that meet
+constexpr double farthest_reach = 10; // meters that a wire is carried on to its support
 constexpr double least_opposed = -0.5; // cosine between the outward directions
-constexpr double curve_noise = 0.05;   // metres, of a wire carried on
-constexpr double end_spread = 3;       // metres, from the last point to the support
+constexpr double curve_noise = 0.05;   // meters, of a wire carried on
+constexpr double end_spread = 3;       // meters, from the last point to the support
 
 } // namespace
 
 Meeting
-meet(const Hanging& a, int side_a, const Hanging& b, int side_b, const Crossarm& arm)
+meet(const WireWithEnds& a,
+     int side_a,
+     const WireWithEnds& b,
+     int side_b,
+     const Crossarm& arm)
 {
   const SpanModel& p = a.model();
   const SpanModel& q = b.model();
@@ -52,7 +56,7 @@ meet(const Hanging& a, int side_a, const Hanging& b, int side_b, const Crossarm&
       const Point places[2] = {p.at(s[0]), q.at(s[1])};
       const Point slopes[2] = {dp, dq};
       for (int k = 0; k < 2; ++k) {
-        const double off = level.dot(places[k].head<2>() - arm.centre);
+        const double off = level.dot(places[k].head<2>() - arm.center);
         const double rate = level.dot(slopes[k].head<2>());
         normal(k, k) += weight * rate * rate;
         right[k] -= weight * rate * off;
@@ -69,7 +73,7 @@ meet(const Hanging& a, int side_a, const Hanging& b, int side_b, const Crossarm&
 }
 
 void
-matchEnds(std::vector<Hanging>& wires)
+matchEnds(std::vector<WireWithEnds>& wires)
 {
   struct Place {
     Point at;
@@ -98,8 +102,8 @@ matchEnds(std::vector<Hanging>& wires)
       if (ends[i].wire == ends[k].wire ||
           (ends[i].at - ends[k].at).head<2>().norm() > widest_support)
         continue;
-      const Hanging& a = wires[static_cast<std::size_t>(ends[i].wire)];
-      const Hanging& b = wires[static_cast<std::size_t>(ends[k].wire)];
+      const WireWithEnds& a = wires[static_cast<std::size_t>(ends[i].wire)];
+      const WireWithEnds& b = wires[static_cast<std::size_t>(ends[k].wire)];
       if (a.outward(ends[i].side).dot(b.outward(ends[k].side)) > least_opposed)
         continue;
       const Meeting m = meet(a, ends[i].side, b, ends[k].side);

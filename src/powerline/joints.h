@@ -21,7 +21,7 @@ struct End {
 };
 
 /** \brief A wire with its two ends (0 begin, 1 end of its model). */
-struct Hanging {
+struct WireWithEnds {
   Strand strand;
   std::array<End, 2> ends;
 
@@ -48,7 +48,7 @@ struct Hanging {
 /** \brief A horizontal line that attachment points of one support lie near: the
  * crossarm. */
 struct Crossarm {
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d along =
       Eigen::Vector2d::UnitX(); ///< direction of the line, unit length
   double turn = 0;    ///< tangent of the crossarm's angle to the perpendicular of along
@@ -59,20 +59,20 @@ struct Crossarm {
  * ends and near the crossarm if one is known. */
 struct Meeting {
   double a = 0, b = 0; ///< place along each model
-  double gap = 0;      ///< distance there, metres
+  double gap = 0;      ///< distance there, meters
   Point place = Point::Zero();
 };
 
 Meeting
-meet(const Hanging& a,
+meet(const WireWithEnds& a,
      int side_a,
-     const Hanging& b,
+     const WireWithEnds& b,
      int side_b,
      const Crossarm& arm = {});
 
 /** \brief Carries wires on, across gaps, as far as those beside them reach. */
 void
-completeByCompany(std::vector<Hanging>& wires,
+completeByCompany(std::vector<WireWithEnds>& wires,
                   Growth& growth,
                   const PowerLineSettings& settings);
 
@@ -80,18 +80,18 @@ completeByCompany(std::vector<Hanging>& wires,
  * line runs over its poles without a kink. What sticks out beyond a last pole is cut
  * off. */
 void
-splitAtPoles(std::vector<Hanging>& wires, Growth& growth);
+splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth);
 
 /** \brief Adds wires that are short because the data end: they go on from the end of
  * another wire, or run beside one. */
 void
-addStubs(std::vector<Hanging>& wires,
+addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,
          const std::vector<Seed>& seeds,
          const Underside& underside,
          const PowerLineSettings& settings);
 
-/** \brief Whether the data end within a few metres beyond one end of \a model. */
+/** \brief Whether the data end within a few meters beyond one end of \a model. */
 bool
 leavesData(const SpanModel& model, int side, const Underside& underside);
 
@@ -100,7 +100,7 @@ leavesData(const SpanModel& model, int side, const Underside& underside);
  * are chords of booms and crossarms, and straight steep loose pieces are ropes. Their
  * points become free. Ends must have been matched. */
 void
-dropUnlikely(std::vector<Hanging>& wires,
+dropUnlikely(std::vector<WireWithEnds>& wires,
              Growth& growth,
              const Underside& underside,
              const PowerLineSettings& settings);
@@ -109,12 +109,12 @@ dropUnlikely(std::vector<Hanging>& wires,
  * together, or off the wire. What was left of a span behind a pole is like that.
  * \return whether there were any */
 bool
-dropMisled(std::vector<Hanging>& wires, Growth& growth);
+dropMisled(std::vector<WireWithEnds>& wires, Growth& growth);
 
 /** \brief Whether more wires of a line run past a place without an end than the \a
  * ending that end there: then no support stands there. */
 bool
-isPassedBy(const std::vector<Hanging>& wires,
+isPassedBy(const std::vector<WireWithEnds>& wires,
            const Point& place,
            const Eigen::Vector2d& along,
            std::size_t ending);
@@ -124,12 +124,12 @@ isPassedBy(const std::vector<Hanging>& wires,
  * Ends must have been matched, and have to be again.
  * \return whether there were any */
 bool
-mendBreaks(std::vector<Hanging>& wires,
+mendBreaks(std::vector<WireWithEnds>& wires,
            Growth& growth,
            const PowerLineSettings& settings);
 
 /** \brief Makes partners of ends that face each other across a support, best first. */
 void
-matchEnds(std::vector<Hanging>& wires);
+matchEnds(std::vector<WireWithEnds>& wires);
 
 } // namespace linelet::powerline

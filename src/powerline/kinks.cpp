@@ -13,10 +13,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double end_stretch = 6;    // metres, no kink is looked for nearer to an end
+constexpr double end_stretch = 6;    // meters, no kink is looked for nearer to an end
 constexpr double least_kink = 0.025; // change of slope
 constexpr double better = 1.2;       // ratio of residuals, one parabola to two
-constexpr double widest_step = 0.4;  // metres between the parabolas where they meet
+constexpr double widest_step = 0.4;  // meters between the parabolas where they meet
 
 } // namespace
 

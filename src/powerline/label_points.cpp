@@ -13,24 +13,24 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double widest_tube = 0.3; // metres
+constexpr double widest_tube = 0.3; // meters
 constexpr double tube_part = 1.25;  // of the tolerance of a wire
-// Metres of a wire's end that are given to its support: fittings, and where the line
+// Meters of a wire's end that are given to its support: fittings, and where the line
 // turns the insulators, which then lie in line with the wire (longer ones at sharper
 // turns).
 constexpr double fittings = 1, strain_rate = 0.28, longest_strain = 4.5;
 constexpr double tension_angle = 10;   // degrees, a line that turns less is suspended
-constexpr double foot = 2;             // metres above ground, below is grass
-constexpr double bundle_reach = 0.6;   // metres between conductors of a bundle
+constexpr double foot = 2;             // meters above ground, below is grass
+constexpr double bundle_reach = 0.6;   // meters between conductors of a bundle
 constexpr double least_companion = 4;  // points
 constexpr double companion_part = 0.3; // of the points of the conductor that was found
-constexpr double plan_cell = 16;       // metres
+constexpr double plan_cell = 16;       // meters
 
 /** The space around a stretch of a model in which a wire takes points. */
 struct Tube {
   const SpanModel& model;
   double from, to; ///< along the model
-  double reach;    ///< metres
+  double reach;    ///< meters
 };
 
 /** Which wire every candidate goes to: the nearest of those in whose tubes it lies. */
@@ -113,12 +113,12 @@ hasCompanion(const Growth& growth, const Piece& piece, double reach)
 // did not get a vector.
 void
 offerAround(const Wire& wire,
-            const Hanging& hanging,
+            const WireWithEnds& with_ends,
             const Growth& growth,
             Claims& claims)
 {
-  const SpanModel& m = hanging.model();
-  const Piece& piece = hanging.strand.piece;
+  const SpanModel& m = with_ends.model();
+  const Piece& piece = with_ends.strand.piece;
   const double reach =
       std::max(std::min(widest_tube, tube_part * m.tolerance), piece.thickness);
   const double front = m.along(wire.front), back = m.along(wire.back);
@@ -131,7 +131,7 @@ offerAround(const Wire& wire,
       const double d = wire.curve.distance(p);
       return d > reach ? d : std::numeric_limits<double>::infinity();
     });
-  for (const Piece& companion : hanging.strand.companions) {
+  for (const Piece& companion : with_ends.strand.companions) {
     const SpanModel& other = companion.model;
     claims.offer({other, other.begin, other.end, reach}, wire.id, [&](const Point& p) {
       return other.distance(p);
@@ -159,7 +159,7 @@ labelWires(PowerLineNetwork& network,
   }
 }
 
-// Metres of a wire's end that are given to the support there.
+// Meters of a wire's end that are given to the support there.
 double
 endPart(const Tower& tower)
 {
@@ -185,7 +185,7 @@ public:
   {
     for (std::size_t t = 0; t < towers.size(); ++t) {
       const double r = std::max(towers[t].reach + 2, 10.0);
-      const Eigen::Vector2d& c = towers[t].arm.centre;
+      const Eigen::Vector2d& c = towers[t].arm.center;
       for (double x = std::floor((c.x() - r) / plan_cell); x <= (c.x() + r) / plan_cell;
            ++x)
         for (double y = std::floor((c.y() - r) / plan_cell);
@@ -214,7 +214,7 @@ private:
 void
 labelSupports(PowerLineNetwork& network,
               const Points& points,
-              const std::vector<Hanging>& hanging,
+              const std::vector<WireWithEnds>& with_ends,
               const std::vector<Tower>& towers)
 {
   const TowerIndex index(towers);
@@ -225,7 +225,7 @@ labelSupports(PowerLineNetwork& network,
       continue;
     const int id = network.wire_id[i];
     const auto isPartOf = [&](std::size_t t) {
-      return id == 0 ? belongsTo(towers[t], hanging, p)
+      return id == 0 ? belongsTo(towers[t], with_ends, p)
                      : endsAt(network.wires[static_cast<std::size_t>(id - 1)],
                               p,
                               towers[t],
@@ -249,19 +249,19 @@ labelSupports(PowerLineNetwork& network,
 void
 labelPoints(PowerLineNetwork& network,
             const Points& points,
-            const std::vector<Hanging>& hanging,
+            const std::vector<WireWithEnds>& with_ends,
             const std::vector<int>& ids,
             const std::vector<Tower>& towers,
             const Growth& growth)
 {
   Claims claims(growth.candidates());
-  for (std::size_t w = 0; w < hanging.size(); ++w)
+  for (std::size_t w = 0; w < with_ends.size(); ++w)
     offerAround(network.wires[static_cast<std::size_t>(ids[w] - 1)],
-                hanging[w],
+                with_ends[w],
                 growth,
                 claims);
   labelWires(network, points, growth.candidates(), claims);
-  labelSupports(network, points, hanging, towers);
+  labelSupports(network, points, with_ends, towers);
 }
 
 } // namespace linelet::powerline

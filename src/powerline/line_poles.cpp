@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "powerline/curtain.h"
+#include "powerline/vertical_slice.h"
 
 namespace linelet::powerline {
 
@@ -18,10 +18,10 @@ namespace {
 constexpr double least_kink = 0.008; // change of slope, mean of the wires
 constexpr double telling = 8;        // evidence of a kink ...
 constexpr double enough = 25;        // evidence for a pole
-constexpr double least_rest = 2;     // metres on both sides of a kink
-// Log-likelihood ratios of pole to none: six of ten metres of a pole show points, and
+constexpr double least_rest = 2;     // meters on both sides of a kink
+// Log-likelihood ratios of pole to none: six of ten meters of a pole show points, and
 // three of a hundred elsewhere.
-constexpr double hit_metre = 3.0, missed_metre = -0.9;
+constexpr double hit_meter = 3.0, missed_meter = -0.9;
 
 } // namespace
 
@@ -74,16 +74,16 @@ LinePoles::add(const Piece& wire, const Growth& growth)
     begin = std::min(begin, s);
     end = std::max(end, s);
   }
-  const std::vector<Below> curtain = curtainOf(wire, growth);
+  const std::vector<Below> vertical_slice = verticalSliceOf(wire, growth);
   std::vector<Slice> slices;
-  for (const Below& p : curtain)
+  for (const Below& p : vertical_slice)
     slices.push_back(
         {axis_.along(m.at(p.s)), static_cast<int>(std::floor(p.drop + level))});
   std::sort(slices.begin(), slices.end(), [](const Slice& a, const Slice& b) {
     return a.s < b.s;
   });
   wires_.push_back({Profile(std::move(samples)), begin, end, std::move(slices)});
-  for (const double s : findColumns(curtain))
+  for (const double s : findColumns(vertical_slice))
     columns_.push_back(axis_.along(m.at(s)));
 }
 
@@ -122,7 +122,7 @@ LinePoles::kinkAt(double s, const std::vector<Stretch>& wires)
   return jumps <= -least_kink * count ? evidence : 0;
 }
 
-// Log-likelihood that a pole stands at \a s, by the metres below a wire that have
+// Log-likelihood that a pole stands at \a s, by the meters below a wire that have
 // points there and none before and behind; 0 where it does not reach up to the wire.
 double
 LinePoles::poleAt(double s) const
@@ -131,24 +131,25 @@ LinePoles::poleAt(double s) const
   for (const Seen& wire : wires_) {
     std::set<int> inside, around;
     const auto from =
-        std::lower_bound(wire.curtain.begin(),
-                         wire.curtain.end(),
+        std::lower_bound(wire.vertical_slice.begin(),
+                         wire.vertical_slice.end(),
                          s - clear_to,
                          [](const Slice& slice, double at) { return slice.s < at; });
-    for (auto slice = from; slice != wire.curtain.end() && slice->s <= s + clear_to;
+    for (auto slice = from;
+         slice != wire.vertical_slice.end() && slice->s <= s + clear_to;
          ++slice) {
       const double away = std::abs(slice->s - s);
       if (away <= pole_radius)
-        inside.insert(slice->metre);
+        inside.insert(slice->meter);
       else if (away >= clear_from)
-        around.insert(slice->metre);
+        around.insert(slice->meter);
     }
     if (inside.count(0) + inside.count(1) == 0)
       continue;
     double evidence = 0;
-    for (int metre = 0; metre <= *inside.rbegin(); ++metre)
-      if (around.count(metre) == 0)
-        evidence += inside.count(metre) > 0 ? hit_metre : missed_metre;
+    for (int meter = 0; meter <= *inside.rbegin(); ++meter)
+      if (around.count(meter) == 0)
+        evidence += inside.count(meter) > 0 ? hit_meter : missed_meter;
     best = std::max(best, evidence);
   }
   return best;

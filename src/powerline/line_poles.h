@@ -10,7 +10,7 @@
 
 namespace linelet::powerline {
 
-constexpr double around_wire = 0.35; ///< metres, of the points that may be its own
+constexpr double around_wire = 0.35; ///< meters, of the points that may be its own
 
 /** \brief Where poles stand along a line.
  *
@@ -26,18 +26,18 @@ public:
   along(const SpanModel& model) const;
 
 private:
-  /** A free point near a wire: its place along the line and its metre below the wire, 0
+  /** A free point near a wire: its place along the line and its meter below the wire, 0
    * for what is level with it, as a crossarm is. */
   struct Slice {
     double s;
-    int metre;
+    int meter;
   };
 
   /** A wire of a line as seen along the line. */
   struct Seen {
     Profile profile; ///< heights over the wire's own model
     double begin, end;
-    std::vector<Slice> curtain; ///< free points around and below, by place
+    std::vector<Slice> vertical_slice; ///< free points around and below, by place
   };
 
   struct Stretch;

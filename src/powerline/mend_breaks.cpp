@@ -11,13 +11,13 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double near_by = 9;           // metres between wires of one line
+constexpr double near_by = 9;           // meters between wires of one line
 constexpr double same_way = 0.98;       // cosine between their directions
-constexpr double well_past = 10;        // metres that a wire goes on, beyond a place
+constexpr double well_past = 10;        // meters that a wire goes on, beyond a place
 constexpr std::size_t least_others = 3; // wires that a line has beside those that end
-constexpr double bundle_radius = 0.5;   // metres, of a wire that may be two
+constexpr double bundle_radius = 0.5;   // meters, of a wire that may be two
 constexpr double explained_part = 0.9;  // of the points of both
-constexpr double wide_cut = 2, narrow_cut = 0.6; // metres, fits of two parts
+constexpr double wide_cut = 2, narrow_cut = 0.6; // meters, fits of two parts
 
 bool
 runsPast(const SpanModel& m, const Point& place, const Eigen::Vector2d& along)
@@ -60,27 +60,27 @@ joinParts(const Growth& growth,
 } // namespace
 
 bool
-isPassedBy(const std::vector<Hanging>& wires,
+isPassedBy(const std::vector<WireWithEnds>& wires,
            const Point& place,
            const Eigen::Vector2d& along,
            std::size_t ending)
 {
   const auto others = static_cast<std::size_t>(
-      std::count_if(wires.begin(), wires.end(), [&](const Hanging& wire) {
+      std::count_if(wires.begin(), wires.end(), [&](const WireWithEnds& wire) {
         return runsPast(wire.model(), place, along);
       }));
   return others >= least_others && others > ending;
 }
 
 bool
-mendBreaks(std::vector<Hanging>& wires,
+mendBreaks(std::vector<WireWithEnds>& wires,
            Growth& growth,
            const PowerLineSettings& settings)
 {
-  std::vector<Hanging> kept;
+  std::vector<WireWithEnds> kept;
   std::vector<char> taken(wires.size(), 0);
   for (std::size_t w = 0; w < wires.size(); ++w) {
-    Hanging& wire = wires[w];
+    WireWithEnds& wire = wires[w];
     for (int side = 0; side < 2; ++side) {
       const End& end = wire.ends[static_cast<std::size_t>(side)];
       const auto next = static_cast<std::size_t>(end.partner);

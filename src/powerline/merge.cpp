@@ -14,7 +14,7 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double least_cosine = 0.99;   // of the angle between parts of a wire
-constexpr double wide_cut = 2;          // metres, first fit of two parts
+constexpr double wide_cut = 2;          // meters, first fit of two parts
 constexpr double explained_part = 0.85; // of the points of each part
 constexpr double largest_overlap =
     0.3; // of the shorter part, unless they are one anyway
@@ -114,7 +114,7 @@ mergePieces(Growth& growth,
   const Points& points = growth.candidates().points;
   for (bool changed = true; changed;) {
     changed = false;
-    // Left to right, so that only neighbours in x are compared.
+    // Left to right, so that only neighbors in x are compared.
     const auto leftmost = [](const Piece& p) {
       return std::min(p.model.at(p.model.begin).x(), p.model.at(p.model.end).x());
     };

@@ -25,11 +25,11 @@ mergePieces(Growth& growth,
             const PowerLineSettings& settings);
 
 /** \brief Looks for more wires of the same shape beside those found: in a thin scan two
- * conductors a few metres apart make no line around any of their points. */
+ * conductors a few meters apart make no line around any of their points. */
 void
-addSiblings(Growth& growth,
-            std::vector<Piece>& pieces,
-            const PowerLineSettings& settings);
+addParallelWires(Growth& growth,
+                 std::vector<Piece>& pieces,
+                 const PowerLineSettings& settings);
 
 /** \brief Sorts out bundles: a short piece close beside a long one is completed to a
  * wire of its own by the shape of the long one, or becomes its companion. */
@@ -41,8 +41,8 @@ sortBundles(Growth& growth,
 /** \brief Mean distance of two wires where they run side by side, and how far they do.
  */
 struct Parallel {
-  double distance = 0; ///< metres; of interest only with overlap > 0
-  double overlap = 0;  ///< metres
+  double distance = 0; ///< meters; of interest only with overlap > 0
+  double overlap = 0;  ///< meters
 };
 
 Parallel

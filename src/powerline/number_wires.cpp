@@ -59,7 +59,7 @@ struct Course {
   }
 };
 
-// Sorts the wires of a span from left to right in steps of a metre, then downwards.
+// Sorts the wires of a span from left to right in steps of a meter, then downwards.
 void
 sortAcross(std::vector<Unnumbered>& wires, const Course& course)
 {
@@ -77,14 +77,14 @@ sortAcross(std::vector<Unnumbered>& wires, const Course& course)
 /** Walks along the lines from span to span and gives ids and numbers on the way. */
 class Numbering {
 public:
-  Numbering(PowerLineNetwork& network, const std::vector<Hanging>& hanging)
+  Numbering(PowerLineNetwork& network, const std::vector<WireWithEnds>& with_ends)
       : network_(network),
-        spans_(gatherSpans(hanging)),
-        conductors_(hanging.size()),
-        ids_(hanging.size(), 0),
+        spans_(gatherSpans(with_ends)),
+        conductors_(with_ends.size()),
+        ids_(with_ends.size(), 0),
         visited_(spans_.size(), 0)
   {
-    unitePartners(conductors_, hanging);
+    unitePartners(conductors_, with_ends);
   }
 
   /** Puts the network in order. Returns for every hanging wire its id. */
@@ -214,7 +214,7 @@ private:
 Support
 describeSupport(const Tower& tower, int id, bool has_terrain)
 {
-  const Eigen::Vector2d& axis = tower.arm.centre;
+  const Eigen::Vector2d& axis = tower.arm.center;
   Support support;
   support.id = id;
   support.kind = tower.pole ? Support::Kind::Pole : Support::Kind::Pylon;
@@ -230,7 +230,7 @@ describeSupport(const Tower& tower, int id, bool has_terrain)
 
 std::vector<int>
 numberWires(PowerLineNetwork& network,
-            const std::vector<Hanging>& hanging,
+            const std::vector<WireWithEnds>& with_ends,
             const std::vector<Tower>& towers)
 {
   for (const Tower& tower : towers)
@@ -238,7 +238,7 @@ numberWires(PowerLineNetwork& network,
         describeSupport(tower,
                         static_cast<int>(network.supports.size()) + 1,
                         !network.ground.heights.empty()));
-  return Numbering(network, hanging).run();
+  return Numbering(network, with_ends).run();
 }
 
 } // namespace linelet::powerline

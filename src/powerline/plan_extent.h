@@ -29,7 +29,7 @@ struct PlanExtent {
   }
 };
 
-/** \brief Where the points lie. If a raster of \a cell metres over all of them would
+/** \brief Where the points lie. If a raster of \a cell meters over all of them would
  * have far more cells than there are points, stray points far away are left out: those
  * farther from the middle half of the points than three times its size. */
 PlanExtent

@@ -11,10 +11,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double noise = 0.05;      // metres, scales the priors
-constexpr double usual_bend = 5e-3; // 1/metres
-constexpr double like_bend = 3e-4;  // 1/metres, between neighbouring spans
-constexpr double closed = 1e-3;     // metres between parabolas that meet
+constexpr double noise = 0.05;      // meters, scales the priors
+constexpr double usual_bend = 5e-3; // 1/meters
+constexpr double like_bend = 3e-4;  // 1/meters, between neighboring spans
+constexpr double closed = 1e-3;     // meters between parabolas that meet
 
 } // namespace
 

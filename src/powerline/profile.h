@@ -10,9 +10,9 @@
 
 namespace linelet::powerline {
 
-constexpr double independent = 2;       ///< points a metre that tell something new
-constexpr double least_residual = 0.02; ///< metres, finer differences are noise
-constexpr double profile_step = 0.25;   ///< metres between the places tried for a kink
+constexpr double independent = 2;       ///< points a meter that tell something new
+constexpr double least_residual = 0.02; ///< meters, finer differences are noise
+constexpr double profile_step = 0.25;   ///< meters between the places tried for a kink
 
 /** \brief Sums of a least squares fit of a parabola; two of them subtract. */
 struct Moments {
@@ -63,7 +63,7 @@ public:
   double
   squaresOfOne(double low, double high) const;
 
-  /** \brief Fits two parabolas that meet at \a s, of nearly the same bend: neighbouring
+  /** \brief Fits two parabolas that meet at \a s, of nearly the same bend: neighboring
    * spans of a line hang under the same tension. */
   Hinge
   hingeAt(double s, double low, double high) const;

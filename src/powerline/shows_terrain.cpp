@@ -17,8 +17,8 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double plan_cell = 8; // metres, of which the lowest point is looked at
-constexpr double reach = 1.5;   // metres around it
+constexpr double plan_cell = 8; // meters, of which the lowest point is looked at
+constexpr double reach = 1.5;   // meters around it
 constexpr double linear = 0.7;  // linearity of what belongs to a line
 constexpr std::size_t least_points = 5; // there, to tell a line from a surface
 

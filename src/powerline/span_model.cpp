@@ -11,10 +11,10 @@ namespace linelet::powerline {
 
 namespace {
 
-// Standard deviations that the priors allow, in 1/metres.
+// Standard deviations that the priors allow, in 1/meters.
 constexpr double blow_out = 3e-5;
 constexpr double usual_bend = 1e-3, bend_spread = 2e-3;
-constexpr double point_noise = 0.05; // metres, scales the priors
+constexpr double point_noise = 0.05; // meters, scales the priors
 
 double
 median(std::vector<double>& values)

@@ -24,7 +24,7 @@ struct SpanModel {
   Eigen::Vector3d z = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of z, for unit noise
   double begin = 0, end = 0;                            ///< stretch that points support
-  double sigma = 0.1;      ///< robust scale of the residuals, metres
+  double sigma = 0.1;      ///< robust scale of the residuals, meters
   double tolerance = 0.25; ///< largest distance of a point that belongs to the wire
 
   static double
@@ -90,7 +90,7 @@ struct SpanModel {
   reframed() const;
 };
 
-constexpr double usual_cut = 0.3; ///< metres; points farther off have no weight
+constexpr double usual_cut = 0.3; ///< meters; points farther off have no weight
 
 /** \brief Fits \a model to points with robust weights (Tukey's biweight, cut \a cut).
  *

@@ -5,39 +5,40 @@
 #include <map>
 #include <utility>
 
-#include "powerline/curtain.h"
 #include "powerline/groups.h"
 #include "powerline/joints.h"
 #include "powerline/line_poles.h"
+#include "powerline/vertical_slice.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double highest_pole = 16;  // metres of a wire above ground
-constexpr double same_line = 3;      // metres between wires that share their poles
+constexpr double highest_pole = 16;  // meters of a wire above ground
+constexpr double same_line = 3;      // meters between wires that share their poles
 constexpr double side_by_side = 0.6; // of the shorter one
-constexpr double thin_part = 0.3;    // of the points a metre of the whole, a part has
+constexpr double thin_part = 0.3;    // of the points a meter of the whole, a part has
 
 // Low wires that run side by side: their poles carry all of them.
 std::vector<std::vector<std::size_t>>
-gatherLines(const std::vector<Hanging>& wires, const Candidates& candidates)
+gatherLines(const std::vector<WireWithEnds>& wires, const Candidates& candidates)
 {
   std::vector<char> low(wires.size());
   for (std::size_t w = 0; w < wires.size(); ++w)
     low[w] = heightOf(wires[w].strand.piece, candidates) < highest_pole;
   Groups groups(wires.size());
-  uniteNeighbours(groups, wires, same_line, [&](const Hanging& a, const Hanging& b) {
-    const auto place = [&](const Hanging& wire) {
-      return static_cast<std::size_t>(&wire - wires.data());
-    };
-    if (low[place(a)] == 0 || low[place(b)] == 0)
-      return false;
-    const Parallel parallel = compare(a.model(), b.model());
-    return parallel.distance <= same_line &&
-           parallel.overlap >=
-               side_by_side * std::min(a.model().length(), b.model().length());
-  });
+  uniteNeighbors(
+      groups, wires, same_line, [&](const WireWithEnds& a, const WireWithEnds& b) {
+        const auto place = [&](const WireWithEnds& wire) {
+          return static_cast<std::size_t>(&wire - wires.data());
+        };
+        if (low[place(a)] == 0 || low[place(b)] == 0)
+          return false;
+        const Parallel parallel = compare(a.model(), b.model());
+        return parallel.distance <= same_line &&
+               parallel.overlap >=
+                   side_by_side * std::min(a.model().length(), b.model().length());
+      });
   std::map<std::size_t, std::vector<std::size_t>> lines;
   for (std::size_t w = 0; w < wires.size(); ++w)
     if (low[w] != 0)
@@ -79,7 +80,7 @@ partOf(const Piece& whole, double low, double high, const Growth& growth)
 } // namespace
 
 void
-splitAtPoles(std::vector<Hanging>& wires, Growth& growth)
+splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth)
 {
   const Candidates& candidates = growth.candidates();
   std::vector<std::vector<double>> poles(wires.size());
@@ -91,9 +92,9 @@ splitAtPoles(std::vector<Hanging>& wires, Growth& growth)
     for (const std::size_t w : line)
       poles[w] = found.along(wires[w].model());
   }
-  std::vector<Hanging> result;
+  std::vector<WireWithEnds> result;
   for (std::size_t w = 0; w < wires.size(); ++w) {
-    Hanging& wire = wires[w];
+    WireWithEnds& wire = wires[w];
     Piece& piece = wire.strand.piece;
     if (poles[w].empty()) {
       result.push_back(std::move(wire));
@@ -105,7 +106,7 @@ splitAtPoles(std::vector<Hanging>& wires, Growth& growth)
       const double high = k == poles[w].size() ? piece.model.end : poles[w][k];
       if (high - low < least_piece)
         continue;
-      Hanging part;
+      WireWithEnds part;
       part.strand.piece = partOf(piece, low, high, growth);
       if (part.strand.piece.members.empty())
         continue;

@@ -5,24 +5,24 @@
 #include <cmath>
 #include <set>
 
-#include "powerline/curtain.h"
 #include "powerline/towers.h"
+#include "powerline/vertical_slice.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double slice = 1;                  // metres of height
-constexpr double pole_search = 2;            // metres around the attachment points
-constexpr double body_search = 2.5;          // metres around the axis
-constexpr double body_flare = 0.12;          // growth of that per metre downwards
-constexpr double ring_from = 4, ring_to = 7; // metres along the line, must be emptier
+constexpr double slice = 1;                  // meters of height
+constexpr double pole_search = 2;            // meters around the attachment points
+constexpr double body_search = 2.5;          // meters around the axis
+constexpr double body_flare = 0.12;          // growth of that per meter downwards
+constexpr double ring_from = 4, ring_to = 7; // meters along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
 constexpr double filled_alone = 0.4;         // the same where nothing else stands
 constexpr double contrast = 3;    // density of the body over that of its surroundings
-constexpr double arm_depth = 3;   // metres, crossarms reach below their wires
-constexpr double arm_tip = 2;     // metres, and beyond them
-constexpr double widest_foot = 8; // metres, half width
+constexpr double arm_depth = 3;   // meters, crossarms reach below their wires
+constexpr double arm_tip = 2;     // meters, and beyond them
+constexpr double widest_foot = 8; // meters, half width
 
 struct Local {
   double u, v, z; // across the line, along it, height
@@ -31,7 +31,7 @@ struct Local {
 Local
 local(const Tower& tower, const Point& p)
 {
-  const Eigen::Vector2d offset = p.head<2>() - tower.arm.centre;
+  const Eigen::Vector2d offset = p.head<2>() - tower.arm.center;
   const Eigen::Vector2d across(-tower.arm.along.y(), tower.arm.along.x());
   const double u = across.dot(offset);
   return {u, tower.arm.along.dot(offset) - tower.arm.turn * u, p.z()};
@@ -83,7 +83,7 @@ findPole(Tower& tower, const std::vector<Local>& points, double low, double high
       around > 2 * inside || (best < filled && (around > 0 || inside < 3)))
     return false;
   const Eigen::Vector2d across(-tower.arm.along.y(), tower.arm.along.x());
-  tower.arm.centre +=
+  tower.arm.center +=
       best_u * across + (best_v + tower.arm.turn * best_u) * tower.arm.along;
   tower.pole = true;
   tower.half_width = pole_radius;
@@ -166,7 +166,7 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
                      along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2),
                      along.end());
     const double shift = along[along.size() / 2];
-    tower.arm.centre += shift * tower.arm.along;
+    tower.arm.center += shift * tower.arm.along;
     for (Local& p : all)
       p.v -= shift;
   }
@@ -203,7 +203,7 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
 }
 
 bool
-belongsTo(const Tower& tower, const std::vector<Hanging>& wires, const Point& p)
+belongsTo(const Tower& tower, const std::vector<WireWithEnds>& wires, const Point& p)
 {
   if (!tower.seen || p.z() > tower.top + 0.3)
     return false;
@@ -225,7 +225,7 @@ belongsTo(const Tower& tower, const std::vector<Hanging>& wires, const Point& p)
                            .ends[static_cast<std::size_t>(side)]
                            .place;
     if (end.z() > at.z - 6 && end.z() < at.z + arm_depth)
-      reach = std::max(reach, std::abs(across.dot(end.head<2>() - tower.arm.centre)));
+      reach = std::max(reach, std::abs(across.dot(end.head<2>() - tower.arm.center)));
   }
   return std::abs(at.u) <= reach + arm_tip;
 }

@@ -17,29 +17,29 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double side_by_side = 14; // metres between neighbouring wires of one support
-constexpr double level_with = 6;    // metres along the line between their ends
+constexpr double side_by_side = 14; // meters between neighboring wires of one support
+constexpr double level_with = 6;    // meters along the line between their ends
 constexpr double least_cosine = 0.98;
-constexpr double margin = 6;         // metres around the attachment points
-constexpr double farthest_carry = 8; // metres to the crossarm, without a partner
-constexpr double plan_cell = 32;     // metres
+constexpr double margin = 6;         // meters around the attachment points
+constexpr double farthest_carry = 8; // meters to the crossarm, without a partner
+constexpr double plan_cell = 32;     // meters
 
 End&
-endOf(std::vector<Hanging>& wires, std::pair<int, int> id)
+endOf(std::vector<WireWithEnds>& wires, std::pair<int, int> id)
 {
   return wires[static_cast<std::size_t>(id.first)]
       .ends[static_cast<std::size_t>(id.second)];
 }
 
 const End&
-endOf(const std::vector<Hanging>& wires, std::pair<int, int> id)
+endOf(const std::vector<WireWithEnds>& wires, std::pair<int, int> id)
 {
   return wires[static_cast<std::size_t>(id.first)]
       .ends[static_cast<std::size_t>(id.second)];
 }
 
 std::vector<Tower>
-clusterEnds(const std::vector<Hanging>& wires)
+clusterEnds(const std::vector<WireWithEnds>& wires)
 {
   Groups groups(2 * wires.size());
   std::vector<std::size_t> order(2 * wires.size());
@@ -97,7 +97,7 @@ pointsNear(const std::vector<Tower>& towers, const Growth& growth)
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells;
   for (std::size_t t = 0; t < towers.size(); ++t) {
     const double r = towers[t].reach + margin;
-    const Eigen::Vector2d& c = towers[t].arm.centre;
+    const Eigen::Vector2d& c = towers[t].arm.center;
     for (double x = std::floor((c.x() - r) / plan_cell); x <= (c.x() + r) / plan_cell;
          ++x)
       for (double y = std::floor((c.y() - r) / plan_cell); y <= (c.y() + r) / plan_cell;
@@ -111,16 +111,16 @@ pointsNear(const std::vector<Tower>& towers, const Growth& growth)
     if (cell == cells.end() || growth.owner(static_cast<Index>(i)) != Growth::nobody)
       continue;
     for (const std::size_t t : cell->second)
-      if ((points[i].head<2>() - towers[t].arm.centre).norm() <=
+      if ((points[i].head<2>() - towers[t].arm.center).norm() <=
           towers[t].reach + margin)
         near[t].push_back(static_cast<Index>(i));
   }
   return near;
 }
 
-// Direction of the line at the support, centre and size from the attachment points.
+// Direction of the line at the support, center and size from the attachment points.
 void
-orient(Tower& tower, const std::vector<Hanging>& wires)
+orient(Tower& tower, const std::vector<WireWithEnds>& wires)
 {
   const auto outward = [&](std::pair<int, int> id) {
     return wires[static_cast<std::size_t>(id.first)].outward(id.second);
@@ -155,22 +155,22 @@ orient(Tower& tower, const std::vector<Hanging>& wires)
     sum += tower.arm.along.dot(end.place.head<2>());
     count += 1;
   }
-  tower.arm.centre = sum / count * tower.arm.along + (low + high) / 2 * across;
+  tower.arm.center = sum / count * tower.arm.along + (low + high) / 2 * across;
   tower.reach = (high - low) / 2;
 }
 
 // Brings the ends of a tower to its crossarm.
 void
-settle(const Tower& tower, std::vector<Hanging>& wires, double max_gap)
+settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
 {
   const Crossarm& arm = tower.arm;
   const Eigen::Vector2d across(-arm.along.y(), arm.along.x());
   const Eigen::Vector2d level = arm.along - arm.turn * across;
   for (const auto& id : tower.ends) {
-    Hanging& wire = wires[static_cast<std::size_t>(id.first)];
+    WireWithEnds& wire = wires[static_cast<std::size_t>(id.first)];
     End& end = wire.ends[static_cast<std::size_t>(id.second)];
     if (end.partner >= 0) {
-      const Hanging& other = wires[static_cast<std::size_t>(end.partner)];
+      const WireWithEnds& other = wires[static_cast<std::size_t>(end.partner)];
       // Once for both, in the same order, so that they share the point exactly.
       if (id.first < end.partner) {
         const Meeting m = meet(wire, id.second, other, end.partner_side, arm);
@@ -188,7 +188,7 @@ settle(const Tower& tower, std::vector<Hanging>& wires, double max_gap)
     const double rate = level.dot(forward);
     if (std::abs(rate) < 0.3)
       continue;
-    const double carry = -level.dot(place.head<2>() - arm.centre) / rate;
+    const double carry = -level.dot(place.head<2>() - arm.center) / rate;
     const double onwards = id.second == 0 ? -carry : carry;
     if (onwards > std::min(farthest_carry, max_gap) || onwards < -farthest_carry / 2)
       continue;
@@ -200,7 +200,7 @@ settle(const Tower& tower, std::vector<Hanging>& wires, double max_gap)
 } // namespace
 
 std::vector<Tower>
-buildTowers(std::vector<Hanging>& wires,
+buildTowers(std::vector<WireWithEnds>& wires,
             const Growth& growth,
             const Ground& ground,
             const PowerLineSettings& settings)
@@ -208,7 +208,7 @@ buildTowers(std::vector<Hanging>& wires,
   std::vector<Tower> towers = clusterEnds(wires);
   for (Tower& tower : towers) {
     orient(tower, wires);
-    tower.base = ground.heightAt(tower.arm.centre.x(), tower.arm.centre.y());
+    tower.base = ground.heightAt(tower.arm.center.x(), tower.arm.center.y());
     fitCrossarm(tower, wires);
     if (tower.top - tower.base < lowest_pylon)
       moveToKink(tower, wires, growth.candidates().points);
@@ -221,7 +221,7 @@ buildTowers(std::vector<Hanging>& wires,
     const bool joined = std::any_of(tower.ends.begin(), tower.ends.end(), [&](auto id) {
       return endOf(wires, id).partner >= 0;
     });
-    const Point arm(tower.arm.centre.x(), tower.arm.centre.y(), tower.lowest_arm);
+    const Point arm(tower.arm.center.x(), tower.arm.center.y(), tower.lowest_arm);
     const bool pole = tower.pole && tower.seen; // others may pass above it
     if ((!joined && !tower.seen) ||
         (!pole && isPassedBy(wires, arm, tower.arm.along, tower.ends.size())))
@@ -230,7 +230,7 @@ buildTowers(std::vector<Hanging>& wires,
       tower.arm.spread = tower.pole ? 0.5 : 1;
     settle(tower, wires, settings.max_gap);
     const auto away = [&](std::pair<int, int> id) {
-      return (endOf(wires, id).place.head<2>() - tower.arm.centre).norm();
+      return (endOf(wires, id).place.head<2>() - tower.arm.center).norm();
     };
     for (const auto& id : tower.ends) {
       // A short wire may have both ends here; it hangs from this support by the nearer.

@@ -6,42 +6,42 @@
 #include <utility>
 
 #include "powerline/evidence.h"
+#include "powerline/false_positives.h"
 #include "powerline/groups.h"
 #include "powerline/joints.h"
-#include "powerline/lookalikes.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double company_reach = 14;  // metres between the wires of a line
+constexpr double company_reach = 14;  // meters between the wires of a line
 constexpr double company_part = 0.35; // of the length of the longer
 constexpr double steep = 0.12;        // slope between the ends
-constexpr double least_bend = 1e-4;   // z2 of a wire, 1/metres: a = 5 km
+constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
 constexpr double clear_bend = 2e-4;   // of a line so short that it hangs from poles
-constexpr double long_line = 60;      // metres, from which a line speaks for itself
-constexpr double short_line = 25;     // metres, the least inside the data
+constexpr double long_line = 60;      // meters, from which a line speaks for itself
+constexpr double short_line = 25;     // meters, the least inside the data
 constexpr std::size_t many = 4;       // wires of a family that prove each other
 constexpr double clean_part = 0.75;   // of the length of short wires at the border
 
-constexpr double lone_length = 18;    // metres of a lone wire in the clear
+constexpr double lone_length = 18;    // meters of a lone wire in the clear
 constexpr double lone_clean = 0.8;    // of its bins
-constexpr double telling_length = 20; // metres of a wire whose sag says something
-constexpr double stray_length = 40;   // metres of a thinly covered wire that meets none
+constexpr double telling_length = 20; // meters of a wire whose sag says something
+constexpr double stray_length = 40;   // meters of a thinly covered wire that meets none
 constexpr double lone_cover = 0.5;    // of the bins of a line inside the data
 constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
-constexpr double deep = 1.5;          // metres below a wire
-constexpr double beside = 1.25;       // metres, looked at on both sides
+constexpr double deep = 1.5;          // meters below a wire
+constexpr double beside = 1.25;       // meters, looked at on both sides
 
-constexpr double least_hanging = 3;  // metres between attachment points
+constexpr double least_hanging = 3;  // meters between attachment points
 constexpr double hanging_part = 0.5; // of the stretch with points, the same
-constexpr double farthest_off = 1.5; // metres of an attachment point from the wire
+constexpr double farthest_off = 1.5; // meters of an attachment point from the wire
 
 /** Wires that run side by side or go on as one another: they speak for each other. */
 struct Family {
   std::size_t wires = 0;
-  double longest = 0;              ///< longest chain of joined wires, metres
-  double single = 0;               ///< longest wire, metres
+  double longest = 0;              ///< longest chain of joined wires, meters
+  double single = 0;               ///< longest wire, meters
   double bend = 0, weight = 0;     ///< sums over the wires, weighted by length
   double bends = 0, precision = 0; ///< of the points alone, weighted by precision
   double clean = 0, occupied = 0, bins = 0; ///< sums of the evidence of short chains
@@ -51,7 +51,7 @@ struct Family {
 };
 
 double
-chainLength(const std::vector<Hanging>& wires, std::size_t start)
+chainLength(const std::vector<WireWithEnds>& wires, std::size_t start)
 {
   double length = wires[start].model().length();
   for (int side = 0; side < 2; ++side) {
@@ -109,12 +109,12 @@ plausible(const Family& family)
 }
 
 Groups
-gatherFamilies(const std::vector<Hanging>& wires)
+gatherFamilies(const std::vector<WireWithEnds>& wires)
 {
   Groups families(wires.size());
   unitePartners(families, wires);
-  uniteNeighbours(
-      families, wires, company_reach, [](const Hanging& a, const Hanging& b) {
+  uniteNeighbors(
+      families, wires, company_reach, [](const WireWithEnds& a, const WireWithEnds& b) {
         const Parallel parallel = compare(a.model(), b.model());
         return parallel.distance <= company_reach &&
                parallel.overlap >=
@@ -130,7 +130,7 @@ struct Surroundings {
 };
 
 Surroundings
-lookBeyond(const Hanging& wire, const Underside& underside)
+lookBeyond(const WireWithEnds& wire, const Underside& underside)
 {
   Surroundings beyond;
   for (int side = 0; side < 2; ++side) {
@@ -142,7 +142,7 @@ lookBeyond(const Hanging& wire, const Underside& underside)
 }
 
 void
-addBend(Family& family, const Hanging& wire, const Points& points)
+addBend(Family& family, const WireWithEnds& wire, const Points& points)
 {
   const SpanModel& m = wire.model();
   const double weight = std::pow(m.length(), 3);
@@ -202,10 +202,12 @@ isStray(const SpanModel& m, const Evidence& evidence, const Surroundings& beyond
 
 // Keeps the wires marked in \a keep, and frees the points of the others.
 void
-keepOnly(const std::vector<char>& keep, std::vector<Hanging>& wires, Growth& growth)
+keepOnly(const std::vector<char>& keep,
+         std::vector<WireWithEnds>& wires,
+         Growth& growth)
 {
   std::vector<int> place(wires.size(), -1);
-  std::vector<Hanging> kept;
+  std::vector<WireWithEnds> kept;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     if (keep[w] == 0) {
       release(wires[w], growth);
@@ -214,7 +216,7 @@ keepOnly(const std::vector<char>& keep, std::vector<Hanging>& wires, Growth& gro
     place[w] = static_cast<int>(kept.size());
     kept.push_back(wires[w]);
   }
-  for (Hanging& wire : kept)
+  for (WireWithEnds& wire : kept)
     for (End& end : wire.ends)
       if (end.partner >= 0) {
         end.partner = place[static_cast<std::size_t>(end.partner)];
@@ -224,7 +226,7 @@ keepOnly(const std::vector<char>& keep, std::vector<Hanging>& wires, Growth& gro
 }
 
 bool
-isMisled(const Hanging& wire)
+isMisled(const WireWithEnds& wire)
 {
   const SpanModel& m = wire.model();
   const double from = m.along(wire.ends[0].place), to = m.along(wire.ends[1].place);
@@ -236,10 +238,10 @@ isMisled(const Hanging& wire)
 } // namespace
 
 bool
-dropMisled(std::vector<Hanging>& wires, Growth& growth)
+dropMisled(std::vector<WireWithEnds>& wires, Growth& growth)
 {
   const auto kept = std::stable_partition(
-      wires.begin(), wires.end(), [](const Hanging& w) { return !isMisled(w); });
+      wires.begin(), wires.end(), [](const WireWithEnds& w) { return !isMisled(w); });
   const bool any = kept != wires.end();
   for (auto wire = kept; wire != wires.end(); ++wire)
     release(*wire, growth);
@@ -248,7 +250,7 @@ dropMisled(std::vector<Hanging>& wires, Growth& growth)
 }
 
 void
-dropUnlikely(std::vector<Hanging>& wires,
+dropUnlikely(std::vector<WireWithEnds>& wires,
              Growth& growth,
              const Underside& underside,
              const PowerLineSettings& settings)

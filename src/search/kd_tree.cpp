@@ -30,9 +30,9 @@ struct PointSet {
   }
 
   double
-  kdtree_get_pt(std::size_t slot, std::size_t axis) const
+  kdtree_get_pt(std::size_t sorted_index, std::size_t axis) const
   {
-    return points[slot][static_cast<Eigen::Index>(axis)];
+    return points[sorted_index][static_cast<Eigen::Index>(axis)];
   }
 
   template <class Box>
@@ -66,7 +66,7 @@ using Node = Sorted::Node;
 constexpr std::size_t leaf_size = 24;
 
 /** \brief What nanoflann asks of a set of results: the least distances, in a heap. Its
- * own set sorts by insertion, which takes minutes for thousands of neighbours. */
+ * own set sorts by insertion, which takes minutes for thousands of neighbors. */
 class LeastDistances {
 public:
   /** \param[in,out] heap memory to use; holds the squared distances in the end, the
@@ -90,7 +90,7 @@ public:
   }
 
   bool
-  addPoint(double squared, std::size_t /*slot*/)
+  addPoint(double squared, std::size_t /*sorted index*/)
   {
     if (full()) {
       // What is offered was near enough before the last points of its leaf came in.
@@ -120,9 +120,10 @@ private:
 template <class Take>
 class BallWalk {
 public:
-  /** \param[in] take called with the first slot of a leaf and the one after its last */
-  BallWalk(const Sorted& tree, const Point& centre, double squared_radius, Take take)
-      : centre_(centre),
+  /** \param[in] take called with the first sorted index of a leaf and the one after its
+   * last */
+  BallWalk(const Sorted& tree, const Point& center, double squared_radius, Take take)
+      : center_(center),
         // Squares of boxes are summed in another order than those of points.
         reach_(squared_radius * (1 + 1e-12)),
         take_(std::move(take))
@@ -141,7 +142,7 @@ private:
   double
   squaredGap(std::size_t axis) const
   {
-    const double at = centre_[static_cast<Eigen::Index>(axis)];
+    const double at = center_[static_cast<Eigen::Index>(axis)];
     const double gap = std::max(std::max(low_[axis] - at, at - high_[axis]), 0.0);
     return gap * gap;
   }
@@ -173,7 +174,7 @@ private:
       visit(node, squared);
   }
 
-  const Point centre_;
+  const Point center_;
   double reach_;
   Take take_;
   std::array<double, 3> low_{}, high_{};
@@ -190,10 +191,10 @@ struct KdTree::Tree {
     PointSet by_leaf;
     by_leaf.points.reserve(set.points.size());
     by_leaf.indices.reserve(set.points.size());
-    for (std::size_t& slot : sorted.vAcc) {
-      by_leaf.points.push_back(set.points[slot]);
-      by_leaf.indices.push_back(set.indices[slot]);
-      slot = by_leaf.points.size() - 1;
+    for (std::size_t& sorted_index : sorted.vAcc) {
+      by_leaf.points.push_back(set.points[sorted_index]);
+      by_leaf.indices.push_back(set.indices[sorted_index]);
+      sorted_index = by_leaf.points.size() - 1;
     }
     set = std::move(by_leaf);
   }
@@ -225,13 +226,13 @@ KdTree::within(const Point& query, double radius, Indices& found) const
   std::size_t count = 0;
   BallWalk(
       tree_->sorted, query, squared_radius, [&](std::size_t begin, std::size_t end) {
-        // Every index is written, and stays where the point is a neighbour: a branch
+        // Every index is written, and stays where the point is a neighbor: a branch
         // here would be guessed wrongly every other time.
         if (found.size() < count + (end - begin))
           found.resize(2 * (count + end - begin));
-        for (std::size_t slot = begin; slot < end; ++slot) {
-          found[count] = set.indices[slot];
-          count += (set.points[slot] - query).squaredNorm() <= squared_radius;
+        for (std::size_t sorted_index = begin; sorted_index < end; ++sorted_index) {
+          found[count] = set.indices[sorted_index];
+          count += (set.points[sorted_index] - query).squaredNorm() <= squared_radius;
         }
       });
   found.resize(count);
@@ -255,10 +256,10 @@ KdTree::nearest(const Point& query, std::size_t count, Indices& found) const
   thread_local std::vector<std::pair<double, Index>> candidates;
   candidates.clear();
   BallWalk(tree_->sorted, query, reach, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) {
-      const double distance = (set.points[slot] - query).squaredNorm();
+    for (std::size_t sorted_index = begin; sorted_index < end; ++sorted_index) {
+      const double distance = (set.points[sorted_index] - query).squaredNorm();
       if (distance <= reach)
-        candidates.emplace_back(distance, set.indices[slot]);
+        candidates.emplace_back(distance, set.indices[sorted_index]);
     }
   });
   return keepNearest(candidates, count, found);

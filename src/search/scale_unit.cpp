@@ -31,7 +31,7 @@ chooseRandomly(Indices& indices, std::size_t count, unsigned seed)
   }
 }
 
-/** \brief About three times the distance of neighbours on a surface that fills the two
+/** \brief About three times the distance of neighbors on a surface that fills the two
  * longer sides of the box of some points, or on a line along the longest: what a row of
  * a grid is to be wide for few nearest points. */
 double
@@ -55,7 +55,7 @@ rowSize(const Points& points, const Indices& finite)
 double
 scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned threads)
 {
-  constexpr std::size_t neighbours = 6;
+  constexpr std::size_t neighbors = 6;
   Indices chosen;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].allFinite())
@@ -73,7 +73,7 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
   const auto blocks = static_cast<std::ptrdiff_t>((chosen.size() + block - 1) / block);
 #pragma omp parallel num_threads(threadCount(threads))
   {
-    NearestWalk walk(points, grid, neighbours + 1);
+    NearestWalk walk(points, grid, neighbors + 1);
     std::vector<double> own;
 #pragma omp for schedule(dynamic)
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
@@ -81,7 +81,7 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
       const std::size_t end = std::min(begin + block, chosen.size());
       walk(chosen.data() + begin,
            chosen.data() + end,
-           [&](Index, const std::vector<UniformGrid::Neighbour>& nearest) {
+           [&](Index, const std::vector<UniformGrid::Neighbor>& nearest) {
              own.push_back(nearest.back().first);
            });
     }

@@ -134,7 +134,7 @@ std::size_t
 UniformGrid::countWithin(const Point& query, double radius) const
 {
   std::size_t count = 0;
-  forEachSlot(query, radius, [&](std::size_t, double) { ++count; });
+  forEachSorted(query, radius, [&](std::size_t, double) { ++count; });
   return count;
 }
 
@@ -142,27 +142,29 @@ void
 UniformGrid::nearestInRow(std::size_t row, const Point& query, Nearest& best) const
 {
   const std::size_t begin = row_begin_[row], end = row_begin_[row + 1];
-  // The first slot that is not left of the query, in steps without branches to guess.
+  // The first sorted index that is not left of the query, in steps without branches to
+  // guess.
   std::size_t first = begin;
   for (std::size_t count = end - begin; count > 0;) {
     const std::size_t half = (count + 1) / 2;
     first += points_[first + half - 1].x() < query.x() ? half : 0;
     count -= half;
   }
-  const auto look = [&](std::size_t slot) {
-    const Point offset = points_[slot] - query;
+  const auto look = [&](std::size_t sorted_index) {
+    const Point offset = points_[sorted_index] - query;
     if (offset.x() * offset.x() > best.squared)
       return false;
     const double squared = offset.squaredNorm();
     if (squared < best.squared ||
-        (squared == best.squared && indices_[slot] < best.index))
-      best = {squared, indices_[slot]};
+        (squared == best.squared && indices_[sorted_index] < best.index))
+      best = {squared, indices_[sorted_index]};
     return true;
   };
-  for (std::size_t slot = first; slot < end && look(slot);)
-    ++slot;
-  for (std::size_t slot = first; slot > begin && look(slot - 1);)
-    --slot;
+  for (std::size_t sorted_index = first; sorted_index < end && look(sorted_index);)
+    ++sorted_index;
+  for (std::size_t sorted_index = first;
+       sorted_index > begin && look(sorted_index - 1);)
+    --sorted_index;
 }
 
 Index
@@ -216,7 +218,7 @@ UniformGrid::nearestK(const Point& query, std::size_t count) const
 {
   if (count == 1 && !points_.empty() && query.allFinite())
     return {nearest(query)};
-  std::vector<Neighbour> found;
+  std::vector<Neighbor> found;
   nearestK(query, count, row_size_, found);
   Indices result;
   result.reserve(found.size());
@@ -229,7 +231,7 @@ void
 UniformGrid::nearestK(const Point& query,
                       std::size_t count,
                       double radius,
-                      std::vector<Neighbour>& found) const
+                      std::vector<Neighbor>& found) const
 {
   found.clear();
   if (points_.empty() || count == 0 || !query.allFinite())
@@ -254,12 +256,12 @@ UniformGrid::nearestK(const Point& query,
     held = 0;
     double wanted = radius * radius;
     const double high = query.x() + radius;
-    forEachRow(query, radius, [&](std::size_t slot, std::size_t end) {
-      for (; slot < end && points_[slot].x() <= high; ++slot) {
+    forEachRow(query, radius, [&](std::size_t sorted_index, std::size_t end) {
+      for (; sorted_index < end && points_[sorted_index].x() <= high; ++sorted_index) {
         // Every point is written, and written over where it is not wanted: a branch
         // here would be guessed wrongly every third time.
-        const double squared = (points_[slot] - query).squaredNorm();
-        found[held] = {squared, indices_[slot]};
+        const double squared = (points_[sorted_index] - query).squaredNorm();
+        found[held] = {squared, indices_[sorted_index]};
         held += squared <= wanted ? 1 : 0;
         if (held == most) {
           keepNearest();

@@ -50,23 +50,23 @@ weightedMean(const Points& points,
 
 Point
 centroid(Centroid type,
-         const Points& neighbours,
+         const Points& neighbors,
          const Point& query,
          double radius,
          const Weighting& weighting)
 {
-  if (neighbours.empty())
+  if (neighbors.empty())
     return Point::Constant(std::numeric_limits<double>::quiet_NaN());
   const double inverse_radius = radius > 0 ? 1 / radius : 0;
   switch (type) {
   case Centroid::Mean:
-    return mean(neighbours);
+    return mean(neighbors);
   case Centroid::WeightedMean:
-    return weightedMean(neighbours, query, inverse_radius, weighting);
+    return weightedMean(neighbors, query, inverse_radius, weighting);
   case Centroid::Median:
-    return geometricMedian(neighbours, mean(neighbours), 0, nullptr);
+    return geometricMedian(neighbors, mean(neighbors), 0, nullptr);
   case Centroid::WeightedMedian:
-    return geometricMedian(neighbours, mean(neighbours), inverse_radius, &weighting);
+    return geometricMedian(neighbors, mean(neighbors), inverse_radius, &weighting);
   case Centroid::QueryPoint:
     break;
   }
@@ -74,11 +74,11 @@ centroid(Centroid type,
 }
 
 Point
-medianFrom(const Points& neighbours, const Point& start)
+medianFrom(const Points& neighbors, const Point& start)
 {
-  if (neighbours.empty())
+  if (neighbors.empty())
     return Point::Constant(std::numeric_limits<double>::quiet_NaN());
-  return geometricMedian(neighbours, start, 0, nullptr);
+  return geometricMedian(neighbors, start, 0, nullptr);
 }
 
 } // namespace linelet

@@ -116,12 +116,12 @@ pullSums(const Columns& points, double x, double y, double z, PullSums& sums)
 /** \brief What the points do to a place x: terms of the steps of Weiszfeld and Newton.
  */
 struct Pull {
-  Point resultant;           ///< sum of w_i u_i, u_i unit vectors to neighbours
+  Point resultant;           ///< sum of w_i u_i, u_i unit vectors to neighbors
   double stiffness;          ///< sum of w_i / d_i
   Eigen::Matrix3d curvature; ///< sum of w_i / d_i (1 - u (x) u)
   double total;              ///< sum of w_i
   double sum;                ///< sum of w_i d_i
-  double here;               ///< weight of the neighbours that lie at x
+  double here;               ///< weight of the neighbors that lie at x
   double nearest;            ///< distance, other than 0
   std::size_t nearest_index;
 
@@ -134,9 +134,9 @@ struct Pull {
 };
 
 /** \brief The points, seen from one place after the other. */
-class Neighbourhood {
+class Neighborhood {
 public:
-  Neighbourhood(const Points& points, double inverse_radius, const Weighting* weighting)
+  Neighborhood(const Points& points, double inverse_radius, const Weighting* weighting)
       : count_(points.size()),
         columns_(5 * points.size(), 1.0),
         inverse_radius_(inverse_radius),
@@ -232,7 +232,7 @@ weiszfeldStep(const Pull& pull)
 /** \brief Newton's step from x, of at most \a longest, shortened until the sum falls;
  * Weiszfeld's where it does not. */
 Point
-newtonStep(const Point& x, const Pull& pull, double longest, Neighbourhood& points)
+newtonStep(const Point& x, const Pull& pull, double longest, Neighborhood& points)
 {
   Eigen::Matrix3d curvature = pull.curvature;
   curvature.diagonal().array() += 1e-10 * pull.stiffness; // all points on one line
@@ -256,8 +256,8 @@ geometricMedian(const Points& points,
                 const Weighting* weighting)
 {
   Point x = start;
-  Neighbourhood neighbourhood(points, inverse_radius, weighting);
-  const double size = neighbourhood.size(x);
+  Neighborhood neighborhood(points, inverse_radius, weighting);
+  const double size = neighborhood.size(x);
   if (size == 0)
     return x;
 
@@ -270,23 +270,23 @@ geometricMedian(const Points& points,
   constexpr int most_iterations = 1000;
   std::size_t tried = points.size();
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const Pull pull = neighbourhood.pullAt(x);
+    const Pull pull = neighborhood.pullAt(x);
     if (pull.isBalanced())
       return x;
-    // The sum of distances has a kink at every neighbour, where no step arrives; ask
+    // The sum of distances has a kink at every neighbor, where no step arrives; ask
     // whether the nearest one is the median.
     bool moved = false;
     if (pull.nearest_index != tried && pull.nearest < newton_from) {
       tried = pull.nearest_index;
-      if (neighbourhood.pullAt(points[tried]).isBalanced())
+      if (neighborhood.pullAt(points[tried]).isBalanced())
         return points[tried];
       moved = true;
     }
     Point step = weiszfeldStep(pull);
     if (pull.here == 0 && step.norm() < newton_from) {
       if (moved && !convex)
-        neighbourhood.pullAt(x); // its weights
-      step = newtonStep(x, pull, longest, neighbourhood);
+        neighborhood.pullAt(x); // its weights
+      step = newtonStep(x, pull, longest, neighborhood);
     }
     x += step;
     if (step.norm() <= precise_enough)

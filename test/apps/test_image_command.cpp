@@ -69,8 +69,8 @@ private:
   std::array<int, 3> size_{};
 };
 
-// The pure colours of the shapes, as the documentation has them.
-constexpr Rgb grey = {214, 214, 214}, blue = {33, 84, 217}, green = {26, 158, 51};
+// The pure colors of the shapes, as the documentation has them.
+constexpr Rgb gray = {214, 214, 214}, blue = {33, 84, 217}, green = {26, 158, 51};
 
 class ImageCommand : public ToolTest {
 protected:
@@ -105,13 +105,13 @@ protected:
 };
 
 // If one of these failed, a reader would take one shape for another.
-TEST_F(ImageCommand, AProfileThroughALineIsGrey)
+TEST_F(ImageCommand, AProfileThroughALineIsGray)
 {
   cloud(1);
   const Picture picture = profile();
   EXPECT_EQ(picture.width(), 600);
   EXPECT_EQ(picture.height(), 400);
-  EXPECT_GT(picture.count(grey, 3), 600 * 400 / 3);
+  EXPECT_GT(picture.count(gray, 3), 600 * 400 / 3);
   EXPECT_LT(picture.count(blue, 40) + picture.count(green, 40), 600 * 400 / 50);
 }
 
@@ -148,7 +148,7 @@ TEST_F(ImageCommand, TheGraphsMarkTheChosenRadius)
   EXPECT_GT(picture.count(mark, 12), 200); // a line down the plot, discs and words
 }
 
-TEST_F(ImageCommand, ACloudShowsTheColourOfAnAttribute)
+TEST_F(ImageCommand, ACloudShowsTheColorOfAnAttribute)
 {
   std::string text = "x,y,z,warmth\n";
   for (int x = 0; x < 60; ++x)

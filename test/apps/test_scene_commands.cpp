@@ -95,7 +95,7 @@ TEST_F(SceneCommands, MultiscaleAddsTheOptimalScale)
   const auto summary = json(path("scales.json"));
   EXPECT_EQ(summary["points"], 150);
   EXPECT_EQ(summary["unknown"], 0);
-  // The 6th neighbour of a point of the wire is the third to one side.
+  // The 6th neighbor of a point of the wire is the third to one side.
   EXPECT_NEAR(summary["scale_unit"], 0.3, 0.06);
   EXPECT_GT(summary["noise_rate"], 0);
   EXPECT_LT(summary["noise_rate"], 0.5);
@@ -181,7 +181,7 @@ TEST_F(SceneCommands, AMissingReferenceSystemIsSaidOnce)
   io::writeCloud(path("nowhere.las"), cloud);
   const Outcome run = runWell(call + path("nowhere.las") + " " + path("unknown"));
   EXPECT_EQ(lines(run.error), 2) << run.error;
-  EXPECT_THAT(run.error, HasSubstr("its coordinates count as metres"));
+  EXPECT_THAT(run.error, HasSubstr("its coordinates count as meters"));
   EXPECT_THAT(run.error, HasSubstr(path("unknown/wires.geojson")));
   EXPECT_THAT(run.error, HasSubstr("take the coordinates for degrees"));
 }

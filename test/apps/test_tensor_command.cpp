@@ -111,7 +111,7 @@ TEST_F(TensorCommand, TakesSizesFromFieldsAndCounts)
   const std::string input = path("in.ply"), output = path("out.ply");
   writeScene(input);
   const io::Cloud cloud = io::readCloud(input);
-  NeighbourhoodSizes radii, counts;
+  NeighborhoodSizes radii, counts;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     radii.radii.push_back(io::valueAt(*cloud.find("size"), i));
     counts.counts.push_back(cloud.find("classification") == nullptr ? 0
@@ -173,7 +173,7 @@ TEST_F(TensorCommand, SaysInOneLineWhatIsWrong)
     EXPECT_EQ(lines(run.error), 1) << run.error;
   }
   for (const char* usage :
-       {" --weight gauss", " --centroid centre", " --engine fast", " --knn x"})
+       {" --weight gauss", " --centroid center", " --engine fast", " --knn x"})
     EXPECT_EQ(tensor(files + usage).code, 2) << usage;
   EXPECT_EQ(tensor("").code, 2);
   EXPECT_EQ(tensor("--help").code, 0);

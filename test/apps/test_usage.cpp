@@ -150,7 +150,7 @@ TEST_F(Usage, AnEndedRunLeavesNoFiles)
                                  pipe + "; kill -" + signal + " $!; cat " +
                                  path("helix.xyz") + " >&3; exec 3>&-; wait $!";
     EXPECT_EQ(WEXITSTATUS(std::system(commands.c_str())), 1);
-    EXPECT_EQ(contents(error), "linelet multiscale: cancelled\n");
+    EXPECT_EQ(contents(error), "linelet multiscale: canceled\n");
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::directory_iterator(path("")))
       left.push_back(entry.path().filename());

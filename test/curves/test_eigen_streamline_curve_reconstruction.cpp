@@ -8,9 +8,9 @@
 #include <pcl/console/print.h>
 #include <pcl/conversions.h>
 
+#include <bench/geometries/test_cloud.h>
+#include <bench/measures/measures.h>
 #include <linelet/curves/eigen_streamline_curve_reconstruction.h>
-#include <linelet/evaluation/measures.h>
-#include <linelet/evaluation/test_cloud.h>
 
 using namespace linelet;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -19,10 +19,10 @@ using Reconstruction = EigenStreamlineCurveReconstruction<pcl::PointXYZ>;
 namespace {
 
 Cloud::Ptr
-cloudOf(evaluation::Geometry geometry)
+cloudOf(bench::Geometry geometry)
 {
   auto cloud = pcl::make_shared<Cloud>();
-  for (const Point& p : evaluation::sample(geometry, {}))
+  for (const Point& p : bench::sample(geometry, {}))
     cloud->emplace_back(float(p.x()), float(p.y()), float(p.z()));
   cloud->header.frame_id = "map";
   return cloud;
@@ -44,15 +44,15 @@ protected:
 
 TEST_P(CurveReconstructionInPcl, FindsTheCurve)
 {
-  reconstruction.setInputCloud(cloudOf(evaluation::Geometry::Helix));
-  EXPECT_TRUE(evaluation::measure(reconstruction.reconstruct(),
-                                  evaluation::truthOf(evaluation::Geometry::Helix))
+  reconstruction.setInputCloud(cloudOf(bench::Geometry::Helix));
+  EXPECT_TRUE(bench::measure(reconstruction.reconstruct(),
+                             bench::truthOf(bench::Geometry::Helix))
                   .success);
 }
 
 TEST_P(CurveReconstructionInPcl, MeshAndVerticesAreTheCurves)
 {
-  const auto cloud = cloudOf(evaluation::Geometry::Circle);
+  const auto cloud = cloudOf(bench::Geometry::Circle);
   reconstruction.setInputCloud(cloud);
   const CurveNetwork curves = reconstruction.reconstruct();
   ASSERT_EQ(curves.curves.size(), 1u);
@@ -117,9 +117,9 @@ TEST_P(CurveReconstructionInPcl, EmptyAndUnusableCloudsGiveNoCurve)
 
 TEST_P(CurveReconstructionInPcl, IndicesChooseThePoints)
 {
-  auto both = cloudOf(evaluation::Geometry::Line);
+  auto both = cloudOf(bench::Geometry::Line);
   const std::size_t line = both->size();
-  for (const auto& point : *cloudOf(evaluation::Geometry::Circle))
+  for (const auto& point : *cloudOf(bench::Geometry::Circle))
     both->emplace_back(point.x, point.y, point.z + 50);
   both->emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.F, 0.F);
   both->is_dense = false;
@@ -139,7 +139,7 @@ TEST_P(CurveReconstructionInPcl, IndicesChooseThePoints)
 
 TEST_P(CurveReconstructionInPcl, ParametersOutOfRangeGiveAnEmptyResult)
 {
-  reconstruction.setInputCloud(cloudOf(evaluation::Geometry::Line));
+  reconstruction.setInputCloud(cloudOf(bench::Geometry::Line));
   reconstruction.setDistanceCutoff(-1);
   EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
 }

@@ -103,7 +103,7 @@ TEST_F(MultiScaleShapeFeatureTest, IsTheCoreForEveryPrebuiltType)
   expectCore<pcl::PointXYZINormal>();
 }
 
-TEST_F(MultiScaleShapeFeatureTest, IndicesChooseQueriesTheSurfaceTheNeighbours)
+TEST_F(MultiScaleShapeFeatureTest, IndicesChooseQueriesTheSurfaceTheNeighbors)
 {
   const auto cloud = wire<pcl::PointXYZ>();
   MultiScaleShapeFeature<pcl::PointXYZ> feature;
@@ -118,7 +118,7 @@ TEST_F(MultiScaleShapeFeatureTest, IndicesChooseQueriesTheSurfaceTheNeighbours)
   for (std::size_t i = 0; i < some.size(); ++i)
     EXPECT_TRUE(same(some[i], all[static_cast<std::size_t>((*indices)[i])]));
 
-  // The same queries as a cloud of their own, neighbours from the whole.
+  // The same queries as a cloud of their own, neighbors from the whole.
   const auto queries =
       pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*cloud, *indices);
   MultiScaleShapeFeature<pcl::PointXYZ> other;

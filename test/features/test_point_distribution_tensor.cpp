@@ -33,7 +33,7 @@ TEST_F(PdtEstimation, GivesTheSameWithEverySearch)
         estimation.setWeighting(settings.weighting);
         estimation.setCentroid(centroid);
         const RecordCloud records = compute(estimation);
-        // The same neighbours in the same order give the same bits; the built-in grid
+        // The same neighbors in the same order give the same bits; the built-in grid
         // may add them up in another one.
         expectSame(records, expected, search ? 0 : 1e-5f);
         EXPECT_EQ(records.width, 56u);
@@ -93,7 +93,7 @@ TEST_F(PdtEstimation, KeepsTheSmallEigenvaluesOfAWire)
   EXPECT_GT(records[0].linearity, 0.99f);
 }
 
-TEST_F(PdtEstimation, HonoursIndicesAndSearchSurface)
+TEST_F(PdtEstimation, HonorsIndicesAndSearchSurface)
 {
   const Cloud::Ptr surface = scattered(800, 5), queries = scattered(60, 6);
   Cloud chosen;

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "readers.h"
-#include "writers.h"
+#include "io/readers.h"
+#include "io/writers.h"
 
 using namespace linelet::io;
 

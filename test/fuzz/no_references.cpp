@@ -4,7 +4,7 @@
 // Stands in for src/io/reference.cpp: the harnesses test our own parsing, and looking
 // up reference systems in PROJ's tables would be all that they do.
 
-#include "reference.h"
+#include "io/reference.h"
 
 namespace linelet::io {
 

@@ -34,7 +34,7 @@ expectSamePlaces(const Cloud& a, const Cloud& b, double tolerance)
 }
 
 /** Every value of every column of \a a is in \a b, exactly, NaN for NaN. Text says
- * floats with as many digits as tell them from their neighbours. */
+ * floats with as many digits as tell them from their neighbors. */
 void
 expectSameValues(const Cloud& a, const Cloud& b)
 {
@@ -52,7 +52,7 @@ expectSameValues(const Cloud& a, const Cloud& b)
   }
 }
 
-/** Near UTM coordinates, on a grid of millimetres, with a column of every type. */
+/** Near UTM coordinates, on a grid of millimeters, with a column of every type. */
 Cloud
 exampleCloud()
 {
@@ -113,7 +113,7 @@ TEST_P(RoundTrip, KeepsPlacesAndValues)
   Cloud expected = before;
   if (std::string(GetParam()) == "las")
     for (const char* name : {"red", "green", "blue"}) {
-      // LAS asks for 16 bit colours.
+      // LAS asks for 16 bit colors.
       std::vector<std::uint16_t> wide;
       for (std::size_t i = 0; i < before.points.size(); ++i)
         wide.push_back(
@@ -208,7 +208,7 @@ TEST(Conversion, AShiftedFileIsReadByPclAndKeepsItsPlace)
   }
 }
 
-TEST(Conversion, MillimetresOfSmallCoordinatesSurviveFloats)
+TEST(Conversion, MillimetersOfSmallCoordinatesSurviveFloats)
 {
   const Folder folder;
   Cloud cloud;

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "readers.h"
+#include "io/readers.h"
 
 #include "file_helpers.h"
 
@@ -131,7 +131,7 @@ TEST(Ply, BigEndianIsReadAlike)
   EXPECT_EQ(cloud.points[0] + cloud.shift, linelet::Point(1.5, -2, 65536));
 }
 
-TEST(Text, SeparatorsHeadersAndCommentsAreRecognised)
+TEST(Text, SeparatorsHeadersAndCommentsAreRecognized)
 {
   for (const char* text :
        {"1 2 3 7\n4 5 6 8\n",

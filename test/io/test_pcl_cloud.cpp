@@ -25,10 +25,10 @@ TEST(PclCloud, TakesWhatBothHave)
   EXPECT_FALSE(intensity.is_dense);
   EXPECT_EQ(intensity[0].x, 1.25F);
   EXPECT_EQ(intensity[1].intensity, 65535.0F);
-  const auto colour = toPcl<pcl::PointXYZRGB>(cloud);
-  EXPECT_EQ(colour[0].r, 255);
-  EXPECT_EQ(colour[1].r, 1);
-  EXPECT_EQ(colour[0].b, 128);
+  const auto color = toPcl<pcl::PointXYZRGB>(cloud);
+  EXPECT_EQ(color[0].r, 255);
+  EXPECT_EQ(color[1].r, 1);
+  EXPECT_EQ(color[0].b, 128);
   EXPECT_EQ(toPcl<pcl::PointXYZ>(cloud)[0].z, 3.0F);
 }
 

@@ -180,7 +180,7 @@ TEST(ReaderFiles, CompressedPcdUnpacksToPlacesInItsRegion)
   const Cloud cloud =
       readCloud(dataPath("readers/other/pcldata_terrain_samp11-utm.pcd"));
   ASSERT_EQ(cloud.points.size(), 38010U);
-  // Neighbours in the file are neighbours on the ground, if fields are in order.
+  // Neighbors in the file are neighbors on the ground, if fields are in order.
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
     ASSERT_LT((cloud.points[i] - cloud.points[0]).norm(), 2000);
 }
@@ -195,7 +195,7 @@ TEST(ReaderFiles, NamesOfOtherSoftwareMeanTheSame)
   const Cloud quoted = readCloud(dataPath("readers/other/pdal_largescan.txt"));
   EXPECT_NE(quoted.find("OffsetTime"), nullptr);
   EXPECT_NE(quoted.find("scan_angle"), nullptr);
-  // 4.2108e+06 as the bits of a float: grey 128, 128, 96
+  // 4.2108e+06 as the bits of a float: gray 128, 128, 96
   const Cloud packed = readCloud(dataPath("readers/other/loadersgl_simple-ascii.pcd"));
   ASSERT_NE(packed.find("red"), nullptr);
   EXPECT_EQ(valueAt(*packed.find("red"), 0), 128);

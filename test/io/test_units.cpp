@@ -69,24 +69,24 @@ constexpr int model = 1024, geographic = 2048, projected = 3072, projected_unit 
 
 TEST(Units, AreThoseOfTheTextPartByPart)
 {
-  const std::string metres = R"(LOCAL_CS["site",UNIT["metre",1]])",
+  const std::string meters = R"(LOCAL_CS["site",UNIT["metre",1]])",
                     feet = R"(LOCAL_CS["site",UNIT["US survey foot",)"
                            R"(0.304800609601219]])",
                     height = R"(VERT_CS["height",VERT_DATUM["sea",2005],)"
                              R"(UNIT["foot",0.3048]])";
-  for (const std::string& unknown : {std::string(), std::string("nonsense"), metres})
-    EXPECT_TRUE(unitsOf(unknown).areMetres()) << unknown;
+  for (const std::string& unknown : {std::string(), std::string("nonsense"), meters})
+    EXPECT_TRUE(unitsOf(unknown).areMeters()) << unknown;
   expectUnits(unitsOf(feet), survey_foot, survey_foot);
   EXPECT_EQ(unitsOf(feet).plan_name, "US survey foot");
   EXPECT_FALSE(unitsOf(feet).height_stated);
-  const Units both = unitsOf("COMPD_CS[\"both\"," + metres + "," + height + "]");
+  const Units both = unitsOf("COMPD_CS[\"both\"," + meters + "," + height + "]");
   expectUnits(both, 1, foot);
   EXPECT_EQ(both.height_name, "foot");
   EXPECT_TRUE(both.height_stated);
-  EXPECT_FALSE(both.areMetres());
+  EXPECT_FALSE(both.areMeters());
 }
 
-TEST(Units, OfDegreesAndOfPlacesFromTheEarthsCentreAreNoLengths)
+TEST(Units, OfDegreesAndOfPlacesFromTheEarthsCenterAreNoLengths)
 {
   const std::string degrees =
       R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
@@ -100,7 +100,7 @@ TEST(Units, OfDegreesAndOfPlacesFromTheEarthsCentreAreNoLengths)
 }
 
 // EPSG:2263 New York Long Island (US survey feet), 6360 NAVD88 in US survey feet, 5703
-// NAVD88 in metres, 26918 UTM zone 18 N.
+// NAVD88 in meters, 26918 UTM zone 18 N.
 TEST(Units, AreThoseOfTheSystemsThatKeysName)
 {
   expectUnits(unitsByKeys({{model, 1}, {projected, 2263}}), survey_foot, survey_foot);

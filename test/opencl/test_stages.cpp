@@ -193,7 +193,7 @@ TEST_P(Stages, TableHoldsEveryPointWithinTheRadius)
   EXPECT_GT(checked, 200u);
 }
 
-TEST_P(Stages, TensorsAreThoseOfTheNeighbours)
+TEST_P(Stages, TensorsAreThoseOfTheNeighbors)
 {
   const Points points = box(700, Point(5, 4, 3));
   const Slab slab = slabOf(*context, points, 0.8);

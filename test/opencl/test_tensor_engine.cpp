@@ -38,7 +38,7 @@ std::vector<PointDistributionTensor>
 reference(const Points& surface,
           const Points& queries,
           TensorSettings settings,
-          const NeighbourhoodSizes& sizes)
+          const NeighborhoodSizes& sizes)
 {
   settings.engine = Engine::Tree;
   return estimateTensors(surface, queries, settings, sizes);
@@ -77,7 +77,7 @@ protected:
   check(const Points& surface,
         const Points& queries,
         const TensorSettings& settings,
-        const NeighbourhoodSizes& sizes = {})
+        const NeighborhoodSizes& sizes = {})
   {
     expectEqual(engine->estimate(surface, queries, settings, sizes),
                 reference(surface, queries, settings, sizes));
@@ -180,7 +180,7 @@ TEST_F(OpenCL, SmallestClouds)
 TEST_F(OpenCL, RadiiPointByPoint)
 {
   const Points points = box(800, Point(5, 5, 5), 9);
-  NeighbourhoodSizes sizes;
+  NeighborhoodSizes sizes;
   for (std::size_t i = 0; i < points.size(); ++i)
     sizes.radii.push_back(0.2 + 0.002 * static_cast<double>(i % 400));
   sizes.radii[3] = not_known;
@@ -196,7 +196,7 @@ TEST_F(OpenCL, PointsOnTheBallAreWeighedAsTheReferenceDoes)
 {
   const Points points = box(800, Point(5, 2, 0.5), 10);
   const KdTree tree(points);
-  NeighbourhoodSizes sizes;
+  NeighborhoodSizes sizes;
   Indices near;
   for (const Point& point : points)
     sizes.radii.push_back(tree.nearest(point, 7, near));
@@ -209,7 +209,7 @@ TEST_F(OpenCL, RadiiOfAllMagnitudesCountExactly)
 {
   // A fine lattice inside of a coarse one: pairs exactly at the radius everywhere.
   Points points;
-  NeighbourhoodSizes sizes;
+  NeighborhoodSizes sizes;
   for (const double step : {1.0, 0.001})
     for (int i = 0; i < 1000; ++i) {
       points.emplace_back(step * (i % 10), step * (i / 10 % 10), step * (i / 100));
@@ -239,7 +239,7 @@ TEST_F(OpenCL, NearestPointsAreThoseOfTheReference)
 TEST_F(OpenCL, NearestPointsWithACountForEveryPoint)
 {
   const Points points = box(700, Point(5, 5, 1), 18);
-  NeighbourhoodSizes sizes;
+  NeighborhoodSizes sizes;
   for (std::size_t i = 0; i < points.size(); ++i)
     sizes.counts.push_back(static_cast<unsigned>(i % 50));
   sizes.counts[7] = 5000; // more than there are
@@ -394,7 +394,7 @@ TEST_F(OpenCL, FeatureFollowsTheRulesOfPcl)
   EXPECT_EQ(computed.header.frame_id, "frame");
   expectEqual({expected.begin(), expected.end()}, {computed.begin(), computed.end()});
 
-  ocl.setRadiusSearch(0); // no size of neighbourhood at all
+  ocl.setRadiusSearch(0); // no size of neighborhood at all
   ocl.compute(computed);
   EXPECT_TRUE(computed.empty());
 }

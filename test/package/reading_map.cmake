@@ -3,7 +3,7 @@
 #
 # Every header that doc/reading.md names is there.
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/include/linelet/*.h
-  ${SOURCE_DIR}/src/*.h ${SOURCE_DIR}/apps/*.h)
+  ${SOURCE_DIR}/src/*.h ${SOURCE_DIR}/apps/*.h ${SOURCE_DIR}/bench/*.h)
 string(REPLACE ";" " " headers ";${headers};")
 file(READ ${SOURCE_DIR}/doc/reading.md text)
 string(REGEX MATCHALL "[a-z_/]+\\.h" named "${text}")

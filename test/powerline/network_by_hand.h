@@ -55,7 +55,7 @@ networkByHand()
   near.vegetation.wire = near.curve.at(10);
   near.vegetation.other = near.vegetation.wire - Point(0, 0, 3);
   near.confidence = 0.4;
-  near.reason = "few points < 1 a metre & a hole";
+  near.reason = "few points < 1 a meter & a hole";
   for (int id = 1; id <= 2; ++id) {
     Span span;
     span.id = span.number = id;

@@ -33,7 +33,7 @@ public:
     return deviation * boost::random::normal_distribution<double>()(random_);
   }
 
-  /** \brief Ground at height 0 between two corners, \a density points a square metre.
+  /** \brief Ground at height 0 between two corners, \a density points a square meter.
    */
   void
   ground(double x0, double y0, double x1, double y1, double density)
@@ -52,19 +52,19 @@ public:
   }
 
   /** \brief A wire from \a from to \a to with catenary parameter \a a, hanging straight
-   * down, \a per_metre points with \a noise across it; nothing between \a gap_from and
-   * \a gap_to (metres from its start). Places come from the closed form. */
+   * down, \a per_meter points with \a noise across it; nothing between \a gap_from and
+   * \a gap_to (meters from its start). Places come from the closed form. */
   void
   wire(const Point& from,
        const Point& to,
        double a,
-       double per_metre,
+       double per_meter,
        double noise,
        double gap_from = 0,
        double gap_to = 0)
   {
     const double length = (to - from).head<2>().norm();
-    const auto count = static_cast<int>(length * per_metre);
+    const auto count = static_cast<int>(length * per_meter);
     for (int i = 0; i < count; ++i) {
       const double s = uniform(0, length);
       if (s > gap_from && s < gap_to)
@@ -74,7 +74,7 @@ public:
     }
   }
 
-  /** \brief The place \a s metres (in plan) from the start of a hanging wire. */
+  /** \brief The place \a s meters (in plan) from the start of a hanging wire. */
   static Point
   onWire(const Point& from, const Point& to, double a, double s)
   {
@@ -91,9 +91,9 @@ public:
 
   /** \brief A lattice pylon of height \a height: four legs that lean inwards. */
   void
-  pylon(const Point& base, double height, double per_metre = 12)
+  pylon(const Point& base, double height, double per_meter = 12)
   {
-    for (int i = 0; i < static_cast<int>(height * per_metre); ++i) {
+    for (int i = 0; i < static_cast<int>(height * per_meter); ++i) {
       const double z = uniform(0, height);
       const double w = 2.5 * (1 - z / height) + 0.3;
       points.push_back(

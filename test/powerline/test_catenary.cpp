@@ -49,7 +49,7 @@ TEST(Catenary, FollowsTheClosedForm)
   Catenary c;
   c.lowest = {10, 20, 5};
   c.a = 400;
-  c.azimuth = 90; // towards +x
+  c.azimuth = 90; // toward +x
   c.from = -100;
   c.to = 60;
   EXPECT_NEAR((c.at(0) - c.lowest).norm(), 0, 1e-12);
@@ -65,7 +65,7 @@ TEST(Catenary, FollowsTheClosedForm)
 TEST(Catenary, SwingsToTheRightOfItsAzimuth)
 {
   Catenary c;
-  c.azimuth = 0; // towards +y, right is +x
+  c.azimuth = 0; // toward +y, right is +x
   c.a = 300;
   c.swing = 30;
   const double rise = 300 * (std::cosh(80.0 / 300) - 1);

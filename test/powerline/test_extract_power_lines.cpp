@@ -22,7 +22,7 @@ struct TwoSpans {
   std::vector<std::pair<Point, Point>> wires;
   static constexpr double a = 900;
 
-  explicit TwoSpans(double per_metre = 4, double gap_from = 0, double gap_to = 0)
+  explicit TwoSpans(double per_meter = 4, double gap_from = 0, double gap_to = 0)
   {
     scene.ground(-10, -30, 390, 30, 4);
     scene.pylon({200, 0, 0}, 30);
@@ -32,7 +32,7 @@ struct TwoSpans {
       wires.push_back({{200, y, z}, {380, y, z + 1}});
     }
     for (const auto& [from, to] : wires)
-      scene.wire(from, to, a, per_metre, 0.04, gap_from, gap_to);
+      scene.wire(from, to, a, per_meter, 0.04, gap_from, gap_to);
   }
 };
 
@@ -181,7 +181,7 @@ TEST(ExtractPowerLines, MeasuresClearances)
 }
 
 // Where a scan ends, a stub of a twin strand is left that is too short for a wire: no
-// tree at half a metre.
+// tree at half a meter.
 TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
 {
   TwoSpans line;
@@ -276,15 +276,15 @@ TEST(ExtractPowerLines, RefusesWhatMakesNoSense)
 
 TEST(ExtractPowerLines, StopsWhenAsked)
 {
-  struct Stop : Monitor {
+  struct Stop : ProgressMonitor {
     bool
-    cancelled() const override
+    canceled() const override
     {
       return true;
     }
   } stop;
   const TwoSpans line;
-  EXPECT_THROW(extractPowerLines(line.scene.points, {}, {}, &stop), Cancelled);
+  EXPECT_THROW(extractPowerLines(line.scene.points, {}, {}, &stop), Canceled);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The same scan in feet gives the same lines: attributes in metres, coordinates in
+// The same scan in feet gives the same lines: attributes in meters, coordinates in
 // feet.
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 #include <linelet/io/point_file.h>
 #include <linelet/powerline/extract_power_lines.h>
-#include <linelet/powerline/output_files.h>
+#include <linelet/powerline_output/output_files.h>
 
 #include "test_data.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double survey_foot = 1200.0 / 3937;
 
-/** A cloud in survey feet, its heights in metres or in feet as well. */
+/** A cloud in survey feet, its heights in meters or in feet as well. */
 io::Cloud
 inFeet(io::Cloud cloud, bool metric_heights)
 {
@@ -48,7 +48,7 @@ layersOf(const io::Cloud& cloud)
 
 void
 expectSameInFeet(const std::vector<io::VectorLayer>& feet,
-                 const std::vector<io::VectorLayer>& metres,
+                 const std::vector<io::VectorLayer>& meters,
                  double height)
 {
   const auto scaleOf = [&](const std::string& name) {
@@ -56,14 +56,14 @@ expectSameInFeet(const std::vector<io::VectorLayer>& feet,
            : name == "lowest_z" || name == "top_z"  ? height
                                                     : 1;
   };
-  ASSERT_EQ(feet.size(), metres.size());
+  ASSERT_EQ(feet.size(), meters.size());
   for (std::size_t l = 0; l < feet.size(); ++l) {
-    ASSERT_EQ(feet[l].features.size(), metres[l].features.size());
-    ASSERT_FALSE(metres[l].features.empty());
+    ASSERT_EQ(feet[l].features.size(), meters[l].features.size());
+    ASSERT_FALSE(meters[l].features.empty());
     for (std::size_t f = 0; f < feet[l].features.size(); ++f) {
-      SCOPED_TRACE(metres[l].features[f].label);
+      SCOPED_TRACE(meters[l].features[f].label);
       const io::VectorFeature& a = feet[l].features[f];
-      const io::VectorFeature& b = metres[l].features[f];
+      const io::VectorFeature& b = meters[l].features[f];
       ASSERT_EQ(a.vertices.size(), b.vertices.size());
       const Point unit(survey_foot, survey_foot, height);
       for (std::size_t v = 0; v < a.vertices.size(); ++v)
@@ -97,14 +97,14 @@ protected:
   }
 };
 
-TEST_P(Feet, GiveTheLinesOfTheSameScanInMetres)
+TEST_P(Feet, GiveTheLinesOfTheSameScanInMeters)
 {
   if (std::string(GetParam()) != "corridor.las")
     LINELET_NEEDS_DATA(GetParam());
-  const io::Cloud metres = read();
-  const auto expected = layersOf(metres);
-  expectSameInFeet(layersOf(inFeet(metres, false)), expected, survey_foot);
-  expectSameInFeet(layersOf(inFeet(metres, true)), expected, 1);
+  const io::Cloud meters = read();
+  const auto expected = layersOf(meters);
+  expectSameInFeet(layersOf(inFeet(meters, false)), expected, survey_foot);
+  expectSameInFeet(layersOf(inFeet(meters, true)), expected, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(

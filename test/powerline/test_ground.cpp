@@ -47,7 +47,7 @@ TEST(OpenRaster, AgreesWithItsDefinition)
   }
 }
 
-TEST(FillHoles, KeepsWhatIsKnownAndStaysBetweenItsNeighbours)
+TEST(FillHoles, KeepsWhatIsKnownAndStaysBetweenItsNeighbors)
 {
   std::vector<float> raster(7 * 5, unknown);
   raster[0] = 2;
@@ -126,7 +126,7 @@ TEST(FindGround, CopesWithNothingAndWithStrayPoints)
   const Ground one = findGround({{5, 5, 7}}, {}, false);
   EXPECT_NEAR(one.heightAt(5, 5), 7, 1e-6);
   EXPECT_NEAR(one.heightAt(-100, 900), 7, 1e-6);
-  // One point a thousand kilometres away must not exhaust the memory.
+  // One point a thousand kilometers away must not exhaust the memory.
   SceneBuilder scene(23);
   scene.ground(0, 0, 20, 20, 5);
   scene.points.emplace_back(1e6, 1e6, 3);

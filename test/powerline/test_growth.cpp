@@ -140,10 +140,10 @@ TEST(Growth, TellsCloseWiresApart)
 }
 
 /** A wire of a parabola in the plane y = 0 turned about z by \a angle degrees. */
-Hanging
-hanging(const Point& support, double angle, double slope, double length)
+WireWithEnds
+wireWithEnds(const Point& support, double angle, double slope, double length)
 {
-  Hanging wire;
+  WireWithEnds wire;
   SpanModel& m = wire.strand.piece.model;
   m.origin = support.head<2>();
   m.direction = {std::cos(angle * M_PI / 180), std::sin(angle * M_PI / 180)};
@@ -160,8 +160,8 @@ TEST(Meet, IsWhereTheCurvesCross)
   // Both run through the support, at an angle in plan, or with a kink alone.
   const Point support(50, 20, 30);
   for (const double angle : {0.0, 5.0, 30.0}) {
-    const Hanging a = hanging(support, 0, -0.1, 150);
-    const Hanging b = hanging(support, 180 + angle, -0.1, 120);
+    const WireWithEnds a = wireWithEnds(support, 0, -0.1, 150);
+    const WireWithEnds b = wireWithEnds(support, 180 + angle, -0.1, 120);
     const Meeting m = meet(a, 0, b, 0);
     EXPECT_LT((m.place - support).norm(), 0.1) << angle;
     EXPECT_LT(m.gap, 0.02);
@@ -170,12 +170,12 @@ TEST(Meet, IsWhereTheCurvesCross)
 
 TEST(MatchEnds, PairsEveryWireWithItsContinuation)
 {
-  std::vector<Hanging> wires;
+  std::vector<WireWithEnds> wires;
   for (int k = 0; k < 4; ++k)
-    wires.push_back(hanging({0, 0.5 * k, 20}, 0, -0.08, 100));
+    wires.push_back(wireWithEnds({0, 0.5 * k, 20}, 0, -0.08, 100));
   for (int k = 3; k >= 0; --k)
-    wires.push_back(hanging({0, 0.5 * k, 20}, 172, -0.08, 90));
-  wires.push_back(hanging({3, -4, 15}, 90, -0.08, 60)); // crosses the line
+    wires.push_back(wireWithEnds({0, 0.5 * k, 20}, 172, -0.08, 90));
+  wires.push_back(wireWithEnds({3, -4, 15}, 90, -0.08, 60)); // crosses the line
   matchEnds(wires);
   for (int k = 0; k < 4; ++k) {
     EXPECT_EQ(wires[static_cast<std::size_t>(k)].ends[0].partner, 7 - k);

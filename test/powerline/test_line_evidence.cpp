@@ -116,7 +116,7 @@ TEST(OnlyTheLine, HasUnknownClearancesAndHeights)
 
 TEST(OnlyTheLine, IsKnownByItsClassesWhereWiresHangTooNearEachOther)
 {
-  // Four wires half a metre apart look like a narrow surface.
+  // Four wires half a meter apart look like a narrow surface.
   SceneBuilder scene(5);
   for (const double y : {-0.75, -0.25, 0.25, 0.75})
     scene.wire({-40, y, 9}, {40, y, 9}, 400, 8, 0.02);

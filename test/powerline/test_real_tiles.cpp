@@ -164,7 +164,7 @@ TEST(ThinnedTile, IsFoundInAQuarterOfThePoints)
   EXPECT_EQ(falseWires(tile, n), 0);
 }
 
-// This line has an earth wire of one point in two metres before thinning.
+// This line has an earth wire of one point in two meters before thinning.
 TEST(ThinnedTile, OfASparseLineGivesNoFalseWire)
 {
   const char* name = "lidar/ahn4_12AN2_20_thin8.las";

@@ -26,11 +26,11 @@ struct Line : SceneBuilder {
 
   std::vector<std::pair<Point, Point>> wires;
 
-  explicit Line(std::uint32_t seed, double per_metre = 4) : SceneBuilder(seed)
+  explicit Line(std::uint32_t seed, double per_meter = 4) : SceneBuilder(seed)
   {
     for (const double y : {-7.0, -3.0, 3.0, 7.0}) {
       wires.push_back({{0, y, 22}, {length, y, 22}});
-      wire(wires.back().first, wires.back().second, a, per_metre, 0.04);
+      wire(wires.back().first, wires.back().second, a, per_meter, 0.04);
     }
   }
 
@@ -156,7 +156,7 @@ TEST(UnlikeScan, WithTreesGrownIntoTheWiresStillShowsThem)
   EXPECT_EQ(countFound(extractPowerLines(line.points), line, 0.1, 0.8), 4U);
 }
 
-// An earth wire is thinner and hangs flatter: a thin scan hits it once in ten metres,
+// An earth wire is thinner and hangs flatter: a thin scan hits it once in ten meters,
 // which makes no line around any of its points.
 TEST(UnlikeScan, WithFewPointsOnTheEarthWireFindsItByItsLine)
 {
@@ -180,7 +180,7 @@ TEST(UnlikeScan, WithFewPointsOnTheEarthWireFindsItByItsLine)
   EXPECT_GT(found->length, 220);
 }
 
-// Two conductors half a metre apart, each seen on its half of the span only: where one
+// Two conductors half a meter apart, each seen on its half of the span only: where one
 // ends and the other begins no pylon stands, since the rest of the line runs past.
 TEST(UnlikeScan, WithAWireBrokenInTheMiddleHasNoPylonThere)
 {

@@ -47,7 +47,7 @@ bruteForce(const Points& points)
 
 } // namespace
 
-TEST(ScaleUnit, IsTheMedianDistanceToTheSixthNeighbour)
+TEST(ScaleUnit, IsTheMedianDistanceToTheSixthNeighbor)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Points points = box(400 + seed, seed);

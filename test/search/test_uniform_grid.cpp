@@ -141,12 +141,12 @@ TEST(UniformGrid, FindsTheNearestWhateverRadiusItBeginsWith)
 {
   const Points points = randomPoints(200, Point(10, 10, 10), 3);
   const UniformGrid grid(points, 1);
-  std::vector<UniformGrid::Neighbour> found;
+  std::vector<UniformGrid::Neighbor> found;
   for (const double radius : {1e-3, 1.0, 5.0, 100.0})
     for (const std::size_t count : {1u, 7u, 150u, 500u}) {
       const Point query(4, 5, 6);
       grid.nearestK(query, count, radius, found);
-      std::vector<UniformGrid::Neighbour> all;
+      std::vector<UniformGrid::Neighbor> all;
       for (std::size_t i = 0; i < points.size(); ++i)
         all.emplace_back((points[i] - query).squaredNorm(), static_cast<Index>(i));
       std::sort(all.begin(), all.end());
@@ -170,7 +170,7 @@ TEST(NearestWalk, VisitsEachPointOnceWithItsNearest)
       some.push_back(i);
     walk(some.data(), some.data() + some.size(), [&](Index i, const auto& found) {
       ++visits[i];
-      std::vector<UniformGrid::Neighbour> all;
+      std::vector<UniformGrid::Neighbor> all;
       for (std::size_t k = 0; k < points.size(); ++k)
         all.emplace_back((points[k] - points[i]).squaredNorm(), static_cast<Index>(k));
       std::partial_sort(all.begin(), all.begin() + 7, all.end());

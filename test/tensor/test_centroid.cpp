@@ -84,7 +84,7 @@ TEST(Centroid, QueryPointAndMeans)
              1e-15);
 }
 
-TEST(Centroid, DegenerateNeighbourhoods)
+TEST(Centroid, DegenerateNeighborhoods)
 {
   for (const auto& [type, name] : Names<Centroid>::table) {
     SCOPED_TRACE(std::string(name));

@@ -28,7 +28,7 @@ namespace linelet {
  * Points that are not finite are left out. Without input, with an index beyond the
  * cloud or a parameter out of range the result is empty, with a message through
  * PCL_ERROR; a cloud without a curve gives an empty result without a message.
- * Neighbours are found in a grid of its own: setSearchMethod has no effect.
+ * Neighbors are found in a grid of its own: setSearchMethod has no effect.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
  * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own

@@ -9,9 +9,9 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/curves/streamline_settings.h>
-#include <linelet/support/monitor.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet {
 
@@ -47,10 +47,10 @@ describe(ReconstructionSettings& settings, Visit&& visit)
 /** \brief Curves that run through \a points.
  * \param[in] points any points; those with a coordinate that is not finite are left out
  * \return the curves; none where there is no curve to be found
- * \throws std::invalid_argument for a parameter out of range, Cancelled */
+ * \throws std::invalid_argument for a parameter out of range, Canceled */
 CurveNetwork
 reconstructCurves(const Points& points,
                   const ReconstructionSettings& settings = {},
-                  Monitor* monitor = nullptr);
+                  ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

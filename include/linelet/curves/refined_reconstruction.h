@@ -4,8 +4,8 @@
 #pragma once
 
 #include <linelet/curves/curve_network.h>
-#include <linelet/support/monitor.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet {
 
@@ -13,8 +13,8 @@ namespace linelet {
 struct RefinedSettings {
   unsigned max_iterations = 0; ///< steps of one trace from its start point; 0: no limit
                                ///< beside the number of points
-  unsigned start_points = 0; ///< traces begun per connected part of the cloud; 0: until
-                             ///< every point that looks like a curve is explained
+  unsigned start_points = 0; ///< traces begun per connected component of the cloud; 0:
+                             ///< until every point that looks like a curve is explained
   double distance_cutoff =
       0;                ///< widest gap that is bridged, in the unit of the points;
                         ///< 0: an eighth of the length, where directions agree
@@ -24,22 +24,22 @@ struct RefinedSettings {
 /** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the
  * geometry.
  *
- * Every connected part of the cloud is worked on by itself. Ridges of its smoothed
+ * Every connected component of the cloud is worked on by itself. Ridges of its smoothed
  * density are traced at several bandwidths; each result is refitted as a mixture of
- * noisy polylines and uniform outliers by expectation maximisation under a bending
+ * noisy polylines and uniform outliers by expectation maximization under a bending
  * prior with heavy tails, and the Bayesian information criterion picks the best. All
  * lengths follow from the spacing of the points, so the result moves, turns and scales
  * with the input; it does not depend on the number of threads.
  * \param[in] points any points; those with a coordinate that is not finite are left out
  * \param[in] settings see \ref RefinedSettings
- * \param[in] monitor hears of every part of the cloud that is done; may be null
+ * \param[in] monitor hears of every component of the cloud that is done; may be null
  * \return curves with the number of points that each vertex explains; none where the
  * cloud holds no curve
  * \throws std::invalid_argument for a negative or NaN cutoff
- * \throws Cancelled when \a monitor says so */
+ * \throws Canceled when \a monitor says so */
 CurveNetwork
 reconstructRefined(const Points& points,
                    const RefinedSettings& settings = {},
-                   Monitor* monitor = nullptr);
+                   ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

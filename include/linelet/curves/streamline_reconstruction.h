@@ -5,12 +5,12 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/curves/streamline_settings.h>
-#include <linelet/support/monitor.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet {
 
-/** \brief Curves by line-lets that follow the multi-scale neighbourhood tensor: the
+/** \brief Curves by line-lets that follow the multi-scale neighborhood tensor: the
  * method of Ritter, Schiffner, Harders 2021.
  *
  * Multi-scale features of all points; start points by score; from each a line-let grows
@@ -20,10 +20,10 @@ namespace linelet {
  * \param[in] points any points; those with a coordinate that is not finite are left out
  * \param[in] monitor hears of the stages "shape" (the features) and "curves"
  * \return curves; none where the cloud has no scale (fewer than two places)
- * \throws std::invalid_argument for a parameter out of range, Cancelled */
+ * \throws std::invalid_argument for a parameter out of range, Canceled */
 CurveNetwork
 reconstructPublished(const Points& points,
                      const StreamlineSettings& settings = {},
-                     Monitor* monitor = nullptr);
+                     ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

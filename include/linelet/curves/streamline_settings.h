@@ -16,14 +16,14 @@
 namespace linelet {
 
 /** \brief Where the direction of a step comes from. d_E is the interpolated
- * eigenvector, d_A the mean of the directions towards the neighbours ahead. */
+ * eigenvector, d_A the mean of the directions toward the neighbors ahead. */
 enum class DirectionMode {
   Eigenvector,        ///< d_E
   Tensor,             ///< major eigenvector of the interpolated tensor
   Angular,            ///< d_A
   EigenvectorAngular, ///< mu d_E + (1 - mu) d_A
   TensorDeflection,   ///< interpolated tensor times last direction (TEND)
-  AngularDistance     ///< d_A with neighbours weighted by their distance as well
+  AngularDistance     ///< d_A with neighbors weighted by their distance as well
 };
 
 template <>
@@ -107,10 +107,10 @@ describe(StreamlineSettings& s, Visit&& visit)
   visit("stump-length", s.stump_length, "published: shorter pieces are dropped, in h");
   visit("min-start-neighbors",
         s.min_start_neighbors,
-        "published: neighbours a start point needs");
+        "published: neighbors a start point needs");
   visit("start-neighbor-exponent",
         s.start_neighbor_exponent,
-        "published: of the number of neighbours in the score of start points");
+        "published: of the number of neighbors in the score of start points");
   visit("prefilter-radius",
         s.prefilter_radius,
         "published: move points to the mean of those within; 0: none");

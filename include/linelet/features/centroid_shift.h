@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <linelet/support/monitor.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
@@ -12,23 +12,23 @@ namespace linelet {
 
 /** \brief Parameters of \ref shiftToCentroids. */
 struct CentroidShiftSettings {
-  double radius = 0; ///< of the neighbourhoods, unit of the points
+  double radius = 0; ///< of the neighborhoods, unit of the points
   Centroid centroid = Centroid::Mean;
   Weighting weighting = Kernel::QuadraticInverse; ///< of the weighted centroids
   unsigned threads = 0;                           ///< 0: all
 };
 
-/** \brief Moves every point to the centroid of its neighbourhood, which thins out noise
+/** \brief Moves every point to the centroid of its neighborhood, which thins out noise
  * across curves before the multi-scale feature or a reconstruction.
  *
- * Neighbours (d <= radius) are always those of the unmoved points. Ends of curves draw
+ * Neighbors (d <= radius) are always those of the unmoved points. Ends of curves draw
  * in by about half the radius and curvature is cut, so the radius should be little more
  * than the noise. The same for every number of threads.
  * \param[in] points any; those that are not finite stay as they are
- * \throws std::invalid_argument unless the radius is positive and finite; Cancelled */
+ * \throws std::invalid_argument unless the radius is positive and finite; Canceled */
 Points
 shiftToCentroids(const Points& points,
                  const CentroidShiftSettings& settings,
-                 Monitor* monitor = nullptr);
+                 ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

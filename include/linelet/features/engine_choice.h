@@ -12,8 +12,8 @@ namespace linelet {
 /** \brief What the costs of the engines depend on. */
 struct EngineWork {
   std::size_t points = 0;  ///< of the surface
-  std::size_t queries = 0; ///< points around which neighbourhoods are made
-  double neighbours = 0;   ///< of a query, on average
+  std::size_t queries = 0; ///< points around which neighborhoods are made
+  double neighbors = 0;    ///< of a query, on average
   bool nearest = false;    ///< k nearest points rather than a radius
 };
 
@@ -21,27 +21,27 @@ struct EngineWork {
 struct DeviceCost {
   double start = 0; ///< opening the device and building the kernels
   double point = 0; ///< transfer, cells and sorting of a point
-  double pair = 0;  ///< a query and one of its neighbours
+  double pair = 0;  ///< a query and one of its neighbors
 };
 
-/** \brief The work that settings mean for a cloud. The number of neighbours is counted
+/** \brief The work that settings mean for a cloud. The number of neighbors is counted
  * around a few queries among every m-th point, so that it takes no time worth speaking
  * of: it is good to a factor of two. */
 EngineWork
 engineWork(const Points& surface,
            const Points& queries,
            const TensorSettings& settings,
-           const NeighbourhoodSizes& sizes = {});
+           const NeighborhoodSizes& sizes = {});
 
 /** \brief Seconds that an engine needs for \a work, by a model of a few terms:
  *
- * - tree: 8e-9 n log2 n to build; a query 3e-7 and 4.5e-8 a neighbour
- * - grid: 3e-5, and 1e-7 a point; a query 3e-7 and 2e-9 a neighbour; k nearest points
+ * - tree: 8e-9 n log2 n to build; a query 3e-7 and 4.5e-8 a neighbor
+ * - grid: 3e-5, and 1e-7 a point; a query 3e-7 and 2e-9 a neighbor; k nearest points
  *   are none of its strengths: as the tree, and the grid to build
  * - OpenCL: \a device
  *
  * The constants were measured with one thread of an EPYC (Genoa) on rolling ground of
- * 100 to 200,000 points with 10 to 5,000 neighbours. They hold to a factor of two,
+ * 100 to 200,000 points with 10 to 5,000 neighbors. They hold to a factor of two,
  * which is closer than the engines are to each other where the choice matters. */
 double
 estimatedSeconds(Engine engine,
@@ -59,7 +59,7 @@ Engine
 chosenEngine(const Points& surface,
              const Points& queries,
              const TensorSettings& settings,
-             const NeighbourhoodSizes& sizes = {},
+             const NeighborhoodSizes& sizes = {},
              const DeviceCost* device = nullptr);
 
 } // namespace linelet

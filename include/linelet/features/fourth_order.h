@@ -13,7 +13,7 @@
 
 #include <linelet/features/multi_scale.h>
 #include <linelet/support/names.h>
-#include <linelet/tensor/neighbourhood_tensor.h>
+#include <linelet/tensor/neighborhood_tensor.h>
 
 namespace linelet {
 
@@ -146,13 +146,13 @@ FourthOrderTensor
 fourthOrderTensor(const std::vector<SymmetricTensor>& tensors,
                   ScaleWeight weight = ScaleWeight::Linearity);
 
-/** \brief The fourth-order tensor of the neighbourhood of every query over the radii
+/** \brief The fourth-order tensor of the neighborhood of every query over the radii
  * that \a settings ask for; see \ref multiScaleShapes, errors included. */
 std::vector<FourthOrderTensor>
 fourthOrderTensors(const Points& surface,
                    const Points& queries,
                    const MultiScaleSettings& settings = {},
                    ScaleWeight weight = ScaleWeight::Linearity,
-                   Monitor* monitor = nullptr);
+                   ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

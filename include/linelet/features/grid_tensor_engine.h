@@ -15,19 +15,19 @@ namespace linelet {
  * Points are sorted into blocks about as wide as the radius; the inner loops run over
  * vectors of candidates, on the best instruction set found at run time. Sums are in
  * float relative to the query's surroundings and in double beyond them; numbers of
- * neighbours are exactly those of the other engines, shape factors agree to 1e-4
+ * neighbors are exactly those of the other engines, shape factors agree to 1e-4
  * (median and step: exactly). Memory beside input and output is 30 to 40 bytes a point,
  * and for every thread some 20 bytes a candidate: much only where a ball holds a large
  * part of the cloud.
  *
  * Settings and sizes are those of \ref estimateTensors with a radius, or one a query.
- * \throws std::invalid_argument, Cancelled as there */
+ * \throws std::invalid_argument, Canceled as there */
 std::vector<PointDistributionTensor>
 estimateTensorsOnGrid(const Points& surface,
                       const Points& queries,
                       const TensorSettings& settings,
-                      const NeighbourhoodSizes& sizes = {},
-                      Monitor* monitor = nullptr);
+                      const NeighborhoodSizes& sizes = {},
+                      ProgressMonitor* monitor = nullptr);
 
 /** \brief Name of the instruction set that the grid engine runs on here. */
 std::string_view

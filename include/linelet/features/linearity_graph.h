@@ -56,7 +56,7 @@ struct Names<GraphIntegral> {
 struct LinearityGraphSettings {
   ScaleScore score = ScaleScore::Product;
   GraphIntegral integral = GraphIntegral::Scales;
-  /// Smallest neighbourhood whose scale may become the optimal one; the point itself
+  /// Smallest neighborhood whose scale may become the optimal one; the point itself
   /// counts, so that 7 is what the scale unit D holds in the median.
   unsigned min_neighbors = 7;
 };
@@ -69,12 +69,12 @@ describe(LinearityGraphSettings& s, Visit&& visit)
   visit("graph-integral", s.integral, "variable of the area under the linearity graph");
   visit("min-neighbors",
         s.min_neighbors,
-        "smallest neighbourhood of an optimal scale, the point itself included");
+        "smallest neighborhood of an optimal scale, the point itself included");
 }
 
 /** \brief A local maximum of a linearity graph. Scales count from 0. */
 struct GraphMaximum {
-  std::size_t scale;    ///< k_j; on a plateau its first scale with enough neighbours
+  std::size_t scale;    ///< k_j; on a plateau its first scale with enough neighbors
   std::size_t left;     ///< j-: nearest local minimum below, or where the graph begins
   std::size_t right;    ///< j+: nearest local minimum above, or where the graph ends
   double area_fraction; ///< A_j / A, held to [0, 1]
@@ -87,7 +87,7 @@ struct GraphMaximum {
 struct LinearityGraph {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  std::vector<GraphMaximum> maxima; ///< by scale; scales with enough neighbours only
+  std::vector<GraphMaximum> maxima; ///< by scale; scales with enough neighbors only
   std::vector<std::size_t> minima;  ///< by scale; a plateau is named by its last scale
   double area = 0;                  ///< A, NaN where no scale is defined
   double largest = 0;               ///< CL_max, NaN where no scale is defined
@@ -112,14 +112,14 @@ constexpr double flat_linearity = 1e-6;
  * - A run of equal values (within \ref flat_linearity) is one extremum. It is a minimum
  *   if the graph is higher on both sides (its ends are none), a maximum if it is lower
  *   on every side that exists; so a flat graph and a graph of one scale are maxima.
- * - Maxima are sought where the neighbourhood has settings.min_neighbors points, on the
+ * - Maxima are sought where the neighborhood has settings.min_neighbors points, on the
  *   part of the graph from the first such scale on; j- does not reach below it.
  * - A runs from the first defined scale to the end of the last local minimum, else to
  *   the end of the graph. Where it is 0 the fraction A_j/A is 1.
  * - Of equal scores the smaller scale wins.
  *
  * \param[in] linearity CL at each scale, NaN where not defined
- * \param[in] neighbors points in the neighbourhood at each scale, the point itself
+ * \param[in] neighbors points in the neighborhood at each scale, the point itself
  * included; not falling
  * \param[in] radii radius of each scale, rising
  * \throws std::invalid_argument unless the three are of the same length */

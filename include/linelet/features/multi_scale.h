@@ -13,19 +13,19 @@
 #include <linelet/features/linearity_graph.h>
 #include <linelet/features/multi_scale_radii.h>
 #include <linelet/features/multi_scale_types.h>
-#include <linelet/support/monitor.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/tensor/centroid.h>
 #include <linelet/tensor/weighting.h>
 
 namespace linelet {
 
-/** \brief What measures the neighbourhoods. */
+/** \brief What measures the neighborhoods. */
 enum class ScaleEngine {
   Auto,  ///< Sweep for small clouds and for few queries among many points, else Grid
   Sweep, ///< one search at the largest radius serves all scales, all in double
-  Grid   ///< one vectorised sweep over all scales, shape factors to 1e-4
+  Grid   ///< one vectorized sweep over all scales, shape factors to 1e-4
 };
 
 template <>
@@ -43,8 +43,9 @@ struct MultiScaleSettings {
   Centroid centroid = Centroid::QueryPoint;
   Weighting centroid_weighting = Kernel::QuadraticInverse; ///< w_C
   RadiusGrowth growth = RadiusGrowth::Exponential;
-  double max_radius = 0;     ///< unit of the points; 0: 60 D
-  std::vector<double> radii; ///< rising; if given, they stand in place of the ladder
+  double max_radius = 0; ///< unit of the points; 0: 60 D
+  std::vector<double>
+      radii; ///< rising; if given, they stand in place of the multi-scale sweep
   /// Stop rule: the largest radius is the first at which the shape factors of no point
   /// differ by this much from those at the radius before. Only for the mean and median
   /// centroids, where they converge. 0: no such rule.
@@ -76,7 +77,7 @@ describe(MultiScaleSettings& s, Visit&& visit)
   visit("scale-unit-seed", s.scale_unit_seed, "seed of that sample");
   visit("engine",
         s.engine,
-        "what measures the neighbourhoods; auto: sweep for small clouds, else grid");
+        "what measures the neighborhoods; auto: sweep for small clouds, else grid");
   describe(s.graph, visit);
 }
 
@@ -98,10 +99,10 @@ using ShapeGraphSink = std::function<void(std::size_t query, const ShapeGraph& g
 MultiScaleShapes
 multiScaleRadii(const Points& surface,
                 const MultiScaleSettings& settings,
-                Monitor* monitor = nullptr);
+                ProgressMonitor* monitor = nullptr);
 
 /** \brief The engine that \ref multiScaleShapes runs: what ScaleEngine::Auto stands
- * for, judged by the numbers of points and queries and the neighbours that a sample of
+ * for, judged by the numbers of points and queries and the neighbors that a sample of
  * the queries has within the largest radius. */
 ScaleEngine
 chosenScaleEngine(const Points& surface,
@@ -110,24 +111,24 @@ chosenScaleEngine(const Points& surface,
                   const MultiScaleSettings& settings);
 
 /** \brief The multi-scale shape feature (Ritter, Schiffner, Harders 2021): the shape of
- * the neighbourhood of every query at a ladder of radii, and the scale that serves the
+ * the neighborhood of every query at a sequence of radii, and the scale that serves the
  * reconstruction of curves best.
  *
  * One search at the largest radius serves all scales. The tensor at radius r is that of
- * the points with d <= r; scales with fewer than two neighbours away from the query are
+ * the points with d <= r; scales with fewer than two neighbors away from the query are
  * not defined. Nothing is kept per scale: who wants the graphs takes them from \a sink
  * as they come. The same for every number of threads.
  *
- * \param[in] surface points among which neighbours are sought; those with a coordinate
+ * \param[in] surface points among which neighbors are sought; those with a coordinate
  * that is not finite are left out
  * \param[in] queries where the feature is wanted; NaN for one that is not finite. A
- * query that is to count as its own neighbour belongs to \a surface as well
- * \throws std::invalid_argument as \ref multiScaleRadii; Cancelled */
+ * query that is to count as its own neighbor belongs to \a surface as well
+ * \throws std::invalid_argument as \ref multiScaleRadii; Canceled */
 MultiScaleShapes
 multiScaleShapes(const Points& surface,
                  const Points& queries,
                  const MultiScaleSettings& settings = {},
                  const ShapeGraphSink& sink = {},
-                 Monitor* monitor = nullptr);
+                 ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

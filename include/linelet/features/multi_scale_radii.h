@@ -37,7 +37,7 @@ constexpr double default_largest_radius = 60;
  * \a max_radius is not finite or smaller than D, or where there would be more than
  * 4096 radii */
 std::vector<double>
-radiusLadder(RadiusGrowth growth, double scale_unit, double max_radius = 0);
+radiusSequence(RadiusGrowth growth, double scale_unit, double max_radius = 0);
 
 /** \brief Checks radii that a user gave.
  * \throws std::invalid_argument unless they are positive, finite, rising, at least one

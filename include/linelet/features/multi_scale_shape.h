@@ -22,7 +22,7 @@ namespace linelet {
  * setRadiusSearch, which other features need, gives the largest radius here, as \ref
  * setMaxRadius does; setKSearch is refused. A search given by setSearchMethod is left
  * aside, as one built-in grid over the largest radius serves all scales; it would find
- * the same neighbours.
+ * the same neighbors.
  *
  * Output has one record a query, in order. Where nothing can be known the floats of a
  * record are NaN and is_dense is false; as everywhere in PCL only the header of the
@@ -110,7 +110,7 @@ public:
     sink_ = std::move(sink);
   }
 
-  /** \brief CL, CP, CS, neighbours and direction of every query at every radius of the
+  /** \brief CL, CP, CS, neighbors and direction of every query at every radius of the
    * last compute; empty after setKeepGraphs(false). */
   const std::vector<ShapeGraph>&
   graphs() const

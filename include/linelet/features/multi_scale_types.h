@@ -9,11 +9,11 @@
 
 namespace linelet {
 
-/** \brief What the shapes of a point's neighbourhood over many scales come to.
+/** \brief What the shapes of a point's neighborhood over many scales come to.
  *
  * Everything that cannot be known is NaN (scale: -1): all of it where no scale has two
- * neighbours beside the point; the shape at the optimal scale, its radius, blend and
- * direction where no scale has enough neighbours to be chosen. */
+ * neighbors beside the point; the shape at the optimal scale, its radius, blend and
+ * direction where no scale has enough neighbors to be chosen. */
 struct MultiScaleShape {
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -28,17 +28,17 @@ struct MultiScaleShape {
   float major_x = nan;        ///< e3 at the optimal scale, a unit vector whose
   float major_y = nan;        ///< component of largest magnitude is positive
   float major_z = nan;
-  /// Points in the neighbourhood of the optimal scale, the point itself included; 0
+  /// Points in the neighborhood of the optimal scale, the point itself included; 0
   /// where there is none.
   std::uint32_t neighbors = 0;
-  /// N1: neighbours beside the point in the smallest scale that has any; 0 where there
+  /// N1: neighbors beside the point in the smallest scale that has any; 0 where there
   /// is none.
   std::uint32_t first_neighbors = 0;
   std::int32_t scale = -1; ///< the optimal scale, counted from 0
 };
 
-/** \brief The shape of one neighbourhood: a point of the graphs CL, CP, CS. NaN where
- * the scale is not defined: fewer than 2 neighbours away from the point, or all weights
+/** \brief The shape of one neighborhood: a point of the graphs CL, CP, CS. NaN where
+ * the scale is not defined: fewer than 2 neighbors away from the point, or all weights
  * 0. */
 struct ScaleShape {
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -11,23 +11,23 @@
 
 namespace linelet {
 
-/** \brief The neighbourhood tensor of every point of a cloud, with its eigen-analysis
+/** \brief The neighborhood tensor of every point of a cloud, with its eigen-analysis
  * and shape factors: \ref estimateTensors in a PCL chain.
  *
- * Exactly one size of neighbourhood must be set: setRadiusSearch, setKSearch, \ref
- * setRadii or \ref setCounts. Points with d <= radius belong to a neighbourhood, d
+ * Exactly one size of neighborhood must be set: setRadiusSearch, setKSearch, \ref
+ * setRadii or \ref setCounts. Points with d <= radius belong to a neighborhood, d
  * computed in double, the query point included where it is part of the surface.
  *
- * Neighbours come from the search given by setSearchMethod (any of them; PCL hands a
+ * Neighbors come from the search given by setSearchMethod (any of them; PCL hands a
  * cloud to its search only when the pointer changes, so never alter a cloud in place),
- * else from a built-in grid or kd-tree; all find the same neighbours and give the same
+ * else from a built-in grid or kd-tree; all find the same neighbors and give the same
  * result.
  *
  * Output has one record a query, in order. Where a tensor cannot be known all floats of
  * the record are NaN and is_dense is false; `neighbors` is always what was found. As
  * everywhere in PCL only the header of the cloud is carried over. compute gives an
  * empty output, with a message through PCL_ERROR, if there is no input, no finite point
- * in the surface, an index beyond the cloud, or a size of neighbourhood that is not
+ * in the surface, an index beyond the cloud, or a size of neighborhood that is not
  * positive and finite.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
@@ -105,21 +105,21 @@ protected:
   estimate(const Points& surface,
            const Points& queries,
            const TensorSettings& settings,
-           const NeighbourhoodSizes& sizes);
+           const NeighborhoodSizes& sizes);
 
 private:
   void
   computeFeature(PointCloudOut& output) override;
 
-  /** \brief The settings, with the size of neighbourhood that PCL keeps. */
+  /** \brief The settings, with the size of neighborhood that PCL keeps. */
   TensorSettings
   fullSettings() const;
 
   /** \brief The sizes of the queries. */
-  NeighbourhoodSizes
+  NeighborhoodSizes
   querySizes() const;
 
-  NeighbourhoodSizes sizes_; // of all points of the input
+  NeighborhoodSizes sizes_; // of all points of the input
 };
 
 extern template class PointDistributionTensorEstimation<pcl::PointXYZ>;

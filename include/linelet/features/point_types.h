@@ -7,10 +7,10 @@
 
 namespace linelet {
 
-/** \brief The neighbourhood tensor of a point and what follows from it.
+/** \brief The neighborhood tensor of a point and what follows from it.
  *
  * All floats are NaN where the tensor cannot be known: a query that is not finite, no
- * neighbours, all neighbours at the point of reference, or no weight on any of them.
+ * neighbors, all neighbors at the point of reference, or no weight on any of them.
  * \ref neighbors is always what was found. */
 struct PointDistributionTensor {
   float xx, xy, xz, yy, yz, zz;           ///< the tensor, squared length
@@ -18,7 +18,7 @@ struct PointDistributionTensor {
   float major_x, major_y, major_z;        ///< e3: unit vector along the largest extent
   float normal_x, normal_y, normal_z;     ///< e1: unit vector along the smallest extent
   float linearity, planarity, sphericity; ///< shape factors in [0, 1], sum 1
-  std::uint32_t neighbors; ///< points in the neighbourhood, the query point included
+  std::uint32_t neighbors; ///< points in the neighborhood, the query point included
                            ///< where it belongs to the search surface
 };
 

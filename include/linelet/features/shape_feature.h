@@ -15,7 +15,7 @@
 
 namespace linelet {
 
-/** \brief What the features of neighbourhood shapes share as PCL classes: their common
+/** \brief What the features of neighborhood shapes share as PCL classes: their common
  * parameters, the checks of what they are given, and the form of what they return.
  *
  * \tparam RecordT the output, floats that are NaN where they cannot be known, with a

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include <linelet/features/point_types.h>
-#include <linelet/search/neighbour_search.h>
-#include <linelet/support/monitor.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/tensor/centroid.h>
-#include <linelet/tensor/neighbourhood_tensor.h>
+#include <linelet/tensor/neighborhood_tensor.h>
 #include <linelet/tensor/weighting.h>
 
 namespace linelet {
 
-/** \brief What finds the neighbours. All engines give the same neighbours. */
+/** \brief What finds the neighbors. All engines give the same neighbors. */
 enum class Engine {
   Auto,  ///< the cheapest one, see engine_choice.h
   Tree,  ///< a kd-tree
@@ -38,7 +38,7 @@ struct Names<Engine> {
   }};
 };
 
-/** \brief What a neighbourhood is and how its points count. */
+/** \brief What a neighborhood is and how its points count. */
 struct TensorSettings {
   double radius = 0;
   unsigned k = 0;
@@ -53,20 +53,20 @@ template <class Visit>
 void
 describe(TensorSettings& s, Visit&& visit)
 {
-  visit("radius", s.radius, "radius of every neighbourhood, in the unit of the cloud");
-  visit("knn", s.k, "number of nearest points that make a neighbourhood, instead");
+  visit("radius", s.radius, "radius of every neighborhood, in the unit of the cloud");
+  visit("knn", s.k, "number of nearest points that make a neighborhood, instead");
   visit("weight",
         s.weighting,
         "weighting of the tensor: the name of a kernel ('?' lists them), "
         "fermi-dirac:M,T or step:S");
   visit("centroid", s.centroid, "point of reference");
   visit("centroid-weight", s.centroid_weighting, "weighting of weighted centroids");
-  visit("engine", s.engine, "what finds the neighbours");
+  visit("engine", s.engine, "what finds the neighbors");
 }
 
-/** \brief Sizes of neighbourhoods point by point, instead of TensorSettings::radius and
+/** \brief Sizes of neighborhoods point by point, instead of TensorSettings::radius and
  * TensorSettings::k. One of the two may be given, with an entry for every query. */
-struct NeighbourhoodSizes {
+struct NeighborhoodSizes {
   std::vector<double> radii;    ///< a point without a positive finite radius gets NaN
   std::vector<unsigned> counts; ///< numbers of nearest points; 0: the point gets NaN
 
@@ -77,59 +77,59 @@ struct NeighbourhoodSizes {
   }
 };
 
-/** \brief Checks that exactly one size of neighbourhood is said, and that it makes
+/** \brief Checks that exactly one size of neighborhood is said, and that it makes
  * sense.
  * \param[in] queries number of query points
  * \throws std::invalid_argument with the value and what is expected */
 void
 validate(const TensorSettings& settings,
-         const NeighbourhoodSizes& sizes,
+         const NeighborhoodSizes& sizes,
          std::size_t queries);
 
-/** \brief The record of one neighbourhood: centroid, tensor, eigen-analysis and shape
+/** \brief The record of one neighborhood: centroid, tensor, eigen-analysis and shape
  * factors, all in double. Every engine is this, or is tested against it.
- * \param[in] offsets neighbours relative to the query point
- * \param[in] radius of the neighbourhood, 0 where all neighbours lie at the query point
+ * \param[in] offsets neighbors relative to the query point
+ * \param[in] radius of the neighborhood, 0 where all neighbors lie at the query point
  */
 PointDistributionTensor
 tensorOf(const Points& offsets, double radius, const TensorSettings& settings);
 
 /** \brief The record of a tensor: eigen-analysis and shape factors.
- * \param[in] tensor of the neighbourhood
- * \param[in] extent distance of the farthest neighbour, see \ref shapeFactors
- * \param[in] neighbors number of neighbours */
+ * \param[in] tensor of the neighborhood
+ * \param[in] extent distance of the farthest neighbor, see \ref shapeFactors
+ * \param[in] neighbors number of neighbors */
 PointDistributionTensor
 recordOf(const SymmetricTensor& tensor, double extent, std::uint32_t neighbors);
 
 /** \brief The record of a point of which nothing is known, with the number of
- * neighbours that were found. */
+ * neighbors that were found. */
 PointDistributionTensor
 unknownTensor(std::uint32_t neighbors);
 
-/** \brief The neighbourhood tensor of every query point (Ritter et al. 2012).
- * \param[in] surface the points that neighbourhoods are made of
+/** \brief The neighborhood tensor of every query point (Ritter et al. 2012).
+ * \param[in] surface the points that neighborhoods are made of
  * \param[in] queries points around which they are made; a query that is not finite gets
  * NaN
  * \param[in] settings with a radius or k, or neither if \a sizes says them point by
  * point
  * \return one record a query, in order
  * \throws std::invalid_argument see \ref validate
- * \throws Cancelled */
+ * \throws Canceled */
 std::vector<PointDistributionTensor>
 estimateTensors(const Points& surface,
                 const Points& queries,
                 const TensorSettings& settings,
-                const NeighbourhoodSizes& sizes = {},
-                Monitor* monitor = nullptr);
+                const NeighborhoodSizes& sizes = {},
+                ProgressMonitor* monitor = nullptr);
 
-/** \brief The same with neighbours from \a search over \a surface; the engine of
+/** \brief The same with neighbors from \a search over \a surface; the engine of
  * \a settings has no say. */
 std::vector<PointDistributionTensor>
-estimateTensors(const NeighbourSearch& search,
+estimateTensors(const NeighborSearch& search,
                 const Points& surface,
                 const Points& queries,
                 const TensorSettings& settings,
-                const NeighbourhoodSizes& sizes = {},
-                Monitor* monitor = nullptr);
+                const NeighborhoodSizes& sizes = {},
+                ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

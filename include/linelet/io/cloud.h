@@ -86,22 +86,22 @@ referenceName(const std::string& wkt);
 
 /** \brief The units that coordinates count in. */
 struct Units {
-  double plan = 1;                   ///< metres in one of x and y; NaN: no lengths
-  double height = 1;                 ///< metres in one of z
+  double plan = 1;                   ///< meters in one of x and y; NaN: no lengths
+  double height = 1;                 ///< meters in one of z
   std::string plan_name = "metre";   ///< "degree", "US survey foot", ...
   std::string height_name = "metre"; ///< the same for z
   bool height_stated = true;         ///< else z is taken to count as x and y do
 
-  /** \brief Whether every unit is the metre. */
+  /** \brief Whether every unit is the meter. */
   bool
-  areMetres() const
+  areMeters() const
   {
     return plan == 1 && height == 1;
   }
 };
 
 /** \brief The units of the reference system \a wkt: those of its horizontal and of its
- * vertical part. Metres where it is empty or cannot be understood. */
+ * vertical part. Meters where it is empty or cannot be understood. */
 Units
 unitsOf(const std::string& wkt);
 

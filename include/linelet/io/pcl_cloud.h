@@ -18,7 +18,7 @@ namespace linelet::io {
 namespace detail {
 
 /** \brief Calls f(name of the column, access to the member) for every attribute that
- * the point type P has in common with Cloud, colours apart. */
+ * the point type P has in common with Cloud, colors apart. */
 template <class P, class F>
 void
 forEachAttribute(F f)
@@ -41,18 +41,18 @@ forEachAttribute(F f)
 
 /** \brief What a channel of \a column is divided by to become 8 bits. */
 inline double
-colourDivisor(const Column& column)
+colorDivisor(const Column& column)
 {
   double largest = 0;
   for (std::size_t i = 0; i < size(column.values); ++i)
     largest = std::max(largest, valueAt(column, i));
-  return largest > 255 ? 256 : 1; // LAS stores 8 bit colours in the upper half of 16
+  return largest > 255 ? 256 : 1; // LAS stores 8 bit colors in the upper half of 16
 }
 
 } // namespace detail
 
 /** \brief The points of \a cloud, relative to its shift, as a PCL cloud: x, y, z, and
- * intensity, colours and normals where both have them. What is missing stays at P's
+ * intensity, colors and normals where both have them. What is missing stays at P's
  * default. */
 template <class P>
 pcl::PointCloud<P>
@@ -76,7 +76,7 @@ toPcl(const Cloud& cloud)
       return out;
     double divisor = 1;
     for (const Column* channel : channels)
-      divisor = std::max(divisor, detail::colourDivisor(*channel));
+      divisor = std::max(divisor, detail::colorDivisor(*channel));
     const auto byte = [&](int channel, std::size_t i) {
       return static_cast<std::uint8_t>(valueAt(*channels[channel], i) / divisor);
     };

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <linelet/io/cloud.h>
-#include <linelet/support/monitor.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::io {
 
@@ -58,7 +58,7 @@ Cloud
 readCloud(const std::string& path,
           const ReadOptions& options = {},
           std::vector<std::string>* warnings = nullptr,
-          Monitor* monitor = nullptr);
+          ProgressMonitor* monitor = nullptr);
 
 /** \brief Writes \a cloud in the format that the ending of \a path names, and removes
  * a file of a shift that was there for another cloud.
@@ -69,6 +69,6 @@ writeCloud(const std::string& path,
            const Cloud& cloud,
            const WriteOptions& options = {},
            std::vector<std::string>* warnings = nullptr,
-           Monitor* monitor = nullptr);
+           ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet::io

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include <linelet/curves/curve_network.h>
-#include <linelet/support/monitor.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::io {
 
@@ -49,26 +49,26 @@ struct VectorLayer {
  * \param[in] wkt reference system, empty: unknown
  * \param[out] warnings one sentence where readers will take the coordinates for what
  * they are not
- * \throws FileError, Cancelled */
+ * \throws FileError, Canceled */
 void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
             const std::string& wkt,
             std::vector<std::string>* warnings = nullptr,
-            Monitor* monitor = nullptr);
+            ProgressMonitor* monitor = nullptr);
 
 /** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
  * (lines), .csv, .geojson, .gpkg, .dxf.
  * \param[in] shift added to every vertex: the output is in world coordinates
  * \param[in] wkt see \ref writeLayers, as for \a warnings
- * \throws FileError, Cancelled */
+ * \throws FileError, Canceled */
 void
 writeCurves(const std::string& path,
             const CurveNetwork& network,
             const Point& shift = Point::Zero(),
             const std::string& wkt = {},
             std::vector<std::string>* warnings = nullptr,
-            Monitor* monitor = nullptr);
+            ProgressMonitor* monitor = nullptr);
 
 /** \brief Reads polylines back from .obj (`v x y z`, `l i j k ...`); a line whose last
  * vertex is its first is closed.

@@ -43,7 +43,7 @@ protected:
   estimate(const Points& surface,
            const Points& queries,
            const TensorSettings& settings,
-           const NeighbourhoodSizes& sizes) override;
+           const NeighborhoodSizes& sizes) override;
 
 private:
   std::string device_;

@@ -23,11 +23,11 @@ struct StageTimes {
   double download = 0; ///< the way back
 };
 
-/** \brief The neighbourhood tensor on an OpenCL 1.2 device (Grasso et al. 2015).
+/** \brief The neighborhood tensor on an OpenCL 1.2 device (Grasso et al. 2015).
  *
- * Keys of cells, a bitonic sort, neighbours, centroids, tensors and their
+ * Keys of cells, a bitonic sort, neighbors, centroids, tensors and their
  * eigen-analysis are computed on the device, in float relative to each query point.
- * Shape factors agree with \ref estimateTensors within 1e-4, neighbours exactly: pairs
+ * Shape factors agree with \ref estimateTensors within 1e-4, neighbors exactly: pairs
  * that float cannot tell are decided in double, where the device has none by completing
  * these queries on the host. The k nearest points are those of the ball that counting
  * narrows down to; queries around which several are equally far, or which lie far from
@@ -60,13 +60,13 @@ public:
    * \throws std::invalid_argument for Centroid::WeightedMedian, which this engine does
    * not know, and for k nearest points on a device without double precision
    * \throws Error
-   * \throws Cancelled between slabs */
+   * \throws Canceled between slabs */
   std::vector<PointDistributionTensor>
   estimate(const Points& surface,
            const Points& queries,
            const TensorSettings& settings,
-           const NeighbourhoodSizes& sizes = {},
-           Monitor* monitor = nullptr);
+           const NeighborhoodSizes& sizes = {},
+           ProgressMonitor* monitor = nullptr);
 
   /** \brief Of the last \ref estimate, summed over its slabs. */
   const StageTimes&

@@ -6,19 +6,19 @@
 #include <linelet/io/cloud.h>
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/powerline/power_line_settings.h>
-#include <linelet/support/monitor.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::powerline {
 
 /** \brief Takes every wire out of an airborne or UAV scan, without training or map.
  *
- * Candidates above ground with a line-like neighbourhood seed wires; a wire grows along
+ * Candidates above ground with a line-like neighborhood seed wires; a wire grows along
  * itself as a parabola (the head of a catenary) with robust weights, as long as the
  * points ahead stand out from those around; it is broken at supports, accepted by
  * evidence, joined with its continuation, and fitted as a catenary. Finding nothing is
  * a normal result.
  *
- * \param[in] points metres, z up; points that are not finite take no part
+ * \param[in] points meters, z up; points that are not finite take no part
  * \param[in] classes class of every point, or empty; read for the ground (2) with
  * PowerLineSettings::use_classes, and passed on to the output for all other points
  * \param[in] settings see there
@@ -26,20 +26,20 @@ namespace linelet::powerline {
  * \return wires, supports and a label for every point
  * \throws std::invalid_argument for a setting out of range, or classes of another
  * length
- * \throws Cancelled */
+ * \throws Canceled */
 PowerLineNetwork
 extractPowerLines(const Points& points,
                   const std::vector<std::uint8_t>& classes = {},
                   const PowerLineSettings& settings = {},
-                  Monitor* monitor = nullptr);
+                  ProgressMonitor* monitor = nullptr);
 
 /** \brief The same for a cloud, whose column `classification` gives the classes.
- * Withheld points take no part (io::UsablePoints). The network is in metres also where
+ * Withheld points take no part (io::UsablePoints). The network is in meters also where
  * the cloud is not: see MetricFrame.
  * \throws std::invalid_argument also where the cloud's units are no lengths */
 PowerLineNetwork
 extractPowerLines(const io::Cloud& cloud,
                   const PowerLineSettings& settings = {},
-                  Monitor* monitor = nullptr);
+                  ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet::powerline

@@ -12,8 +12,8 @@ namespace linelet::powerline {
 
 /** \brief Terrain as heights on a square raster, interpolated between its nodes. */
 struct Ground {
-  double cell = 1;            ///< side of a cell, metres
-  double x = 0, y = 0;        ///< centre of the first cell
+  double cell = 1;            ///< side of a cell, meters
+  double x = 0, y = 0;        ///< center of the first cell
   int columns = 0, rows = 0;  ///< cells along x and y
   std::vector<float> heights; ///< row by row, x fastest; empty where nothing is known
 

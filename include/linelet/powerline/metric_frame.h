@@ -8,16 +8,16 @@
 namespace linelet::powerline {
 
 /** \brief The way between a cloud, which may count in feet, and a network of its lines,
- * which is in metres: the same axes, from the same origin (io::Cloud::shift). */
+ * which is in meters: the same axes, from the same origin (io::Cloud::shift). */
 class MetricFrame {
 public:
   /** \brief The frame of \a cloud, by the units of its reference system.
    * \throws std::invalid_argument where these are no lengths (degrees) */
   explicit MetricFrame(const io::Cloud& cloud);
 
-  /** \brief A point of the cloud (without its shift) in metres. */
+  /** \brief A point of the cloud (without its shift) in meters. */
   Point
-  metres(const Point& of_cloud) const
+  meters(const Point& of_cloud) const
   {
     return of_cloud.cwiseProduct(unit_);
   }
@@ -29,9 +29,9 @@ public:
     return of_network.cwiseQuotient(unit_) + shift_;
   }
 
-  /** \brief Metres above the zero of heights, of a height in the network. */
+  /** \brief Meters above the zero of heights, of a height in the network. */
   double
-  metresAbove(double z) const
+  metersAbove(double z) const
   {
     return z + shift_.z() * unit_.z();
   }
@@ -44,7 +44,7 @@ public:
 
 private:
   io::Units units_;
-  Point shift_, unit_; // unit_: metres in one of each axis
+  Point shift_, unit_; // unit_: meters in one of each axis
 };
 
 } // namespace linelet::powerline

@@ -28,13 +28,13 @@ constexpr std::uint8_t unclassified = 1;
  * s from \ref from to \ref to. The lowest point may lie outside of the span. */
 struct Catenary {
   Point lowest = Point::Zero(); ///< vertex of the curve
-  double a = 1000;    ///< horizontal tension over weight per length, metres; > 0
+  double a = 1000;    ///< horizontal tension over weight per length, meters; > 0
   double azimuth = 0; ///< degrees clockwise from +y (north), [0, 360)
   double swing = 0; ///< degrees out of the vertical, to the right positive; 0: no wind
-  double from = 0;  ///< s of the front end, metres
+  double from = 0;  ///< s of the front end, meters
   double to = 0;    ///< s of the back end, > from
 
-  /** \brief The point at \a s, metres along the azimuth from the lowest point. */
+  /** \brief The point at \a s, meters along the azimuth from the lowest point. */
   Point
   at(double s) const;
 
@@ -42,7 +42,7 @@ struct Catenary {
   double
   along(const Point& p) const;
 
-  /** \brief Distance of \a p from the curve in the plane across it, metres. */
+  /** \brief Distance of \a p from the curve in the plane across it, meters. */
   double
   distance(const Point& p) const;
 
@@ -55,7 +55,7 @@ struct Catenary {
 /** \brief The closest approach of something to a wire from below or beside. */
 struct Clearance {
   double distance =
-      std::numeric_limits<double>::quiet_NaN(); ///< metres; NaN: none near
+      std::numeric_limits<double>::quiet_NaN(); ///< meters; NaN: none near
   Point wire = Point::Zero();                   ///< place on the wire
   Point other = Point::Zero(); ///< place on the ground, or the vegetation point
 
@@ -81,11 +81,11 @@ struct Wire {
   int conductors = 1;     ///< 2: stands for a bundle whose conductors the points do not
                           ///< tell apart everywhere (two or more)
   std::size_t points = 0; ///< cloud points that it explains
-  double rms = 0;         ///< of their distances to the curve, metres
-  double length = 0;      ///< along the curve, metres
-  double span_length = 0; ///< horizontal distance of the end points, metres
-  double sag = 0;         ///< largest vertical distance from the chord, metres
-  double largest_gap = 0; ///< longest stretch without a point, metres
+  double rms = 0;         ///< of their distances to the curve, meters
+  double length = 0;      ///< along the curve, meters
+  double span_length = 0; ///< horizontal distance of the end points, meters
+  double sag = 0;         ///< largest vertical distance from the chord, meters
+  double largest_gap = 0; ///< longest stretch without a point, meters
   Clearance ground;       ///< lowest vertical clearance to the terrain
   Clearance vegetation;  ///< smallest distance to a point off ground that is no part of
                          ///< the line (trees, bushes, houses)
@@ -98,14 +98,14 @@ struct Wire {
 Points
 polyline(const Wire& wire, double deviation = 0.005);
 
-/** \brief All wires between two neighbouring supports. */
+/** \brief All wires between two neighboring supports. */
 struct Span {
   int id = 0;                           ///< place in PowerLineNetwork::spans + 1
   int circuit = 0;                      ///< id of its line
   int number = 0;                       ///< 1, 2, ... along the line
   int from_support = 0, to_support = 0; ///< ids; 0: none seen (edge of the data, say)
   std::vector<int> wires;               ///< ids, by wire number
-  double length = 0;                    ///< mean horizontal length of its wires, metres
+  double length = 0;                    ///< mean horizontal length of its wires, meters
   double azimuth = 0; ///< degrees clockwise from +y, in the direction of the line
 };
 
@@ -113,13 +113,13 @@ struct Span {
 struct Support {
   enum class Kind {
     Pylon, ///< a tower: wider than a pole
-    Pole   ///< all points within half a metre or so of one axis
+    Pole   ///< all points within half a meter or so of one axis
   };
   int id = 0; ///< place in PowerLineNetwork::supports + 1
   Kind kind = Kind::Pylon;
   Point base = Point::Zero(); ///< on the ground; its lowest point where none is known
   Point top = Point::Zero();  ///< straight above, as high as its highest point
-  double height = 0;          ///< top - base, metres; NaN where no ground is known
+  double height = 0;          ///< top - base, meters; NaN where no ground is known
   std::size_t points = 0; ///< cloud points given to it; 0: inferred from wires alone
   double confidence = 1;  ///< [0, 1]
 };
@@ -138,7 +138,7 @@ struct StageTime {
 };
 
 /** \brief What \ref extractPowerLines found, in the coordinates of the points it got,
- * or in metres from the same origin (MetricFrame) where these were not metres. */
+ * or in meters from the same origin (MetricFrame) where these were not meters. */
 struct PowerLineNetwork {
   std::vector<Wire> wires;
   std::vector<Span> spans;
@@ -151,7 +151,7 @@ struct PowerLineNetwork {
                                      ///< where they only were given), else as given
   std::vector<std::int32_t> wire_id; ///< 0: none
   std::vector<std::int32_t> span_id; ///< 0: none
-  std::vector<float> wire_distance;  ///< to its wire, metres; NaN: none
+  std::vector<float> wire_distance;  ///< to its wire, meters; NaN: none
   /// @}
 
   Ground ground; ///< terrain, for profiles and clearances; without a height where the

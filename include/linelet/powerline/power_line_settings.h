@@ -7,7 +7,7 @@
 
 namespace linelet::powerline {
 
-/** \brief How to look for power lines. Lengths in metres. */
+/** \brief How to look for power lines. Lengths in meters. */
 struct PowerLineSettings {
   bool use_classes =
       false;            ///< take the terrain from points of class 2, where they exist
@@ -27,12 +27,12 @@ describe(PowerLineSettings& s, Visit&& visit)
   visit("use-classes",
         s.use_classes,
         "terrain from points of class 2 where there are any");
-  visit("clearance", s.clearance, "smallest clearance that is in order, metres");
-  visit("max-gap", s.max_gap, "never carry a wire on across a longer gap, metres");
-  visit("min-height", s.min_height, "wires hang higher above ground than this, metres");
+  visit("clearance", s.clearance, "smallest clearance that is in order, meters");
+  visit("max-gap", s.max_gap, "never carry a wire on across a longer gap, meters");
+  visit("min-height", s.min_height, "wires hang higher above ground than this, meters");
   visit("min-length",
         s.min_length,
-        "shortest wire to report, metres; shorter where the data end");
+        "shortest wire to report, meters; shorter where the data end");
 }
 
 } // namespace linelet::powerline

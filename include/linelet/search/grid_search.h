@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <linelet/search/neighbour_search.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/search/uniform_grid.h>
 
 namespace linelet {
 
-/** \brief UniformGrid as a NeighbourSearch. */
-class GridSearch : public NeighbourSearch {
+/** \brief UniformGrid as a NeighborSearch. */
+class GridSearch : public NeighborSearch {
 public:
   /** \param[in] points copied
    * \param[in] size best about the radius most asked for

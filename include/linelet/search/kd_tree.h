@@ -5,13 +5,13 @@
 
 #include <memory>
 
-#include <linelet/search/neighbour_search.h>
+#include <linelet/search/neighbor_search.h>
 
 namespace linelet {
 
-/** \brief A kd-tree in double: for neighbourhoods of very different size, k nearest
+/** \brief A kd-tree in double: for neighborhoods of very different size, k nearest
  * points above all. Where all have one radius, UniformGrid is faster. */
-class KdTree : public NeighbourSearch {
+class KdTree : public NeighborSearch {
 public:
   /** \brief Sorts \a points (copied) in n log n time. */
   explicit KdTree(const Points& points);

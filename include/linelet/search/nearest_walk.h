@@ -13,19 +13,19 @@
 namespace linelet {
 
 /** \brief The nearest points of each of many points, which are walked from one to its
- * nearest: the distance of a neighbour grows by no more than the step, so that hardly
+ * nearest: the distance of a neighbor grows by no more than the step, so that hardly
  * more points are looked at than are wanted. Make one a thread. */
 class NearestWalk {
 public:
   /** \param[in] points those of \a grid; both must outlive this
-   * \param[in] count neighbours of a point, at least 1 */
+   * \param[in] count neighbors of a point, at least 1 */
   NearestWalk(const Points& points, const UniformGrid& grid, std::size_t count)
       : points_(points), grid_(grid), count_(count), waiting_(points.size(), 0)
   {
   }
 
-  /** \brief Calls visit(index, neighbours) for the points from \a begin to \a end, in
-   * an order of its own. The neighbours (fewer where there are fewer) come near to far,
+  /** \brief Calls visit(index, neighbors) for the points from \a begin to \a end, in
+   * an order of its own. The neighbors (fewer where there are fewer) come near to far,
    * equals by index; the first is the point itself or one in its place. */
   template <class Visit>
   void
@@ -56,7 +56,7 @@ private:
   const UniformGrid& grid_;
   std::size_t count_;
   std::vector<char> waiting_; // by index
-  std::vector<UniformGrid::Neighbour> found_;
+  std::vector<UniformGrid::Neighbor> found_;
 };
 
 } // namespace linelet

@@ -15,7 +15,7 @@
 #include <pcl/search/search.h>
 
 #include <linelet/search/nearest_candidates.h>
-#include <linelet/search/neighbour_search.h>
+#include <linelet/search/neighbor_search.h>
 
 namespace linelet {
 
@@ -31,12 +31,12 @@ pointsOf(const pcl::PointCloud<PointT>& cloud)
   return points;
 }
 
-/** \brief Any `pcl::search::Search` as a NeighbourSearch.
+/** \brief Any `pcl::search::Search` as a NeighborSearch.
  *
  * PCL computes distances in float, each search in its own way. So it is only asked for
- * candidates, in a slightly larger radius; who is a neighbour is decided in double. */
+ * candidates, in a slightly larger radius; who is a neighbor is decided in double. */
 template <typename PointT>
-class PclSearch : public NeighbourSearch {
+class PclSearch : public NeighborSearch {
 public:
   /** \param[in] search over a cloud with at least one finite point; kept by reference,
    * its const functions are called from several threads
@@ -75,13 +75,14 @@ public:
     found.clear();
     if (count == 0 || !query.allFinite())
       return 0;
-    thread_local pcl::Indices slots;
+    thread_local pcl::Indices neighbors;
     thread_local std::vector<float> distances;
     const std::size_t most = std::min(count, points_.size());
-    search_.nearestKSearch(pclPoint(query), static_cast<int>(most), slots, distances);
+    search_.nearestKSearch(
+        pclPoint(query), static_cast<int>(most), neighbors, distances);
     double squared_radius = 0;
-    for (const pcl::index_t slot : slots)
-      squared_radius = std::max(squared_radius, squaredDistance(query, slot));
+    for (const pcl::index_t neighbor : neighbors)
+      squared_radius = std::max(squared_radius, squaredDistance(query, neighbor));
     thread_local std::vector<std::pair<double, Index>> candidates;
     candidates.clear();
     forEachCandidate(
@@ -103,9 +104,9 @@ private:
   }
 
   double
-  squaredDistance(const Point& query, pcl::index_t slot) const
+  squaredDistance(const Point& query, pcl::index_t neighbor) const
   {
-    return (points_[static_cast<std::size_t>(slot)] - query).squaredNorm();
+    return (points_[static_cast<std::size_t>(neighbor)] - query).squaredNorm();
   }
 
   template <class Visit>
@@ -118,11 +119,11 @@ private:
     constexpr double absolute = 4 * std::numeric_limits<float>::epsilon();
     const double coordinate = std::max(largest_, query.cwiseAbs().maxCoeff());
     const double reach = radius * (1 + relative) + coordinate * absolute;
-    thread_local pcl::Indices slots;
+    thread_local pcl::Indices neighbors;
     thread_local std::vector<float> distances;
-    search_.radiusSearch(pclPoint(query), reach, slots, distances);
-    for (const pcl::index_t slot : slots)
-      visit(static_cast<Index>(slot), squaredDistance(query, slot));
+    search_.radiusSearch(pclPoint(query), reach, neighbors, distances);
+    for (const pcl::index_t neighbor : neighbors)
+      visit(static_cast<Index>(neighbor), squaredDistance(query, neighbor));
   }
 
   const pcl::search::Search<PointT>& search_;

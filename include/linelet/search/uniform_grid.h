@@ -14,11 +14,11 @@
 
 namespace linelet {
 
-/** \brief Neighbour search over a fixed set of points, sorted into rows of a grid.
+/** \brief Neighbor search over a fixed set of points, sorted into rows of a grid.
  *
  * Space is cut into square columns along x (the rows); within a row the points lie
- * sorted by x, so that the neighbours of a query in one row are one run of memory. A
- * point belongs to the neighbourhood of radius r when its squared distance, computed in
+ * sorted by x, so that the neighbors of a query in one row are one run of memory. A
+ * point belongs to the neighborhood of radius r when its squared distance, computed in
  * double, is at most r^2; every engine of linelet decides this case alike. Points with
  * a coordinate that is not finite are left out. Queries are thread-safe. */
 class UniformGrid {
@@ -46,8 +46,8 @@ public:
   void
   forEachWithin(const Point& query, double radius, Visit&& visit) const
   {
-    forEachSlot(query, radius, [&](std::size_t slot, double squared) {
-      visit(indices_[slot], squared);
+    forEachSorted(query, radius, [&](std::size_t sorted_index, double squared) {
+      visit(indices_[sorted_index], squared);
     });
   }
 
@@ -57,27 +57,27 @@ public:
   void
   forEachOffsetWithin(const Point& query, double radius, Visit&& visit) const
   {
-    forEachSlot(query, radius, [&](std::size_t slot, double squared) {
-      visit(Point(points_[slot] - query), squared);
+    forEachSorted(query, radius, [&](std::size_t sorted_index, double squared) {
+      visit(Point(points_[sorted_index] - query), squared);
     });
   }
 
   /** \brief The points that can be found, in grid order: their place in it is their
-   * slot. */
+   * sorted index. */
   const Points&
-  slots() const
+  sortedPoints() const
   {
     return points_;
   }
-  /** \brief The index that the point of each slot was given. */
+  /** \brief The index that the point of each sorted index was given. */
   const Indices&
-  slotIndices() const
+  inputIndices() const
   {
     return indices_;
   }
 
-  /** \brief Calls visit(begin, end) for runs of slots, ascending, that together hold
-   * every point within \a radius of \a query, and some others. */
+  /** \brief Calls visit(begin, end) for runs of sorted indices, ascending, that
+   * together hold every point within \a radius of \a query, and some others. */
   template <class Visit>
   void
   forEachRun(const Point& query, double radius, Visit&& visit) const;
@@ -102,7 +102,7 @@ public:
   nearestK(const Point& query, std::size_t count) const;
 
   /** \brief A point that was found: its squared distance and its index. */
-  using Neighbour = std::pair<double, Index>;
+  using Neighbor = std::pair<double, Index>;
 
   /** \brief As above.
    * \param[in] radius > 0 that is looked in first, then twice as far and so on: best a
@@ -112,7 +112,7 @@ public:
   nearestK(const Point& query,
            std::size_t count,
            double radius,
-           std::vector<Neighbour>& found) const;
+           std::vector<Neighbor>& found) const;
 
   /** \brief Width of a row. */
   double
@@ -123,14 +123,15 @@ public:
 
 private:
   /** \brief Calls visit(begin, end) for every row that \a radius around \a query
-   * reaches: its slots from the first that is not left of the ball, or a few before. */
+   * reaches: its sorted indices from the first that is not left of the ball, or a few
+   * before. */
   template <class Visit>
   void
   forEachRow(const Point& query, double radius, Visit&& visit) const;
 
   template <class Visit>
   void
-  forEachSlot(const Point& query, double radius, Visit&& visit) const;
+  forEachSorted(const Point& query, double radius, Visit&& visit) const;
 
   /** \brief The nearest point seen so far. */
   struct Nearest {
@@ -185,34 +186,34 @@ UniformGrid::forEachRow(const Point& query, double radius, Visit&& visit) const
   const std::size_t z_end = row(high.z(), 2);
   for (std::size_t z = row(low.z(), 2); z <= z_end; ++z) {
     for (std::size_t y = y_begin; y <= y_end; ++y) {
-      std::size_t slot = row_begin_[z * rows_[0] + y];
+      std::size_t sorted_index = row_begin_[z * rows_[0] + y];
       const std::size_t end = row_begin_[z * rows_[0] + y + 1];
-      if (slot == end || points_[end - 1].x() < low.x())
+      if (sorted_index == end || points_[end - 1].x() < low.x())
         continue;
-      for (std::size_t count = end - slot; count > few;) {
+      for (std::size_t count = end - sorted_index; count > few;) {
         const std::size_t half = count / 2;
-        if (points_[slot + half].x() < low.x()) {
-          slot += half + 1;
+        if (points_[sorted_index + half].x() < low.x()) {
+          sorted_index += half + 1;
           count -= half + 1;
         }
         else
           count = half;
       }
-      visit(slot, end);
+      visit(sorted_index, end);
     }
   }
 }
 
 template <class Visit>
 void
-UniformGrid::forEachSlot(const Point& query, double radius, Visit&& visit) const
+UniformGrid::forEachSorted(const Point& query, double radius, Visit&& visit) const
 {
   const double squared_radius = radius * radius, high = query.x() + radius;
-  forEachRow(query, radius, [&](std::size_t slot, std::size_t end) {
-    for (; slot < end && points_[slot].x() <= high; ++slot) {
-      const double squared = (points_[slot] - query).squaredNorm();
+  forEachRow(query, radius, [&](std::size_t sorted_index, std::size_t end) {
+    for (; sorted_index < end && points_[sorted_index].x() <= high; ++sorted_index) {
+      const double squared = (points_[sorted_index] - query).squaredNorm();
       if (squared <= squared_radius)
-        visit(slot, squared);
+        visit(sorted_index, squared);
     }
   });
 }
@@ -226,18 +227,18 @@ UniformGrid::forEachRun(const Point& query, double radius, Visit&& visit) const
     if (points_[begin].x() > high)
       return;
     // Most runs are short: look for their end in growing steps.
-    std::size_t slot = begin;
-    for (std::size_t step = 2 * few; slot + step < end; step *= 2) {
-      if (points_[slot + step].x() > high) {
-        end = slot + step;
+    std::size_t sorted_index = begin;
+    for (std::size_t step = 2 * few; sorted_index + step < end; step *= 2) {
+      if (points_[sorted_index + step].x() > high) {
+        end = sorted_index + step;
         break;
       }
-      slot += step;
+      sorted_index += step;
     }
-    while (end - slot > 2 * few) {
-      const std::size_t half = slot + (end - slot) / 2;
+    while (end - sorted_index > 2 * few) {
+      const std::size_t half = sorted_index + (end - sorted_index) / 2;
       if (points_[half].x() <= high)
-        slot = half + 1;
+        sorted_index = half + 1;
       else
         end = half;
     }

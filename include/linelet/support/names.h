@@ -13,7 +13,7 @@ namespace linelet {
 
 /** \brief Names of an enumeration, as they stand on the command line and in files.
  *
- * Specialise with `static constexpr std::string_view kind` (what the enumeration is,
+ * Specialize with `static constexpr std::string_view kind` (what the enumeration is,
  * for messages) and `static constexpr std::array<std::pair<E, std::string_view>, N>
  * table`. */
 template <class E>

@@ -10,7 +10,7 @@
 
 namespace linelet {
 
-/** \brief A point or vector in space, in the unit of the input (metres for LiDAR).
+/** \brief A point or vector in space, in the unit of the input (meters for LiDAR).
  *
  * Double precision: what is stored here is close to the origin (see io::Cloud::shift),
  * so that its float copy in a PCL cloud loses nothing that matters. */

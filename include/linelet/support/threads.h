@@ -12,7 +12,7 @@
 namespace linelet {
 
 /** \brief Threads that a request for \a requested threads gets: as many, or for 0 what
- * OpenMP offers (OMP_NUM_THREADS is honoured), at most 8 a processor. More gain
+ * OpenMP offers (OMP_NUM_THREADS is honored), at most 8 a processor. More gain
  * nothing, and OpenMP ends the program where it cannot have them. Never changes the
  * process-wide count. */
 inline int

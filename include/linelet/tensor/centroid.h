@@ -12,13 +12,13 @@
 
 namespace linelet {
 
-/** \brief The point of reference of a neighbourhood tensor. */
+/** \brief The point of reference of a neighborhood tensor. */
 enum class Centroid {
   QueryPoint,    ///< the query point itself: the point distribution tensor
-  Mean,          ///< of the neighbours
+  Mean,          ///< of the neighbors
   WeightedMean,  ///< weighted by the distance from the query point
   Median,        ///< geometric median: the least sum of distances
-  WeightedMedian ///< geometric median that far neighbours take less part in
+  WeightedMedian ///< geometric median that far neighbors take less part in
 };
 
 template <>
@@ -33,13 +33,13 @@ struct Names<Centroid> {
   }};
 };
 
-/** \brief The centroid of a neighbourhood.
+/** \brief The centroid of a neighborhood.
  *
  * Best called with coordinates relative to the query point (which is then zero): that
  * is what keeps the last digits of a cloud far from the origin.
  *
  * The medians are found from the mean on by Weiszfeld's steps with the treatment of
- * iterates that hit a neighbour of Vardi and Zhang (2000), helped by Newton's steps
+ * iterates that hit a neighbor of Vardi and Zhang (2000), helped by Newton's steps
  * where the former creep, as they do along a wire. For the weighted median the weights
  * w(|p_i - x| / radius) are those at the iterate x. For a weighting that falls with
  * distance this descends, step by step, to the nearest local minimum of sum_i rho(|p_i
@@ -47,24 +47,24 @@ struct Names<Centroid> {
  * infinity for the default weighting, where all weights vanish.
  *
  * \param[in] type which point of reference
- * \param[in] neighbours coordinates of the neighbours, finite
- * \param[in] query the point around which the neighbours were chosen
- * \param[in] radius of the neighbourhood, 0 where all neighbours lie at the query point
+ * \param[in] neighbors coordinates of the neighbors, finite
+ * \param[in] query the point around which the neighbors were chosen
+ * \param[in] radius of the neighborhood, 0 where all neighbors lie at the query point
  * \param[in] weighting w_C, for the weighted types
- * \return the centroid. NaN if there are no neighbours; the mean where all weights of
+ * \return the centroid. NaN if there are no neighbors; the mean where all weights of
  * WeightedMean or WeightedMedian are zero */
 Point
 centroid(Centroid type,
-         const Points& neighbours,
+         const Points& neighbors,
          const Point& query,
          double radius,
          const Weighting& weighting = Kernel::QuadraticInverse);
 
 /** \brief The geometric median, Centroid::Median, sought from \a start on: the same
- * place, sooner found where it is guessed well. (Where all neighbours lie on one line
+ * place, sooner found where it is guessed well. (Where all neighbors lie on one line
  * and are even in number, any place between the middle two is a median.)
- * \return NaN if there are no neighbours */
+ * \return NaN if there are no neighbors */
 Point
-medianFrom(const Points& neighbours, const Point& start);
+medianFrom(const Points& neighbors, const Point& start);
 
 } // namespace linelet

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include <linelet/tensor/neighbourhood_tensor.h>
+#include <linelet/tensor/neighborhood_tensor.h>
 
 namespace linelet {
 

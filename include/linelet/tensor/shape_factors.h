@@ -9,7 +9,7 @@
 
 namespace linelet {
 
-/** \brief Shape of a neighbourhood (Westin et al. 1997); the three sum to 1. */
+/** \brief Shape of a neighborhood (Westin et al. 1997); the three sum to 1. */
 struct ShapeFactors {
   double linearity;  ///< CL = (l3 - l2) / L, 1 on a line
   double planarity;  ///< CP = 2 (l2 - l1) / L, 1 on a disc
@@ -18,8 +18,8 @@ struct ShapeFactors {
 
 /** \brief The shape factors of eigenvalues, L = l1 + l2 + l3.
  * \param[in] values l1 <= l2 <= l3, not negative
- * \param[in] extent distance of the farthest neighbour from the query point: where L is
- * no more than what rounding of such coordinates leaves, all neighbours lie at one
+ * \param[in] extent distance of the farthest neighbor from the query point: where L is
+ * no more than what rounding of such coordinates leaves, all neighbors lie at one
  * place
  * \return NaN where L is 0 or NaN, or rounding */
 inline ShapeFactors

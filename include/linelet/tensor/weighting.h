@@ -11,7 +11,7 @@
 
 namespace linelet {
 
-/** \brief How much a neighbour counts, by its distance x from the centroid in units of
+/** \brief How much a neighbor counts, by its distance x from the centroid in units of
  * the radius. Kernels 12 to 19 are 1 minus the easing curve of that name, 20 to 29
  * compactly supported radial basis functions; the last two take parameters. */
 enum class Kernel {
@@ -92,7 +92,7 @@ struct Names<Kernel> {
   }};
 };
 
-/** \brief A weighting function w(x) of the neighbourhood tensor, the centroids and the
+/** \brief A weighting function w(x) of the neighborhood tensor, the centroids and the
  * direction field.
  *
  * Never negative: where a curve overshoots (elastic, bounce) it is clamped to 0.

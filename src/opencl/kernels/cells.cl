@@ -3,12 +3,12 @@
 
 // Cells and the runs of sorted points around them.
 //
-// A cell is as wide as the largest radius, so a neighbourhood lies in 3 x 3 x 3 cells.
+// A cell is as wide as the largest radius, so a neighborhood lies in 3 x 3 x 3 cells.
 // Along x a cell is divided into bins. The key of a point is the number of its bin, counted
 // along x, then y, then z, and below it the point's index: a row of cells is one run of
 // sorted points, and so is any stretch of its bins.
 
-#define REACH 1 // cells that a neighbourhood reaches beyond its own
+#define REACH 1 // cells that a neighborhood reaches beyond its own
 #define SIDE (2 * REACH + 1)
 #define ROWS (SIDE * SIDE)
 #define BINS 4                        // of a cell

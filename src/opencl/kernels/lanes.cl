@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// As many neighbours at a time as the device has lanes for floats (WIDTH, a constant at
+// As many neighbors at a time as the device has lanes for floats (WIDTH, a constant at
 // build time): 1 on most GPUs, where work-items themselves are the lanes, 4 to 16 on CPUs.
 
 #ifndef WIDTH

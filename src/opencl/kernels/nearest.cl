@@ -15,7 +15,7 @@ INLINE uint
 countWithin(Walk* walk, float squared)
 {
   walk->surely_inside = walk->perhaps_inside = squared;
-  return walkNeighbours(walk, 0, 0, 0, SWEEP_COUNT, false).count;
+  return walkNeighbors(walk, 0, 0, 0, SWEEP_COUNT, false).count;
 }
 
 // The squared distance, by index of the query. NaN where fewer than k points lie within
@@ -81,7 +81,7 @@ nearestSquares(global const ulong* queries,
   const float margin = BAND * reach * sqrt(high);
   walk.surely_inside = low - margin;
   walk.perhaps_inside = high + margin;
-  const uint inside = walkNeighbours(&walk, 0, 0, 0, SWEEP_RANK, false).count;
+  const uint inside = walkNeighbors(&walk, 0, 0, 0, SWEEP_RANK, false).count;
   if (ranking.count <= MOST_RANKED && inside < k && k - inside <= ranking.count)
     squares[i] = ranking.squared[k - inside - 1];
 }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Sums over the neighbours of one query, WIDTH of them at a time.
+// Sums over the neighbors of one query, WIDTH of them at a time.
 
 #ifdef CENTROID
 
-#define MEDIAN_HERE 1e-6f // neighbours so close to the iterate count as lying at it
+#define MEDIAN_HERE 1e-6f // neighbors so close to the iterate count as lying at it
 
 typedef struct {
   float weight, x, y, z;
@@ -18,13 +18,13 @@ typedef struct {
 typedef struct {
   Floats weight, x, y, z;
   Floats xx, xy, xz, yy, yz, zz;
-  Ints count;  // neighbours
+  Ints count;  // neighbors
   Ints border; // pairs not decided yet
 } LaneSums;
 
-#define SWEEP_MOMENTS 0  // weighted tensor about the centre
+#define SWEEP_MOMENTS 0  // weighted tensor about the center
 #define SWEEP_CENTROID 1 // weighted sum of positions; weights by distance to the query
-#define SWEEP_PULL 2     // Weiszfeld's iteration at the centre
+#define SWEEP_PULL 2     // Weiszfeld's iteration at the center
 #define SWEEP_COUNT 3    // nothing but the counts
 #define SWEEP_RANK 4     // the same, and undecided points go to the ranking
 
@@ -85,8 +85,8 @@ rankLanes(const Walk* walk, uint first, Ints undecided)
 }
 #endif
 
-// Adds the neighbours among WIDTH sorted points, of which only the first `left` count if
-// this is the tail of a run; o is the query as the run's coordinates see it, c the centre
+// Adds the neighbors among WIDTH sorted points, of which only the first `left` count if
+// this is the tail of a run; o is the query as the run's coordinates see it, c the center
 // relative to the query.
 INLINE void
 addPoints(const Walk* walk,
@@ -142,7 +142,7 @@ addPoints(const Walk* walk,
     const Floats distance = sqrt(vx * vx + vy * vy + vz * vz);
     const Floats one = 1;
     const Floats w = inside ? one : zero;
-    // Neighbours at the centre pull nowhere; their number is kept in xx.
+    // Neighbors at the center pull nowhere; their number is kept in xx.
     const Ints here = MASK_IF(distance * scale < MEDIAN_HERE);
     const Floats stiffness = here ? zero : w / distance;
     sums->x += stiffness * vx;
@@ -199,9 +199,9 @@ walkRun(const Walk* walk,
     addPoints(walk, i, (int)(end - i), ox, oy, oz, cx, cy, cz, true, sweep, exact, sums);
 }
 
-// Sums over all neighbours; the centre is relative to the query.
+// Sums over all neighbors; the center is relative to the query.
 INLINE Sums
-walkNeighbours(
+walkNeighbors(
     const Walk* walk, float cx, float cy, float cz, const int sweep, const bool exact)
 {
   LaneSums lanes = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The neighbourhood tensor of one query per work-item.
+// The neighborhood tensor of one query per work-item.
 //
 // Built with constants: CENTROID (the enumerator of linelet::Centroid), TENSOR_WEIGHT and
 // CENTROID_WEIGHT with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; EXACT where
@@ -20,7 +20,7 @@ findCentroid(const Walk* walk, const bool exact, float* cx, float* cy, float* cz
 {
   *cx = *cy = *cz = 0;
 #if CENTROID != 0
-  Sums s = walkNeighbours(walk, 0, 0, 0, SWEEP_CENTROID, exact);
+  Sums s = walkNeighbors(walk, 0, 0, 0, SWEEP_CENTROID, exact);
   if (s.weight > 0) {
     *cx = s.x / s.weight;
     *cy = s.y / s.weight;
@@ -29,7 +29,7 @@ findCentroid(const Walk* walk, const bool exact, float* cx, float* cy, float* cz
 #endif
 #if CENTROID == 3
   for (int step = 0; step < MOST_MEDIAN_STEPS; ++step) {
-    s = walkNeighbours(walk, *cx, *cy, *cz, SWEEP_PULL, exact);
+    s = walkNeighbors(walk, *cx, *cy, *cz, SWEEP_PULL, exact);
     const float resultant = sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
     if (!(s.weight > 0) || resultant <= s.xx)
       return;
@@ -48,7 +48,7 @@ tensorSums(const Walk* walk, const bool exact)
 {
   float cx, cy, cz;
   findCentroid(walk, exact, &cx, &cy, &cz);
-  Sums sums = walkNeighbours(walk, cx, cy, cz, SWEEP_MOMENTS, exact);
+  Sums sums = walkNeighbors(walk, cx, cy, cz, SWEEP_MOMENTS, exact);
 #if TENSOR_WEIGHT == 0
   sums.weight = (float)sums.count;
 #endif
@@ -56,7 +56,7 @@ tensorSums(const Walk* walk, const bool exact)
 }
 
 // The tensor of the query at every place, component after component (`stride` apart): xx xy
-// xz yy yz zz; NaN where no neighbour has weight. And how many neighbours there are;
+// xz yy yz zz; NaN where no neighbor has weight. And how many neighbors there are;
 // UNDECIDED where only double could tell and the device has none.
 kernel void
 tensors(global const ulong* queries,

@@ -76,7 +76,7 @@ walkAround(uint i,
   return walk;
 }
 
-// A row of cells as the query sees it, and the points in it that may be neighbours: one run
+// A row of cells as the query sees it, and the points in it that may be neighbors: one run
 // up to `middle`, relative to the first chunk, and one behind it, relative to the next.
 typedef struct {
   float qy, qz;

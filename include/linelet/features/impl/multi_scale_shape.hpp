@@ -35,7 +35,7 @@ MultiScaleShapeFeature<PointInT>::initCompute()
   if (!this->initClouds())
     return false;
   if (k_ != 0)
-    return this->refuse("a number of neighbours is set; the scales are radii.");
+    return this->refuse("a number of neighbors is set; the scales are radii.");
   if (search_radius_ != 0 && settings_.max_radius != 0)
     return this->refuse("both a search radius and a largest radius are set.");
   surface_points_ = pointsOf(*surface_);

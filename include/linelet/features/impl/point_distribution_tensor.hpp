@@ -49,10 +49,10 @@ PointDistributionTensorEstimation<PointInT>::initCompute()
 }
 
 template <typename PointInT>
-NeighbourhoodSizes
+NeighborhoodSizes
 PointDistributionTensorEstimation<PointInT>::querySizes() const
 {
-  NeighbourhoodSizes sizes;
+  NeighborhoodSizes sizes;
   for (const pcl::index_t index : *indices_) {
     const auto i = static_cast<std::size_t>(index);
     if (!sizes_.radii.empty())
@@ -68,7 +68,7 @@ std::vector<PointDistributionTensor>
 PointDistributionTensorEstimation<PointInT>::estimate(const Points& surface,
                                                       const Points& queries,
                                                       const TensorSettings& settings,
-                                                      const NeighbourhoodSizes& sizes)
+                                                      const NeighborhoodSizes& sizes)
 {
   if (tree_ && settings.engine == Engine::Auto)
     return estimateTensors(

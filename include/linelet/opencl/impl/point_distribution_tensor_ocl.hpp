@@ -29,11 +29,10 @@ PointDistributionTensorEstimationOCL<PointInT>::engine()
 
 template <typename PointInT>
 std::vector<PointDistributionTensor>
-PointDistributionTensorEstimationOCL<PointInT>::estimate(
-    const Points& surface,
-    const Points& queries,
-    const TensorSettings& settings,
-    const NeighbourhoodSizes& sizes)
+PointDistributionTensorEstimationOCL<PointInT>::estimate(const Points& surface,
+                                                         const Points& queries,
+                                                         const TensorSettings& settings,
+                                                         const NeighborhoodSizes& sizes)
 {
   return engine().estimate(surface, queries, settings, sizes);
 }

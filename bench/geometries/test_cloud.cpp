@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <bench/geometries/test_cloud.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+
+namespace linelet::bench {
+
+namespace {
+
+/** \brief The curves of a network, laid end to end and run over by arc length. */
+class Arc {
+public:
+  explicit Arc(const CurveNetwork& network)
+  {
+    for (const Curve& curve : network.curves) {
+      const std::size_t count = curve.points.size();
+      for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i)
+        add(curve.points[i], curve.points[(i + 1) % count]);
+    }
+  }
+
+  /** \brief The point at \a t of [0, 1]. */
+  Point
+  at(double t) const
+  {
+    const double s = t * end_.back();
+    const auto found = std::upper_bound(end_.begin(), end_.end(), s);
+    const auto i =
+        std::min(static_cast<std::size_t>(found - end_.begin()), end_.size() - 1);
+    const double begin = i == 0 ? 0 : end_[i - 1];
+    return from_[i] + (to_[i] - from_[i]) * ((s - begin) / (end_[i] - begin));
+  }
+
+private:
+  void
+  add(const Point& a, const Point& b)
+  {
+    from_.push_back(a);
+    to_.push_back(b);
+    end_.push_back((end_.empty() ? 0 : end_.back()) + (b - a).norm());
+  }
+
+  Points from_, to_;
+  std::vector<double> end_; // arc position of to_
+};
+
+/** \brief Turns even positions of [0, 1] into such that follow densityOf. */
+class DensityWarp {
+public:
+  explicit DensityWarp(Geometry geometry) : sum_(steps + 1, 0.0)
+  {
+    for (std::size_t i = 0; i < steps; ++i)
+      sum_[i + 1] =
+          sum_[i] + densityOf(geometry, (static_cast<double>(i) + 0.5) / steps);
+    for (double& value : sum_)
+      value /= sum_.back();
+  }
+
+  double
+  operator()(double t) const
+  {
+    const auto found = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, t);
+    const auto i = static_cast<std::size_t>(found - sum_.begin());
+    const double inner = (t - sum_[i - 1]) / (sum_[i] - sum_[i - 1]);
+    return (static_cast<double>(i - 1) + inner) / steps;
+  }
+
+private:
+  static constexpr std::size_t steps = 1024;
+  std::vector<double> sum_;
+};
+
+void
+check(const SamplingSettings& s)
+{
+  const auto require = [](bool holds, const char* what) {
+    if (!holds)
+      throw std::invalid_argument(what);
+  };
+  require(s.distribution >= 0 && s.distribution <= 1,
+          "distribution must lie in [0, 1]");
+  require(s.jitter >= 0 && std::isfinite(s.jitter), "jitter must not be negative");
+  require(std::isfinite(s.out_of_plane), "out-of-plane must be finite");
+  require(s.hole[0] >= 0 && s.hole[0] <= s.hole[1] && s.hole[1] <= 1,
+          "hole A,B must satisfy 0 <= A <= B <= 1");
+}
+
+} // namespace
+
+Points
+sample(Geometry geometry, const SamplingSettings& settings)
+{
+  check(settings);
+  boost::random::mt19937_64 random(settings.seed);
+  boost::random::uniform_01<double> uniform;
+  const Arc arc(truthOf(geometry, settings.out_of_plane));
+  const DensityWarp warp(geometry);
+
+  std::vector<double> r(settings.points);
+  for (double& value : r)
+    value = uniform(random);
+  std::sort(r.begin(), r.end());
+
+  const bool hole = settings.hole[0] < settings.hole[1];
+  const double n = static_cast<double>(settings.points);
+  Points points;
+  points.reserve(settings.points + settings.outliers);
+  for (std::size_t i = 0; i < settings.points; ++i) {
+    const double t = static_cast<double>(i) / n;
+    const double tau = (1 - settings.distribution) * t + settings.distribution * r[i];
+    // One statement a draw: the order of evaluation is part of the result.
+    const double x = 2 * uniform(random) - 1;
+    const double y = 2 * uniform(random) - 1;
+    const double z = 2 * uniform(random) - 1;
+    const double position = warp(tau);
+    if (hole && position >= settings.hole[0] && position <= settings.hole[1])
+      continue;
+    points.push_back(arc.at(position) +
+                     settings.jitter * Point(x, y, z).stableNormalized());
+  }
+  if (settings.outliers == 0 || points.empty())
+    return points;
+
+  Point low = points.front(), high = low;
+  for (const Point& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double margin = 0.1 * (high - low).norm();
+  for (int axis = 0; axis < 3; ++axis)
+    if (high[axis] > low[axis] || settings.jitter > 0) {
+      low[axis] -= margin;
+      high[axis] += margin;
+    }
+  for (std::size_t i = 0; i < settings.outliers; ++i) {
+    Point p;
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = low[axis] + uniform(random) * (high[axis] - low[axis]);
+    points.push_back(p);
+  }
+  return points;
+}
+
+} // namespace linelet::bench

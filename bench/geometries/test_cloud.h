@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <bench/geometries/geometries.h>
+#include <linelet/curves/curve_network.h>
+#include <linelet/support/points.h>
+
+namespace linelet::bench {
+
+/** \brief How a test geometry is sampled and disturbed (Ritter, Schiffner, Harders
+ * 2021, section 6.1). Lengths are in the unit of the geometry, whose extent is
+ * about 10. */
+struct SamplingSettings {
+  std::size_t points = 256; ///< N: samples along the curves, before holes and outliers
+  double distribution = 0;  ///< S_D of [0, 1]: 0 even along the arc, 1 uniformly random
+  double jitter = 0;        ///< S_J: distance by which every sample is displaced
+  std::size_t outliers = 0; ///< M: points spread evenly over the enlarged bounding box
+  std::array<double, 2> hole = {0, 0}; ///< samples with t in [A, B] of [0, 1] are left
+                                       ///< out; A = B: none
+  double out_of_plane = 0; ///< S_O: the curve is bent out of its plane by this much
+  std::uint64_t seed = 1;  ///< of everything random
+};
+
+template <class Visit>
+void
+describe(SamplingSettings& settings, Visit&& visit)
+{
+  visit("points", settings.points, "samples along the curves");
+  visit("distribution",
+        settings.distribution,
+        "0 even along the arc, 1 uniformly random, or between");
+  visit("jitter", settings.jitter, "distance by which every sample is displaced");
+  visit("outliers", settings.outliers, "random points added in the bounding box");
+  visit("out-of-plane",
+        settings.out_of_plane,
+        "bends the curve out of its plane by this much");
+  visit("seed", settings.seed, "of everything random");
+}
+
+/** \brief Noisy samples of \a geometry: those of the curves in arc order, then the
+ * outliers.
+ *
+ * With t_i = i / N over the arc of all components, r_i sorted and uniform, sample i
+ * lies at (1 - S_D) t_i + S_D r_i, displaced by S_J times the unit vector of three
+ * uniforms of
+ * [-1, 1]. The box of the outliers is that of the samples, enlarged by 10 % of its
+ * diagonal on each side (in a direction in which it is flat only if S_J > 0). The same
+ * settings give the same points on every machine.
+ * \throws std::invalid_argument for settings out of range */
+Points
+sample(Geometry geometry, const SamplingSettings& settings);
+
+} // namespace linelet::bench

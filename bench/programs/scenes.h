@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+
+#include <linelet/support/points.h>
+
+namespace linelet::benchmarking {
+
+/** \brief Where the points of a benchmark lie, one a unit of volume or of area. */
+enum class Scene {
+  Volume, ///< uniform in a cube
+  Surface ///< uniform on rolling ground, like a LiDAR tile
+};
+
+/** \brief The order of the points in memory. */
+enum class Order {
+  Shuffled, ///< none: neighbors lie anywhere
+  Sorted    ///< along a scan: neighbors lie close
+};
+
+/** \brief Points of a scene; the same for the same arguments. */
+const Points&
+scene(Scene scene, std::size_t count, Order order);
+
+/** \brief Radius at which a point away from the border has so many neighbors. */
+double
+radiusFor(Scene scene, double neighbors);
+
+/** \brief Process CPU seconds used so far: what other work does to the machine hardly
+ * changes it, as it would wall-clock time. */
+double
+cpuSeconds();
+
+/** \brief A clock for work of so many threads: \ref cpuSeconds for one, the wall clock
+ * for more, whose wait for each other is no work. */
+double
+seconds(unsigned threads);
+
+} // namespace linelet::benchmarking

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The neighborhood tensor against PCL's own normals, on the points of a file.
+//
+//   tensor_against_normals FILE [RADIUS [THREADS [REPETITIONS]]]
+//
+// Both start from the same cloud and find the same neighbors; the building of the
+// search structure is part of the time. Of several repetitions the fastest counts.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <string>
+
+#include <pcl/features/impl/normal_3d.hpp>
+#include <pcl/features/impl/normal_3d_omp.hpp>
+#include <pcl/features/normal_3d_omp.h>
+#include <pcl/search/kdtree.h>
+
+#include <linelet/features/point_distribution_tensor.h>
+#include <linelet/io/point_file.h>
+
+namespace {
+
+using namespace linelet;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+struct Time {
+  double wall = std::numeric_limits<double>::infinity();
+  double cpu = std::numeric_limits<double>::infinity();
+};
+
+template <class Work>
+Time
+fastest(int repetitions, Work work)
+{
+  Time best;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t cpu_begin = std::clock();
+    work();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+    best.wall = std::min(best.wall, wall.count());
+    best.cpu = std::min(best.cpu,
+                        static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+void
+compare(const std::string& file, double radius, unsigned threads, int repetitions)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  for (const Point& point : io::readCloud(file).points)
+    cloud->emplace_back(static_cast<float>(point.x()),
+                        static_cast<float>(point.y()),
+                        static_cast<float>(point.z()));
+  std::printf(
+      "%zu points, radius %g, %u threads (0: all)\n", cloud->size(), radius, threads);
+  const auto report = [](const char* name, const Time& time) {
+    std::printf("%-22s wall %7.3f s  cpu %7.3f s\n", name, time.wall, time.cpu);
+  };
+
+  const Time normals = fastest(repetitions, [&] {
+    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(threads);
+    estimation.setInputCloud(cloud);
+    estimation.setSearchMethod(
+        pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false));
+    estimation.setRadiusSearch(radius);
+    pcl::PointCloud<pcl::Normal> output;
+    estimation.compute(output);
+  });
+  report("NormalEstimationOMP", normals);
+  for (const Engine engine : {Engine::Grid, Engine::Tree}) {
+    const Time tensor = fastest(repetitions, [&] {
+      PointDistributionTensorEstimation<pcl::PointXYZ> estimation;
+      estimation.setInputCloud(cloud);
+      estimation.setNumberOfThreads(threads);
+      estimation.setRadiusSearch(radius);
+      estimation.setEngine(engine);
+      pcl::PointCloud<PointDistributionTensor> output;
+      estimation.compute(output);
+    });
+    report(engine == Engine::Grid ? "tensor, grid" : "tensor, tree", tensor);
+    std::printf("%-22s wall %7.2f    cpu %7.2f\n",
+                "  times as fast",
+                normals.wall / tensor.wall,
+                normals.cpu / tensor.cpu);
+  }
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  if (argc < 2) {
+    std::fprintf(stderr,
+                 "tensor_against_normals FILE [RADIUS [THREADS [REPETITIONS]]]\n");
+    return 2;
+  }
+  try {
+    compare(argv[1],
+            argc > 2 ? std::atof(argv[2]) : 1,
+            argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 0,
+            argc > 4 ? std::atoi(argv[4]) : 3);
+  }
+  catch (const std::exception& error) {
+    std::fprintf(stderr, "tensor_against_normals: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

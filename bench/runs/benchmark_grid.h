@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <bench/geometries/geometries.h>
+#include <bench/geometries/test_cloud.h>
+
+namespace linelet::bench {
+
+/** \brief One run of the benchmark: a geometry and how it is sampled. */
+struct BenchmarkRun {
+  Geometry geometry = Geometry::Circle;
+  SamplingSettings sampling;
+};
+
+/** \brief The grid of runs: geometry x N x S_D x S_J x M x seed.
+ *
+ * N of {128, 256, 512}, S_D and S_J of {0, 0.1, ... 1}, M of {0, 0.1 N, ... 0.4 N},
+ * seeds 1 to 7; with the ten geometries of the benchmark 127,050 runs. */
+class BenchmarkGrid {
+public:
+  explicit BenchmarkGrid(
+      const std::vector<Geometry>& geometries = benchmarkGeometries());
+
+  std::size_t
+  size() const;
+
+  /** \brief Run number \a index (below \ref size). */
+  BenchmarkRun
+  at(std::size_t index) const;
+
+  /** \brief \a count different runs, ascending: every geometry, N and S_J equally often
+   * in combination, every S_D, M and seed equally often (up to rounding). The whole
+   * grid if count is its size or more, or 0. The same for the same seed on every
+   * machine. */
+  std::vector<std::size_t>
+  stratifiedSample(std::size_t count, std::uint64_t seed) const;
+
+private:
+  std::vector<Geometry> geometries_;
+};
+
+} // namespace linelet::bench

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <bench/runs/benchmark.h>
+
+namespace linelet::bench {
+
+/** \brief What came of some runs: means over those where the value is known. */
+struct RunSummary {
+  std::size_t runs = 0;
+  double success = 0;                            ///< part of the runs, 0 to 1
+  double e_v = 0, e_h = 0, e_len = 0, e_com = 0; ///< see measures.h
+  double milliseconds = 0;                       ///< of a run
+
+  /** \brief Standard error of \ref success; NaN below two runs. */
+  double
+  standardError() const;
+};
+
+/** \brief Runs told apart by one of their properties. */
+struct SummaryGroup {
+  std::string title; ///< the property: geometry, points, S_D, S_J, M / N or n_R
+  std::vector<std::pair<std::string, RunSummary>> entries; ///< a value each
+};
+
+/** \brief All of \a rows in one. */
+RunSummary
+summarize(const std::vector<BenchmarkRow>& rows);
+
+/** \brief \a rows by geometry (in the order of the rows), number of points, noise and
+ * intervals of the noise rate (by size). */
+std::vector<SummaryGroup>
+summarizeByProperty(const std::vector<BenchmarkRow>& rows);
+
+/** \brief Both of these as a table of text. */
+std::string
+summaryTable(const std::vector<BenchmarkRow>& rows);
+
+} // namespace linelet::bench

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <linelet/support/points.h>
+#include <linelet/tensor/weighting.h>
+
+namespace linelet {
+
+/** \brief A symmetric 3x3 tensor by its six entries, in squared length. */
+struct SymmetricTensor {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  /** \brief Adds weight * v (x) v. */
+  void
+  add(double weight, const Point& v)
+  {
+    xx += weight * v.x() * v.x();
+    xy += weight * v.x() * v.y();
+    xz += weight * v.x() * v.z();
+    yy += weight * v.y() * v.y();
+    yz += weight * v.y() * v.z();
+    zz += weight * v.z() * v.z();
+  }
+
+  SymmetricTensor&
+  operator+=(const SymmetricTensor& other)
+  {
+    xx += other.xx;
+    xy += other.xy;
+    xz += other.xz;
+    yy += other.yy;
+    yz += other.yz;
+    zz += other.zz;
+    return *this;
+  }
+
+  SymmetricTensor&
+  operator*=(double factor)
+  {
+    xx *= factor;
+    xy *= factor;
+    xz *= factor;
+    yy *= factor;
+    yz *= factor;
+    zz *= factor;
+    return *this;
+  }
+
+  double
+  trace() const
+  {
+    return xx + yy + zz;
+  }
+
+  Eigen::Matrix3d
+  matrix() const
+  {
+    Eigen::Matrix3d m;
+    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return m;
+  }
+};
+
+/** \brief t = 1/sum(w_i) sum(w_i v_i (x) v_i), v_i = p_i - c, w_i = w(|v_i| / r).
+ *
+ * Ritter et al. 2012, Ritter & Benger 2012. Positive semidefinite up to rounding.
+ * \param[in] neighbors p_i, best relative to the query point
+ * \param[in] centroid c, in the same coordinates
+ * \param[in] radius r of the neighborhood; 0 where all neighbors lie at one place
+ * \param[in] weighting w_T
+ * \return NaN in every entry where the weights sum to 0 (no neighbors, or all of them
+ * where a compact kernel is 0) */
+SymmetricTensor
+neighborhoodTensor(const Points& neighbors,
+                   const Point& centroid,
+                   double radius,
+                   const Weighting& weighting);
+
+} // namespace linelet

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "em_fit.h"
+
+namespace linelet {
+
+namespace {
+
+constexpr double tail = 3; // degrees of freedom of the bending prior
+// Bends that the first guess of the prior's scale counts for.
+constexpr double bending_prior = 3;
+// Bends are alike over this share of a curve.
+constexpr double even_share = 0.25;
+
+/** \brief Inverse variance of the second differences under the prior. */
+double
+rigidityOf(double bending, double spacing)
+{
+  return 1 / (bending * spacing * spacing * spacing);
+}
+
+/** \brief Number of bends; bend i lies over node i and the two after it. */
+std::size_t
+bendsOf(const ModelCurve& curve)
+{
+  const std::size_t n = curve.nodes.size();
+  return curve.closed ? n : n < 3 ? 0 : n - 2;
+}
+
+/** \brief The two nodes after node \a i, around the ring. */
+std::pair<std::size_t, std::size_t>
+nextNodes(const ModelCurve& curve, std::size_t i)
+{
+  const std::size_t n = curve.nodes.size();
+  return {i + 1 < n ? i + 1 : i + 1 - n, i + 2 < n ? i + 2 : i + 2 - n};
+}
+
+/** \brief Whether \a curve may turn sharply at node \a i. */
+bool
+isHinge(const ModelCurve& curve, std::size_t i)
+{
+  return std::binary_search(curve.hinges.begin(), curve.hinges.end(), i);
+}
+
+/** \brief The second difference at bend \a i. */
+Point
+bendOf(const ModelCurve& curve, std::size_t i)
+{
+  const auto [j, k] = nextNodes(curve, i);
+  return curve.nodes[i] - 2 * curve.nodes[j] + curve.nodes[k];
+}
+
+/** \brief The direction of the curve at bend \a i. */
+Point
+tangentOf(const ModelCurve& curve, std::size_t i)
+{
+  return (curve.nodes[nextNodes(curve, i).second] - curve.nodes[i]).stableNormalized();
+}
+
+/** \brief The vector \a v across \a from turned by the least rotation of the unit
+ * vector \a from to \a to. */
+Point
+turned(const Point& v, const Point& from, const Point& to)
+{
+  return v - v.dot(to) / std::max(1 + from.dot(to), 1e-9) * (from + to);
+}
+
+} // namespace
+
+double
+EmFitter::bendUnit(const CurveState& state, std::size_t i) const
+{
+  const double scale = edges_[state.first_edge + i].scale;
+  return 1 / (scale * scale);
+}
+
+/** \brief The mean of the bends around each, as the prior expects them to be.
+ *
+ * A curve of even curvature (a circle, an arc, a turn of a spiral) would have to be
+ * very lucky under a prior of independent bends around none, which leaves it as many
+ * effective parameters as a curve that winds. So the mean is learnt: bends fade with
+ * their distance, count by their weights in the Student distribution (corners hardly
+ * count), and are carried along the curve by the least rotation of its direction. A
+ * mean b of weight s that is none varies by 1 / (rigidity s) per coordinate, so b is
+ * shrunk by the factor of James and Stein, 1 - across / (rigidity s |b|^2), to none
+ * where it is not significant. What a bend adds to its own mean is the mean's share of
+ * the effective parameters. */
+void
+EmFitter::measureEvenCurvature(CurveState& state, double spacing)
+{
+  const ModelCurve& curve = state.curve;
+  const std::size_t bends = bendsOf(curve);
+  const bool known = state.bend_weight.size() == bends;
+  std::vector<double> weight(bends), total(bends);
+  Points tangent(bends), bend(bends);
+  for (std::size_t i = 0; i < bends; ++i) {
+    weight[i] = isHinge(curve, nextNodes(curve, i).first) ? 0
+                : known                                   ? state.bend_weight[i]
+                                                          : 1;
+    tangent[i] = tangentOf(curve, i);
+    bend[i] = std::sqrt(bendUnit(state, i)) * bendOf(curve, i);
+    state.bend_mean[i] = weight[i] * bend[i];
+    total[i] = weight[i];
+  }
+  // Adds the bends before each, as seen in this order; a ring is gone around twice.
+  const double keep = std::exp(-1 / (even_share * static_cast<double>(bends)));
+  const auto addBefore = [&](auto place) {
+    Point sum = Point::Zero();
+    double weights = 0;
+    const std::size_t rounds = curve.closed ? 2 : 1;
+    for (std::size_t step = 0; step < rounds * bends; ++step) {
+      const std::size_t i = place(step % bends);
+      if (step > 0)
+        sum = keep * turned(sum, tangent[place((step - 1) % bends)], tangent[i]);
+      weights *= keep;
+      if (step >= (rounds - 1) * bends) {
+        state.bend_mean[i] += sum;
+        total[i] += weights;
+      }
+      sum += weight[i] * bend[i];
+      weights += weight[i];
+    }
+  };
+  addBefore([](std::size_t step) { return step; });
+  addBefore([bends](std::size_t step) { return bends - 1 - step; });
+
+  const double rigidity = rigidityOf(state.bending, spacing);
+  const double across = frame_.dimensions - 1;
+  for (std::size_t i = 0; i < bends; ++i) {
+    Point& mean = state.bend_mean[i];
+    mean /= std::max(total[i], 1e-300);
+    const double square = rigidity * total[i] * mean.squaredNorm();
+    const double kept = square > across ? 1 - across / square : 0;
+    mean *= kept / std::sqrt(bendUnit(state, i));
+    if (kept > 0)
+      state.mean_freedom += kept * weight[i] / total[i];
+  }
+}
+
+void
+EmFitter::stiffen(CurveState& state, double spacing)
+{
+  const ModelCurve& curve = state.curve;
+  const double rigidity = rigidityOf(state.bending, spacing);
+  const std::size_t bends = bendsOf(curve);
+  const bool known = state.bend_variance.size() == bends;
+  const double across = frame_.dimensions - 1;
+  state.bend_weight.resize(bends);
+  for (std::size_t i = 0; i < bends; ++i) {
+    const auto [j, k] = nextNodes(curve, i);
+    if (isHinge(curve, j)) {
+      state.bend_weight[i] = 0;
+      continue;
+    }
+    const double unit = bendUnit(state, i);
+    const Point& mean = state.bend_mean[i];
+    double square = (bendOf(curve, i) - mean).squaredNorm();
+    if (known)
+      square += across * state.bend_variance[i];
+    // A Student distribution is a normal one that a greater bend makes wider.
+    state.bend_weight[i] = (tail + across) / (tail + rigidity * square * unit);
+    const double w = noise_ * noise_ * rigidity * state.bend_weight[i] * unit;
+    system_.addDiagonal(i, w);
+    system_.addDiagonal(j, 4 * w);
+    system_.addDiagonal(k, w);
+    system_.addNext(i, -2 * w);
+    system_.addNext(j, -2 * w);
+    system_.addAfterNext(i, w);
+    solution_[i] += w * mean;
+    solution_[j] -= 2 * w * mean;
+    solution_[k] += w * mean;
+  }
+}
+
+double
+EmFitter::bendVariance(const ModelCurve& curve, std::size_t i) const
+{
+  const auto [j, k] = nextNodes(curve, i);
+  return noise_ * noise_ *
+         std::max(0.0,
+                  inverse_diagonal_[i] + 4 * inverse_diagonal_[j] +
+                      inverse_diagonal_[k] - 4 * inverse_next_[i] -
+                      4 * inverse_next_[j] + 2 * inverse_after_next_[i]);
+}
+
+void
+EmFitter::measureBending(CurveState& state, double spacing)
+{
+  // The scale of the prior: that at which its bends and what is unknown of them are as
+  // wide as it says (MacKay). Expectation maximization has the same fixed point and
+  // creeps.
+  const double rigidity = rigidityOf(state.bending, spacing);
+  const std::size_t bends = bendsOf(state.curve);
+  const double across = frame_.dimensions - 1;
+  const double first_square = bending_prior * across * state.first_bending;
+  double square = 0, known_bends = bending_prior;
+  state.bend_variance.resize(bends);
+  for (std::size_t i = 0; i < bends; ++i) {
+    const double unit = bendUnit(state, i), weight = state.bend_weight[i];
+    const double variance = bendVariance(state.curve, i);
+    state.bend_variance[i] = variance;
+    square +=
+        weight * (bendOf(state.curve, i) - state.bend_mean[i]).squaredNorm() * unit;
+    if (weight > 0)
+      known_bends += std::max(0.0, 1 - rigidity * weight * variance * unit);
+  }
+  state.bending =
+      (first_square + square / (spacing * spacing * spacing)) / (known_bends * across);
+}
+
+} // namespace linelet

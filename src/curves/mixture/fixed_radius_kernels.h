@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/support/points.h>
+
+#include "em_kernels.h"
+
+namespace linelet {
+
+/** \brief Noise of about one length: the distances of points from their sources are
+ * normal around it. */
+struct FixedRadius {
+  double radius;
+  double width; ///< standard deviation
+};
+
+/** \brief Of pairs of an edge and a point, one array each: means over the places of the
+ * edge that the point may come from. */
+struct FixedRadiusMeans {
+  double* place;    ///< along the edge
+  double* residual; ///< what the distance is longer than the radius
+  double* spread;   ///< the square of that
+};
+
+/** \brief The inner loops of the fit with fixed-radius noise. Arrays of pairs have the
+ * padding of \ref EdgePoints, which is overwritten. */
+struct FixedRadiusKernels {
+  /** \brief The density of \a edge at the points, as if all distances were the radius,
+   * and the means that go with it. Of \a edge the variance plays no part. */
+  void (*densities)(const EdgeShape& edge,
+                    const FixedRadius& noise,
+                    const EdgePoints& points,
+                    double* density,
+                    const FixedRadiusMeans& means);
+
+  /** \brief Sums over the points, those of a kind with EmKernels::sums that draw the
+   * vertices: each point draws its source along the line between both, to where its
+   * distance is the radius.
+   * \param[in] sorted_index of each point, by which \a information, what it says of its
+   * distance, is found */
+  EdgeSums (*sums)(const EdgeShape& edge,
+                   const FixedRadius& noise,
+                   const EdgePoints& points,
+                   const double* share,
+                   const FixedRadiusMeans& means,
+                   const Index* sorted_index,
+                   const double* information,
+                   bool front,
+                   bool back);
+};
+
+/** \brief The kernels for this machine. */
+const FixedRadiusKernels&
+fixedRadiusKernels();
+
+} // namespace linelet

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+
+#include "curves/ridges/model_curve.h"
+
+namespace linelet {
+
+/** \brief Joins free ends of curves across gaps where both sides agree.
+ *
+ * Two ends (of one curve or of two) are joined when the direction of each is within 35
+ * degrees of the gap and the gap is at most 15 % of the length of what is joined,
+ * itself included; across gaps of up to \a near within \a near_angle, whatever the
+ * length. The best agreeing, narrowest gaps come first; what is joined then counts by
+ * its new length. A wide gap is bridged by a cubic that keeps both directions, or
+ * straight where one of them is off by more than 60 degrees.
+ * \param[in] widest no gap beyond this is bridged; 0: no such limit
+ * \param[in] reach directions are taken over this length */
+ModelCurves
+bridgeGaps(const ModelCurves& curves,
+           double near,
+           double widest,
+           double reach,
+           double near_angle = M_PI / 3);
+
+} // namespace linelet

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/search/uniform_grid.h>
+
+#include "curves/ridges/model_curve.h"
+
+namespace linelet {
+
+/** \brief \a curves with every one doubled whose points lie to two sides of it.
+ *
+ * That is told by the spread of their offsets, seen from the curve: wider in one
+ * direction across it than in the other, by variances \a least_spread times.
+ * \param[in] grid of \a points
+ * \param[in] reach points farther from a curve do not count
+ * \return nothing if there is no such curve */
+ModelCurves
+doubled(const ModelCurves& curves,
+        const Points& points,
+        const UniformGrid& grid,
+        double reach,
+        double least_spread);
+
+} // namespace linelet

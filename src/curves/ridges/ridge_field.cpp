@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ridge_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "sorted_kernels.h"
+
+namespace linelet {
+
+namespace {
+
+// Points with less support than this share of the median, or than this many points at
+// no distance, take no part.
+constexpr double least_share = 0.3;
+constexpr double least_support = 1.5;
+
+} // namespace
+
+RidgeField::RidgeField(const Points& points, double bandwidth, const ScaleField* scales)
+    : bandwidth_(bandwidth), scales_(scales), grid_(points, 3 * bandwidth)
+{
+  supports_.assign(points.size(), 0);
+  if (grid_.size() == 0)
+    return;
+  sorted_ = std::make_shared<SortedArrays>(grid_);
+  std::vector<double> scores(points.size());
+  for (std::size_t sorted_index = 0; sorted_index < grid_.size(); ++sorted_index) {
+    const Sample here = sample(grid_.sortedPoints()[sorted_index]);
+    const Index i = grid_.inputIndices()[sorted_index];
+    supports_[i] = here.support;
+    scores[i] = here.support * (0.2 + linearityOf(here.covariance));
+  }
+  std::vector<double> sorted = supports_;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  median_support_ = *middle;
+
+  const double least = std::max(least_share * median_support_, least_support);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (supports_[i] >= least) {
+      kept_.push_back(points[i]);
+      kept_indices_.push_back(static_cast<Index>(i));
+    }
+    else
+      supports_[i] = 0;
+  }
+  if (kept_.size() < points.size()) {
+    grid_ = UniformGrid(kept_, 3 * bandwidth);
+    sorted_ = std::make_shared<SortedArrays>(grid_);
+  }
+  seeds_ = kept_indices_;
+  std::sort(seeds_.begin(), seeds_.end(), [&](Index a, Index b) {
+    return scores[a] != scores[b] ? scores[a] > scores[b] : a < b;
+  });
+}
+
+RidgeField::Sample
+RidgeField::sample(const Point& x) const
+{
+  static thread_local std::vector<SortedRun> runs;
+  runs.clear();
+  const double radius = 3 * bandwidthAt(x);
+  grid_.forEachRun(x, radius, [&](std::size_t begin, std::size_t end) {
+    runs.push_back({begin, end});
+  });
+  Sample result;
+  if (runs.empty())
+    return result;
+  FieldSums sums;
+  sortedKernels().fieldSums(*sorted_, runs, x.data(), radius, sums);
+  result.support = sums.weight;
+  if (!(result.support > 0))
+    return result;
+  const Point first = Point(sums.first) / sums.weight;
+  const auto& s = sums.second;
+  result.covariance << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+  result.covariance /= sums.weight;
+  result.covariance -= first * first.transpose();
+  result.mean = x + first;
+  return result;
+}
+
+double
+linearityOf(const Eigen::Matrix3d& m)
+{
+  const double trace = m.trace();
+  if (!(trace > 0))
+    return 0;
+  // Eigenvalues of a symmetric 3x3 matrix by the trigonometric formula.
+  const double q = trace / 3;
+  const double off = m(0, 1) * m(0, 1) + m(0, 2) * m(0, 2) + m(1, 2) * m(1, 2);
+  const double p2 = (m(0, 0) - q) * (m(0, 0) - q) + (m(1, 1) - q) * (m(1, 1) - q) +
+                    (m(2, 2) - q) * (m(2, 2) - q) + 2 * off;
+  const double p = std::sqrt(p2 / 6);
+  if (!(p > 1e-12 * q))
+    return 0;
+  const Eigen::Matrix3d b = (m - q * Eigen::Matrix3d::Identity()) / p;
+  const double r = std::clamp(b.determinant() / 2, -1.0, 1.0);
+  // The largest is q + 2p cos(phi), the middle one q + 2p cos(phi - 2 pi / 3), where
+  // phi = acos(r) / 3.
+  return 2 * std::sqrt(3.0) * p * std::sin(std::acos(-r) / 3) / trace;
+}
+
+Point
+majorDirection(const Eigen::Matrix3d& matrix, const Point& like)
+{
+  Eigen::Matrix3d power = matrix;
+  for (int k = 0; k < 5; ++k) {
+    const double trace = power.trace();
+    if (!(trace > 0))
+      return like;
+    power /= trace;
+    power = (power * power).eval();
+  }
+  // The longest column is the direction unless the two largest eigenvalues agree.
+  int longest = 0;
+  for (int k = 1; k < 3; ++k)
+    if (power(k, k) > power(longest, longest))
+      longest = k;
+  Point direction = power.col(longest);
+  const double norm = direction.norm();
+  if (!(norm > 0))
+    return like;
+  direction /= norm;
+  return direction.dot(like) < 0 ? Point(-direction) : direction;
+}
+
+} // namespace linelet

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "scale_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <linelet/search/nearest_walk.h>
+#include <linelet/search/sort_indices.h>
+
+#include "ridge_field.h"
+
+namespace linelet {
+
+namespace {
+
+constexpr std::size_t spacing_neighbors = 6;
+constexpr std::size_t smoothing_neighbors = 12;
+// Points whose neighborhood is this linear tell of the spacing along curves; so large
+// a share of all there must be.
+constexpr double least_linearity = 0.6;
+constexpr double least_linear = 0.3;
+
+} // namespace
+
+ScaleField::ScaleField(const Points& points, double scale_unit, double least_spread)
+    : unit_(scale_unit)
+{
+  std::vector<double> logarithms(points.size());
+  std::vector<Indices> near(points.size());
+  const UniformGrid grid(points, scale_unit);
+  NearestWalk walk(points, grid, smoothing_neighbors + 1);
+  const Indices& all = grid.inputIndices();
+  walk(all.data(),
+       all.data() + all.size(),
+       [&](Index i, const std::vector<UniformGrid::Neighbor>& nearest) {
+         // The point itself, or one in its place, is the nearest of all.
+         const std::size_t sixth = std::min(spacing_neighbors, nearest.size() - 1);
+         const double spacing = std::sqrt(nearest[sixth].first) / scale_unit;
+         logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
+         near[i].reserve(nearest.size());
+         for (const auto& [squared, j] : nearest)
+           near[i].push_back(j);
+         sortIndices(near[i]);
+       });
+  std::vector<double> linear;
+  auto values = std::make_shared<std::vector<double>>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double sum = 0;
+    Point mean = Point::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (const Index j : near[i]) {
+      sum += logarithms[j];
+      const Point v = points[j] - points[i];
+      mean += v;
+      second += v * v.transpose();
+    }
+    const auto count = static_cast<double>(near[i].size());
+    values->push_back(std::exp(sum / count));
+    mean /= count;
+    if (linearityOf(second / count - mean * mean.transpose()) >= least_linearity)
+      linear.push_back(values->back());
+  }
+  if (static_cast<double>(linear.size()) >=
+      least_linear * static_cast<double>(points.size())) {
+    std::sort(linear.begin(), linear.end());
+    spread_ = linear[linear.size() * 9 / 10] / linear[linear.size() / 10];
+  }
+  if (spread_ < least_spread)
+    return;
+  tree_ = std::make_shared<KdTree>(points);
+  values_ = std::move(values);
+}
+
+// Asked of places far from all points too, where the rows of a grid are empty for long.
+double
+ScaleField::at(const Point& x) const
+{
+  if (!values_)
+    return 1;
+  thread_local Indices nearest;
+  tree_->nearest(x + origin_, 1, nearest);
+  return nearest.empty() ? 1 : (*values_)[nearest.front()];
+}
+
+} // namespace linelet

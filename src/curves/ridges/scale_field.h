@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <linelet/search/kd_tree.h>
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief How widely points are spaced at a place, beside the spacing of all.
+ *
+ * Where points lie twice as far apart, as the sampling of a finely bent curve or a
+ * noise that grows along it makes them, the field is about 2: all lengths that a fit
+ * takes from the scale unit then grow by it. Without points it is 1 everywhere. */
+class ScaleField {
+public:
+  ScaleField() = default;
+
+  /** \brief The distance of every point to its sixth neighbor, smoothed over its
+   * neighborhood, beside \a scale_unit; between 1/8 and 8.
+   * \param[in] points finite points
+   * \param[in] least_spread where the \ref spread is less, the field stays without
+   * points */
+  ScaleField(const Points& points, double scale_unit, double least_spread = 1);
+
+  /** \brief This field for coordinates that count from \a origin; it shares memory. */
+  ScaleField
+  from(const Point& origin) const
+  {
+    ScaleField field = *this;
+    field.origin_ += origin;
+    return field;
+  }
+
+  double
+  at(const Point& x) const;
+
+  /** \brief No value is greater. */
+  static constexpr double
+  widest()
+  {
+    return 8;
+  }
+
+  /** \brief The scale unit of which this is a multiple. */
+  double
+  unit() const
+  {
+    return unit_;
+  }
+
+  /** \brief The ratio of wide to narrow spacings along curves: that of the ninth to the
+   * first decile of the points whose neighborhood is linear; 1 where few are. */
+  double
+  spread() const
+  {
+    return spread_;
+  }
+
+private:
+  std::shared_ptr<const KdTree> tree_;
+  std::shared_ptr<const std::vector<double>> values_;
+  Point origin_ = Point::Zero();
+  double unit_ = 0;
+  double spread_ = 1;
+};
+
+} // namespace linelet

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "model_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <linelet/search/scale_unit.h>
+
+#include "curves/network/corners.h"
+#include "curves/network/curve_similarity.h"
+#include "curves/network/doubling.h"
+#include "curves/network/revision.h"
+#include "curves/network/simpler_networks.h"
+#include "curves/ridges/ridge_trace.h"
+#include "refine_component.h"
+
+namespace linelet {
+
+namespace {
+
+constexpr int most_rounds = 3;
+constexpr int most_rejoinings = 2;
+constexpr int most_simplifications = 8;
+// Curves may be joined wrongly where they pass within so many standard deviations, or
+// D.
+constexpr double doubt_noise = 2;
+constexpr double doubt_unit = 0.6;
+// Up to so many places are rejoined each by itself, more of them all at once.
+constexpr std::size_t most_single_places = 8;
+constexpr double least_gain = 1; // of the score, by which another topology is better
+// Bends within so many standard deviations, or D, may be corners.
+constexpr std::array<double, 2> bend_noise = {1, 2};
+constexpr double bend_unit = 0.5;
+constexpr int near_iterations = 8; // where the start is near
+// A curve is doubled where the variance of its points one way is this many times that
+// the other way; for fixed-radius noise it is smaller beside the distance of a pair.
+constexpr double doubled_spread = 2;
+constexpr double doubled_fixed_radius_spread = 1.3;
+// Fixed-radius noise is tried where the noise is that much wider than the least, with
+// a width of this share of its length. The kurtosis is 2 for normal noise.
+constexpr double least_fixed_radius = 1.2;
+constexpr double fixed_radius_width = 0.2;
+constexpr int fixed_radius_iterations = 10; // the start is near
+// Noise that varies is tried where the kurtosis is at least this share of that of
+// normal noise: what lies farthest out is taken for outliers, and missing in it.
+constexpr double least_tails = 0.9;
+// The curves' effective parameters across them, per curve, from which on they may be
+// thought to bend evenly: an arc has three.
+constexpr double least_even_curvature = 6;
+constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
+constexpr double most_kurtosis = 2.2;
+constexpr std::size_t least_rest = 8;
+
+/** \brief The kurtosis of normal noise (\ref EmFit): fourth moment over squared
+ * second of the distance from a line. */
+double
+normalKurtosis(int dimensions)
+{
+  return dimensions == 3 ? 2 : 3;
+}
+
+/** \brief The doubtful places of \a curves (\ref doubtfulPlaces) in groups that are
+ * rejoined together. */
+std::vector<Points>
+placesToRejoin(const ModelCurves& curves, double size)
+{
+  const Points places = doubtfulPlaces(curves, size);
+  std::vector<Points> result;
+  for (const Indices& group : connectedComponents(places, size, 1)) {
+    result.emplace_back();
+    for (const Index i : group)
+      result.back().push_back(places[i]);
+  }
+  return result.size() > most_single_places ? std::vector<Points>{places} : result;
+}
+
+/** \brief Rejoins every doubtful place once.
+ * \return whether anything was better */
+bool
+rejoinOnce(ComponentModel& component)
+{
+  const EmFit& best = component.best().fit;
+  bool better = false;
+  for (const double factor : {1.0, 2.0}) {
+    const double size =
+        factor * std::max(doubt_noise * best.noise, doubt_unit * component.scaleUnit());
+    for (const Points& places : placesToRejoin(best.curves, size))
+      for (const Rejoining rejoining : {Rejoining::Paired, Rejoining::Bridged}) {
+        const ModelCurves start = rejoined(best.curves, places, size, rejoining);
+        if (ofOneCourse(start, best.curves, size))
+          continue;
+        EmSettings settings = component.best().settings;
+        settings.noise = best.noise;
+        better = component.improve(start, settings, least_gain) || better;
+      }
+  }
+  return better;
+}
+
+/** \brief The fit that \a fitted becomes when every curve is doubled whose points lie
+ * to two sides of it; no curve where there is none. What falls far behind the score
+ * \a rival is given up. */
+EmFit
+doubledFit(ComponentModel& component, const Fitted& fitted, double rival)
+{
+  const double noise = fitted.fit.noise;
+  const ModelCurves pairs = doubled(fitted.fit.curves,
+                                    component.points(),
+                                    component.grid(),
+                                    4 * noise,
+                                    doubled_spread);
+  if (pairs.empty())
+    return {};
+  EmSettings settings = fitted.settings;
+  settings.noise = 0.6 * noise;
+  return component.fit(pairs, settings, rival);
+}
+
+} // namespace
+
+EmFit
+doubleCurves(ComponentModel& component)
+{
+  const EmSettings settings = component.best().settings;
+  // In space, fixed-radius noise may make another fit of it.
+  const double rival = component.dimensions() == 3
+                           ? std::numeric_limits<double>::infinity()
+                           : component.best().score;
+  EmFit fit = doubledFit(component, component.best(), rival);
+  const bool taken = component.take(fit, settings);
+  // One curve between two explains their points badly, and a narrower bandwidth, that
+  // leaves both in pieces, better; yet doubled it is both of them.
+  ModelCurves last;
+  for (const Fitted& other : component.traced()) {
+    const ModelCurves& curves = other.fit.curves;
+    if (curves.size() >= component.best().fit.curves.size() ||
+        ofOneCourse(curves, last, other.fit.noise))
+      continue;
+    component.take(doubledFit(component, other, component.best().score),
+                   other.settings);
+    last = curves;
+  }
+  return taken ? EmFit{} : fit;
+}
+
+void
+rejoin(ComponentModel& component)
+{
+  // What is joined in one place may show what is wrong in another.
+  for (int round = 0; round < most_rejoinings && rejoinOnce(component); ++round) {
+  }
+}
+
+void
+traceTheRest(ComponentModel& component, double widest_unit)
+{
+  const Points& points = component.points();
+  const EmFit& best = component.best().fit;
+  for (int round = 0; round < most_rounds && !best.curves.empty(); ++round) {
+    Points rest;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (best.outlier[i] > 0.5)
+        rest.push_back(points[i]);
+    if (rest.size() < least_rest)
+      break;
+    const double unit = scaleUnit(rest, 1024, 1, 1);
+    if (!(unit > 0) || unit > widest_unit)
+      break;
+    Traces traces = traceRidges(RidgeField(rest, unit), {});
+    if (traces.curves.empty())
+      break;
+    for (ModelCurve& curve : traces.curves)
+      curve.scale = unit;
+    ModelCurves start = best.curves;
+    start.insert(start.end(), traces.curves.begin(), traces.curves.end());
+    EmSettings settings = component.best().settings;
+    settings.noise = std::max(best.noise, 0.25 * unit);
+    if (!component.take(component.fit(start, settings), component.best().settings))
+      break;
+  }
+}
+
+void
+followNoise(ComponentModel& component, const ScaleField* scales)
+{
+  const EmFit& best = component.best().fit;
+  if (best.curves.empty() ||
+      best.kurtosis <= least_tails * normalKurtosis(component.dimensions()))
+    return;
+  EmSettings settings = component.best().settings;
+  settings.varied_noise = true;
+  settings.noise = best.noise;
+  if (!component.take(component.fit(best.curves, settings), settings))
+    return;
+  component.vary(nullptr, true);
+  for (std::size_t k = 0; k < bandwidths.size(); ++k)
+    component.tryBandwidth(k);
+  if (!scales)
+    return;
+  component.vary(scales, true);
+  for (const std::size_t k : varied_bandwidths)
+    component.tryBandwidth(k);
+}
+
+void
+simplify(ComponentModel& component)
+{
+  bool better = true;
+  for (int round = 0; round < most_simplifications && better; ++round) {
+    const EmFit best = component.best().fit;
+    EmSettings settings = component.best().settings;
+    if (!settings.varied_noise && !settings.scales)
+      return;
+    settings.noise = best.noise;
+    better = false;
+    for (const ModelCurves& start :
+         simplerNetworks(best.curves, component.scaleUnit(), settings.scales)) {
+      if (component.improve(start, settings, least_gain))
+        better = true;
+    }
+  }
+}
+
+void
+fitFixedRadius(ComponentModel& component, const EmFit& other)
+{
+  const EmSettings settings = component.best().settings;
+  if (component.best().fit.curves.empty() || settings.scales ||
+      component.dimensions() < 3)
+    return;
+  const EmFit normal = component.best().fit;
+  for (const EmFit* start : {&normal, &other}) {
+    if (start->curves.empty() ||
+        start->noise < least_fixed_radius * settings.least_noise ||
+        start->kurtosis > most_kurtosis)
+      continue;
+    EmSettings trial = settings;
+    trial.fixed_radius = std::sqrt(3.0) * start->noise;
+    trial.noise = fixed_radius_width * trial.fixed_radius;
+    trial.iterations = fixed_radius_iterations;
+    component.take(component.fit(start->curves, trial, component.best().score), trial);
+  }
+  // What normal noise hides: a curve whose points lie beside it rather than around it.
+  const EmFit& best = component.best().fit;
+  const double noise = best.deviation();
+  const ModelCurves pairs = doubled(best.curves,
+                                    component.points(),
+                                    component.grid(),
+                                    4 * noise,
+                                    doubled_fixed_radius_spread);
+  if (pairs.empty())
+    return;
+  EmSettings trial = settings;
+  trial.fixed_radius = pair_share * std::sqrt(3.0) * noise;
+  trial.noise = fixed_radius_width * trial.fixed_radius;
+  trial.iterations = fixed_radius_iterations;
+  component.take(component.fit(pairs, trial, component.best().score), trial);
+}
+
+void
+evenCurvature(ComponentModel& component)
+{
+  const EmFit& best = component.best().fit;
+  EmSettings settings = component.best().settings;
+  const double curves = static_cast<double>(best.curves.size());
+  // Without noise the points say all of the shape.
+  if (best.noise <= settings.least_noise ||
+      best.freedom <= least_even_curvature * (component.dimensions() - 1) * curves)
+    return;
+  settings.even_curvature = true;
+  settings.noise = best.noise;
+  component.take(component.fit(best.curves, settings), settings, least_gain);
+}
+
+void
+sharpen(ComponentModel& component)
+{
+  const EmFit& best = component.best().fit;
+  for (const double factor : bend_noise) {
+    const double size =
+        factor * std::max(best.deviation(), bend_unit * component.scaleUnit());
+    const ModelCurves start = sharpened(best.curves, size);
+    if (start.empty())
+      continue;
+    EmSettings settings = component.best().settings;
+    settings.noise = best.noise;
+    settings.fixed_radius = best.fixed_radius;
+    settings.iterations = near_iterations;
+    component.improve(start, settings, least_gain);
+  }
+}
+
+} // namespace linelet

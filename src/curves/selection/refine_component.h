@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+
+#include <linelet/curves/refined_reconstruction.h>
+
+#include "curves/mixture/em_fit.h"
+
+namespace linelet {
+
+/** \brief Fits one connected component of a cloud: ridges at six bandwidths, each
+ * refitted, the lowest score wins.
+ *
+ * For a large component a few samples of it choose the bandwidth.
+ * \param[in] points finite points
+ * \param[in] scales how the spacing of the points varies; null: hardly
+ * \param[in] stop asked in every iteration of a fit; true: Canceled is thrown
+ * \param[in] progress told the share of the work that is done
+ * \return no curve where none explains the points better than uniform scatter does */
+EmFit
+refineComponent(const Points& points,
+                const RefinedSettings& settings,
+                const ScaleField* scales,
+                const std::function<bool()>& stop,
+                const std::function<void(double)>& progress);
+
+/** \brief The points of each connected component (linked over \a distance, which grows
+ * with \a scales where they are above 1), largest index sets of at least \a least
+ * points, in the order of their first points. */
+std::vector<Indices>
+connectedComponents(const Points& points,
+                    double distance,
+                    std::size_t least,
+                    const ScaleField* scales = nullptr);
+
+} // namespace linelet

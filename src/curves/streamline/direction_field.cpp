@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "direction_field.h"
+
+#include <cmath>
+
+#include <linelet/features/tensor_estimation.h>
+#include <linelet/tensor/eigen_analysis.h>
+
+namespace linelet {
+
+namespace {
+
+// Directions whose weights sum to less say nothing: all points lie behind the end.
+constexpr double least_weight = 1e-3;
+
+/** \brief \a v of length 1, or zero where it is too short to have a direction. */
+Point
+unit(const Point& v, double least = 1e-12)
+{
+  const double norm = v.norm();
+  return norm > least ? Point(v / norm) : Point(Point::Zero());
+}
+
+Point
+toward(const Point& direction, const Point& last)
+{
+  return direction.dot(last) < 0 ? Point(-direction) : direction;
+}
+
+std::vector<SymmetricTensor>
+optimalTensors(const Points& points,
+               const std::vector<LocalScale>& scales,
+               const StreamlineSettings& settings)
+{
+  TensorSettings tensor;
+  tensor.weighting = settings.shape.weighting;
+  tensor.centroid = settings.shape.centroid;
+  tensor.centroid_weighting = settings.shape.centroid_weighting;
+  tensor.threads = settings.threads;
+  NeighborhoodSizes sizes;
+  for (const LocalScale& scale : scales)
+    sizes.radii.push_back(scale.radius);
+  std::vector<SymmetricTensor> result;
+  for (const PointDistributionTensor& record :
+       estimateTensors(points, points, tensor, sizes)) {
+    SymmetricTensor t{record.xx, record.xy, record.xz, record.yy, record.yz, record.zz};
+    const double trace = t.trace();
+    // Of trace 1, so that points with large neighborhoods do not outvote the others.
+    t *= trace > 0 ? 1 / trace : 0;
+    result.push_back(trace > 0 ? t : SymmetricTensor{});
+  }
+  return result;
+}
+
+} // namespace
+
+DirectionField::DirectionField(const Points& points,
+                               const MultiScaleShapes& shapes,
+                               const UniformGrid& grid,
+                               const StreamlineSettings& settings)
+    : points_(points), grid_(grid), settings_(settings), scale_unit_(shapes.scale_unit)
+{
+  for (const MultiScaleShape& shape : shapes.shapes) {
+    eigenvectors_.emplace_back(shape.major_x, shape.major_y, shape.major_z);
+    const bool known = std::isfinite(shape.optimal_radius);
+    scales_.push_back({known ? double(shape.optimal_radius) : 0.0,
+                       known ? double(shape.blend) : 0.0});
+  }
+  if (settings.direction == DirectionMode::Tensor ||
+      settings.direction == DirectionMode::TensorDeflection)
+    tensors_ = optimalTensors(points, scales_, settings);
+}
+
+LocalScale
+DirectionField::scaleAt(const Point& position, const LocalScale& last) const
+{
+  const Index i = grid_.nearest(position, settings_.search_radius * scale_unit_);
+  if (i == UniformGrid::none || scales_[i].radius == 0)
+    return last;
+  LocalScale scale = scales_[i];
+  if (settings_.interpolation_radius > 0)
+    scale.radius = settings_.interpolation_radius * scale_unit_;
+  return scale;
+}
+
+Point
+DirectionField::at(const Point& position,
+                   const Point& last,
+                   const LocalScale& scale) const
+{
+  Point direction = Point::Zero();
+  switch (settings_.direction) {
+  case DirectionMode::Eigenvector:
+    direction = interpolatedEigenvector(position, last, scale.radius);
+    break;
+  case DirectionMode::Tensor: {
+    const Eigen::Matrix3d t = interpolatedTensor(position, scale.radius);
+    if (t.trace() > 0) {
+      const SymmetricTensor sum{t(0, 0), t(0, 1), t(0, 2), t(1, 1), t(1, 2), t(2, 2)};
+      direction = toward(eigenAnalysis(sum).major(), last);
+    }
+    break;
+  }
+  case DirectionMode::Angular:
+    direction = angular(position, last, scale.radius, false);
+    break;
+  case DirectionMode::EigenvectorAngular:
+    direction = scale.blend * interpolatedEigenvector(position, last, scale.radius) +
+                (1 - scale.blend) * angular(position, last, scale.radius, false);
+    break;
+  case DirectionMode::TensorDeflection:
+    direction = interpolatedTensor(position, scale.radius) * last;
+    break;
+  case DirectionMode::AngularDistance:
+    direction = angular(position, last, scale.radius, true);
+    break;
+  }
+  direction = unit(direction);
+  return direction.isZero() ? last : direction;
+}
+
+Point
+DirectionField::interpolatedEigenvector(const Point& position,
+                                        const Point& last,
+                                        double radius) const
+{
+  Point sum = Point::Zero();
+  grid_.forEachWithin(position, radius, [&](Index i, double squared) {
+    const Point& e3 = eigenvectors_[i];
+    if (scales_[i].radius > 0)
+      sum += settings_.interpolation_weighting(std::sqrt(squared) / radius) *
+             toward(e3, last);
+  });
+  return unit(sum);
+}
+
+Point
+DirectionField::angular(const Point& position,
+                        const Point& last,
+                        double radius,
+                        bool with_distance) const
+{
+  Point sum = Point::Zero();
+  double weights = 0;
+  grid_.forEachWithin(position, radius, [&](Index i, double squared) {
+    if (squared == 0)
+      return;
+    const double distance = std::sqrt(squared);
+    const Point v = (points_[i] - position) / distance;
+    double weight = settings_.angle_weighting(1 - (v.dot(last) + 1) / 2);
+    if (with_distance)
+      weight *= settings_.interpolation_weighting(distance / radius);
+    sum += weight * v;
+    weights += weight;
+  });
+  return weights > least_weight ? unit(sum) : Point(Point::Zero());
+}
+
+Eigen::Matrix3d
+DirectionField::interpolatedTensor(const Point& position, double radius) const
+{
+  SymmetricTensor sum;
+  grid_.forEachWithin(position, radius, [&](Index i, double squared) {
+    SymmetricTensor t = tensors_[i];
+    t *= settings_.interpolation_weighting(std::sqrt(squared) / radius);
+    sum += t;
+  });
+  return sum.matrix();
+}
+
+} // namespace linelet

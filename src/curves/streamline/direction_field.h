@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <linelet/curves/streamline_settings.h>
+#include <linelet/features/multi_scale.h>
+#include <linelet/search/uniform_grid.h>
+#include <linelet/support/points.h>
+#include <linelet/tensor/neighborhood_tensor.h>
+
+namespace linelet {
+
+/** \brief What the direction of a step is made of at one place. */
+struct LocalScale {
+  double radius = 0; ///< of the neighborhood
+  double blend = 0;  ///< mu: share of the eigenvector
+};
+
+/** \brief Directions in which curves go on, at any place near the points (Ritter,
+ * Schiffner, Harders 2021, equations 4, 5 and 8). Queries are thread-safe. */
+class DirectionField {
+public:
+  /** \param[in] points with finite coordinates; kept by reference, like \a grid
+   * \param[in] shapes their multi-scale features
+   * \param[in] grid over the same points */
+  DirectionField(const Points& points,
+                 const MultiScaleShapes& shapes,
+                 const UniformGrid& grid,
+                 const StreamlineSettings& settings);
+
+  /** \brief Radius and blend of the point nearest to \a position; \a last where none is
+   * within the search radius, or the nearest has no optimal scale. */
+  LocalScale
+  scaleAt(const Point& position, const LocalScale& last) const;
+
+  /** \brief The unit direction at \a position of a curve that came along \a last (a
+   * unit vector), which is what it stays where no point tells otherwise. */
+  Point
+  at(const Point& position, const Point& last, const LocalScale& scale) const;
+
+  /** \brief The optimal eigenvector e3 of point \a i; NaN where it has none. */
+  Point
+  eigenvector(Index i) const
+  {
+    return eigenvectors_[i];
+  }
+
+  double
+  scaleUnit() const
+  {
+    return scale_unit_;
+  }
+
+private:
+  Point
+  interpolatedEigenvector(const Point& position,
+                          const Point& last,
+                          double radius) const;
+  Point
+  angular(const Point& position,
+          const Point& last,
+          double radius,
+          bool with_distance) const;
+  Eigen::Matrix3d
+  interpolatedTensor(const Point& position, double radius) const;
+
+  const Points& points_;
+  const UniformGrid& grid_;
+  const StreamlineSettings& settings_;
+  double scale_unit_;
+  Points eigenvectors_;                  // NaN: none
+  std::vector<LocalScale> scales_;       // radius 0: none
+  std::vector<SymmetricTensor> tensors_; // of trace 1; only for the modes that use them
+};
+
+} // namespace linelet

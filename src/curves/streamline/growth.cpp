@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "growth.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <linelet/support/threads.h>
+
+#include "meeting.h"
+
+namespace linelet {
+
+namespace {
+
+struct GrowingEnd {
+  Index line = 0;
+  LineLetSide side = back_side;
+  LocalScale scale; // last known
+
+  // The step that it is about to take.
+  Point position = Point::Zero();
+  bool near_points = false;
+};
+
+void
+stop(LineLetEnd& end, EndKind kind)
+{
+  end.growing = false;
+  end.kind = kind;
+}
+
+/** \brief Computes the step of \a end. */
+void
+propose(GrowingEnd& growing,
+        const LineLets& lets,
+        const DirectionField& field,
+        const UniformGrid& grid,
+        const GrowthLimits& limits,
+        const ButcherTable& table)
+{
+  const LineLetEnd& end = lets.lines[growing.line].ends[growing.side];
+  const Point from = lets.vertices[end.vertex].position;
+  const Point step = integrationStep(table, from, limits.step, [&](const Point& x) {
+    growing.scale = field.scaleAt(x, growing.scale);
+    return field.at(x, end.direction, growing.scale);
+  });
+  growing.position = from + step;
+  growing.near_points =
+      grid.nearest(growing.position, limits.distance_cutoff) != UniformGrid::none;
+}
+
+/** \brief Takes the step of \a growing. \return whether the end goes on growing */
+bool
+advance(const GrowingEnd& growing, LineLets& lets, GrowthLimits& limits)
+{
+  LineLetEnd& end = lets.lines[growing.line].ends[growing.side];
+  if (!end.growing) // met by another end of this round
+    return false;
+  const Point step = growing.position - lets.vertices[end.vertex].position;
+  const double step_length = step.norm();
+  if (limits.total_steps == 0 || end.steps == limits.max_iterations ||
+      !(step_length > 0)) {
+    stop(end, EndKind::Iterations);
+    return false;
+  }
+  --limits.total_steps;
+  const Point direction = step / step_length;
+  if (direction.dot(end.direction) < limits.branch_cosine && end.steps > 0) {
+    end.growing = false;
+    end.closed = true;
+    lets.branch(end.vertex, direction); // `end` may be gone
+    return false;
+  }
+  if ((growing.position.array() < limits.low.array()).any() ||
+      (growing.position.array() > limits.high.array()).any()) {
+    stop(end, EndKind::Bounds);
+    return false;
+  }
+  if (!growing.near_points) {
+    stop(end, EndKind::Cutoff);
+    return false;
+  }
+  end.direction = direction;
+  ++end.steps;
+  lets.append(growing.line, growing.side, growing.position);
+  return !meet(lets, growing.line, growing.side, limits.merge_distance);
+}
+
+} // namespace
+
+void
+grow(LineLets& lets,
+     const DirectionField& field,
+     const UniformGrid& grid,
+     GrowthLimits& limits,
+     const StreamlineSettings& settings,
+     ProgressMonitor* monitor)
+{
+  const ButcherTable& table = butcherTable(settings.scheme);
+  LocalScale unknown;
+  unknown.radius = (settings.interpolation_radius > 0 ? settings.interpolation_radius
+                                                      : 2 * settings.search_radius) *
+                   field.scaleUnit();
+  unknown.blend = 0.5;
+
+  std::vector<GrowingEnd> ends;
+  std::size_t seen = 0; // line-lets whose ends were collected
+  const auto collect = [&] {
+    for (; seen < lets.lines.size(); ++seen)
+      for (const LineLetSide side : {back_side, front_side})
+        if (lets.lines[seen].ends[side].growing) {
+          GrowingEnd end;
+          end.line = static_cast<Index>(seen);
+          end.side = side;
+          end.scale = unknown;
+          ends.push_back(end);
+        }
+  };
+  for (collect(); !ends.empty(); collect()) {
+    if (monitor != nullptr && monitor->canceled())
+      throw Canceled();
+    const auto count = static_cast<std::ptrdiff_t>(ends.size());
+#pragma omp parallel for schedule(dynamic, 8)                                          \
+    num_threads(threadCount(settings.threads)) if (count > 32)
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+      propose(ends[static_cast<std::size_t>(i)], lets, field, grid, limits, table);
+    std::vector<GrowingEnd> still;
+    for (const GrowingEnd& end : ends)
+      if (advance(end, lets, limits))
+        still.push_back(end);
+    ends = std::move(still);
+  }
+}
+
+} // namespace linelet

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <linelet/features/fourth_order.h>
+#include <linelet/features/multi_scale.h>
+
+namespace linelet {
+
+/** \brief No more threads than have something to do: for few queries, waking a thread
+ * costs more than it does. */
+int
+usefulThreads(unsigned requested, std::size_t queries);
+
+/** \brief The shapes of all queries at the radii of \a result, by one sweep of the grid
+ * engine over all scales.
+ * \param[in,out] result shapes are filled in
+ * \return false, and nothing done, where the points cannot be sorted into blocks: the
+ * radius is too small beside their extent */
+bool
+multiScaleShapesOnGrid(const Points& surface,
+                       const Points& queries,
+                       const MultiScaleSettings& settings,
+                       const ShapeGraphSink& sink,
+                       ProgressMonitor* monitor,
+                       MultiScaleShapes& result);
+
+/** \brief Fourth-order tensors of all queries, by the same sweep.
+ * \param[in,out] tensors one a query
+ * \return as \ref multiScaleShapesOnGrid */
+bool
+fourthOrderTensorsOnGrid(const Points& surface,
+                         const Points& queries,
+                         const std::vector<double>& radii,
+                         const MultiScaleSettings& settings,
+                         ScaleWeight weight,
+                         ProgressMonitor* monitor,
+                         std::vector<FourthOrderTensor>& tensors);
+
+} // namespace linelet

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include <features/multi_scale/scale_sweep.h>
+#include <linelet/search/uniform_grid.h>
+#include <linelet/support/threads.h>
+
+namespace linelet {
+
+/** \brief Rows of a quarter of the radius fit a ball well and still hold long runs. */
+inline UniformGrid
+gridFor(const Points& surface, double largest_radius)
+{
+  return UniformGrid(surface, largest_radius / 4);
+}
+
+/** \brief Runs the sweep for queries \a begin to \a end; every thread makes itself a
+ * visitor of (query, sweep). */
+template <class Visit>
+void
+sweepQueries(const UniformGrid& grid,
+             const Points& queries,
+             std::size_t begin,
+             std::size_t end,
+             const std::vector<double>& radii,
+             const MultiScaleSettings& settings,
+             ProgressMonitor* monitor,
+             const Visit& make_visitor)
+{
+  constexpr std::size_t chunk_size = 16; // queries handed to a thread at once
+  std::atomic<bool> canceled{false};
+  // No more threads than there are chunks: waking a thread costs more than a few
+  // queries.
+  const int threads = static_cast<int>(
+      std::min((end - begin + chunk_size - 1) / chunk_size,
+               static_cast<std::size_t>(threadCount(settings.threads))));
+#ifdef _OPENMP
+#pragma omp parallel num_threads(std::max(1, threads))
+#endif
+  {
+    ScaleSweep sweep(radii, settings);
+    auto visit = make_visitor();
+#ifdef _OPENMP
+#pragma omp for schedule(dynamic, chunk_size)
+#endif
+    for (std::ptrdiff_t place = static_cast<std::ptrdiff_t>(begin);
+         place < static_cast<std::ptrdiff_t>(end);
+         ++place) {
+      if (canceled)
+        continue;
+      const auto query = static_cast<std::size_t>(place);
+      sweep.clear();
+      grid.forEachOffsetWithin(
+          queries[query], radii.back(), [&](const Point& offset, double squared) {
+            sweep.add(offset, squared);
+          });
+      sweep.run();
+      visit(query, sweep);
+      if (monitor != nullptr) {
+        monitor->advance(1);
+        if (monitor->canceled())
+          canceled = true;
+      }
+    }
+  }
+  if (canceled)
+    throw Canceled();
+}
+
+} // namespace linelet

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <linelet/support/progress_monitor.h>
+
+#include "features/simd_grid/order/block_order.h"
+#include "multi_scale_sweep.h"
+
+namespace linelet::grid {
+
+/** \brief A set of points, sorted for shapes of neighborhoods up to a largest radius.
+ */
+class MultiScaleEngine {
+public:
+  /** \param[in] surface kept by reference
+   * \param[in] largest_radius none that is asked for is larger */
+  MultiScaleEngine(const Points& surface, double largest_radius, int threads);
+
+  /** \brief Whether the points could be sorted; not where the radius is so small beside
+   * their extent that blocks cannot be numbered. */
+  bool
+  usable() const
+  {
+    return surface_order_ != nullptr;
+  }
+
+  /** \brief Visits the shapes of all queries that are finite and near the surface; the
+   * others have no neighbors. In the order of their places in space, the same for any
+   * number of threads.
+   * \param[in] chosen ascending indices of the queries to look at, or null for all
+   * \param[in] radii rising
+   * \param[in] make_visitor called once by every thread
+   * \throws Canceled */
+  void
+  run(const Points& queries,
+      const Indices* chosen,
+      const std::vector<double>& radii,
+      const MultiScaleSettings& settings,
+      const std::function<LeafVisitor()>& make_visitor,
+      ProgressMonitor* monitor) const;
+
+private:
+  const Points& surface_;
+  int threads_;
+  std::unique_ptr<BlockFrame> frame_;
+  std::unique_ptr<BlockOrder> surface_order_;
+  std::unique_ptr<PointGroups> groups_; // of these
+};
+
+} // namespace linelet::grid

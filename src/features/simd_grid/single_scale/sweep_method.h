@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/tensor/centroid.h>
+#include <linelet/tensor/weighting.h>
+
+namespace linelet::grid {
+
+/** \brief How a sweep computes tensors. */
+enum class SweepMethod {
+  Sums,    ///< const around the query or the mean: sums of moments
+  Weights, ///< a kernel around the query
+  Center,  ///< a kernel around a mean of the neighbors
+  Double   ///< neighbors from the lists, all else in double
+};
+
+/** \brief For settings with `weighting`, `centroid` and `centroid_weighting`. */
+template <class Settings>
+SweepMethod
+sweepMethod(const Settings& settings)
+{
+  const bool centered = settings.centroid != Centroid::QueryPoint;
+  // At its step rounding would decide; the medians iterate to the last digit.
+  if (settings.weighting.kernel() == Kernel::Step ||
+      (centered && settings.centroid_weighting.kernel() == Kernel::Step) ||
+      settings.centroid == Centroid::Median ||
+      settings.centroid == Centroid::WeightedMedian)
+    return SweepMethod::Double;
+  if (settings.weighting.kernel() == Kernel::Const &&
+      settings.centroid != Centroid::WeightedMean)
+    return SweepMethod::Sums;
+  return centered ? SweepMethod::Center : SweepMethod::Weights;
+}
+
+} // namespace linelet::grid

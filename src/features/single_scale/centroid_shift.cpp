@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/features/centroid_shift.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include <linelet/search/uniform_grid.h>
+#include <linelet/support/text.h>
+#include <linelet/support/threads.h>
+
+namespace linelet {
+
+Points
+shiftToCentroids(const Points& points,
+                 const CentroidShiftSettings& settings,
+                 ProgressMonitor* monitor)
+{
+  if (!(settings.radius > 0) || !std::isfinite(settings.radius))
+    throw std::invalid_argument("radius " + textOf(settings.radius) +
+                                " of the centroid shift is not positive and finite");
+  const UniformGrid grid(points, settings.radius);
+  Points moved = points;
+  if (monitor != nullptr)
+    monitor->begin("centroid shift", points.size());
+  std::atomic<bool> canceled{false};
+#ifdef _OPENMP
+#pragma omp parallel num_threads(threadCount(settings.threads))
+#endif
+  {
+    Points offsets;
+#ifdef _OPENMP
+#pragma omp for schedule(dynamic, 256)
+#endif
+    for (std::ptrdiff_t place = 0; place < static_cast<std::ptrdiff_t>(points.size());
+         ++place) {
+      const auto i = static_cast<std::size_t>(place);
+      if (canceled || !points[i].allFinite())
+        continue;
+      offsets.clear();
+      grid.forEachOffsetWithin(
+          points[i], settings.radius, [&](const Point& offset, double) {
+            offsets.push_back(offset);
+          });
+      moved[i] += centroid(settings.centroid,
+                           offsets,
+                           Point::Zero(),
+                           settings.radius,
+                           settings.weighting);
+      if (monitor != nullptr) {
+        monitor->advance(1);
+        if (monitor->canceled())
+          canceled = true;
+      }
+    }
+  }
+  if (canceled)
+    throw Canceled();
+  return moved;
+}
+
+} // namespace linelet

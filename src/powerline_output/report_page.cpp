@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "report_page.h"
+
+namespace linelet::powerline::report {
+
+std::string
+number(double value, int decimals)
+{
+  if (!std::isfinite(value))
+    return "–";
+  std::array<char, 64> buffer;
+  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
+  const std::string text = buffer.data();
+  // No minus before nothing but zeros.
+  return text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos
+             ? text.substr(1)
+             : text;
+}
+
+std::string
+escaped(std::string_view text)
+{
+  std::string out;
+  for (const char c : text)
+    switch (c) {
+    case '&':
+      out += "&amp;";
+      break;
+    case '<':
+      out += "&lt;";
+      break;
+    case '>':
+      out += "&gt;";
+      break;
+    case '"':
+      out += "&quot;";
+      break;
+    default:
+      out += c;
+    }
+  return out;
+}
+
+double
+roundStep(double range, int count)
+{
+  const double raw = range / count;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  const double lead = raw / power;
+  return power * (lead <= 1.5 ? 1 : lead <= 3.5 ? 2 : lead <= 7.5 ? 5 : 10);
+}
+
+std::string_view
+wireColor(int number)
+{
+  // Told apart with any color vision; red is kept for hazards.
+  static constexpr std::array<std::string_view, 8> colors = {"#0072b2",
+                                                             "#e69f00",
+                                                             "#009e73",
+                                                             "#8e5ea2",
+                                                             "#56b4e9",
+                                                             "#8c6d31",
+                                                             "#3b3b3b",
+                                                             "#cc79a7"};
+  return colors[static_cast<std::size_t>(number > 0 ? number - 1 : 0) % colors.size()];
+}
+
+std::string
+Content::supportName(int id) const
+{
+  return id > 0 ? "P" + std::to_string(id) : "edge";
+}
+
+} // namespace linelet::powerline::report

@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <linelet/features/linearity_graph.h>
+
+// The graphs are worked out by hand in the comments, from the definitions of A, A_j,
+// delta and O_m alone.
+
+namespace {
+
+using linelet::GraphIntegral;
+using linelet::LinearityGraph;
+using linelet::LinearityGraphSettings;
+using linelet::ScaleScore;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Radii 1, 2, 4, ...; every scale has enough neighbors unless counts are given.
+LinearityGraph
+read(const std::vector<double>& linearity,
+     const LinearityGraphSettings& settings = {},
+     std::vector<std::uint32_t> neighbors = {})
+{
+  std::vector<double> radii;
+  for (std::size_t k = 0; k < linearity.size(); ++k)
+    radii.push_back(std::exp2(static_cast<double>(k)));
+  if (neighbors.empty())
+    neighbors.assign(linearity.size(), 100);
+  return readLinearityGraph(linearity, neighbors, radii, settings);
+}
+
+// Jitter peak, minimum at the jitter's size, maximum of the line, fall at a corner.
+const std::vector<double> two_peaks = {0.9, 0.3, 0.8, 0.6, 0.2, 0.4};
+
+TEST(LinearityGraph, FindsExtremaOfTwoPeaks)
+{
+  const LinearityGraph graph = read(two_peaks);
+  // Minima at 1 and 4; the rising end is a maximum, as is the beginning.
+  EXPECT_EQ(graph.minima, (std::vector<std::size_t>{1, 4}));
+  ASSERT_EQ(graph.maxima.size(), 3u);
+  EXPECT_EQ(graph.maxima[0].scale, 0u);
+  EXPECT_EQ(graph.maxima[1].scale, 2u);
+  EXPECT_EQ(graph.maxima[2].scale, 5u);
+  EXPECT_EQ(graph.maxima[0].left, 0u);
+  EXPECT_EQ(graph.maxima[0].right, 1u);
+  EXPECT_EQ(graph.maxima[1].left, 1u);
+  EXPECT_EQ(graph.maxima[1].right, 4u);
+  EXPECT_EQ(graph.maxima[2].left, 4u);
+  EXPECT_EQ(graph.maxima[2].right, 5u);
+  EXPECT_DOUBLE_EQ(graph.largest, 0.9);
+}
+
+TEST(LinearityGraph, ScoresByProductAsWorkedOutByHand)
+{
+  const LinearityGraph graph = read(two_peaks);
+  // A = .9 + .3 + .8 + .6 + .2 = 2.8 (up to the last minimum).
+  EXPECT_NEAR(graph.area, 2.8, 1e-12);
+  // j = 0: A_j = 1.2, delta = .9 - max(.9, .3) = 0; O = .9 + 1.2/2.8.
+  EXPECT_NEAR(graph.maxima[0].area_fraction, 1.2 / 2.8, 1e-12);
+  EXPECT_NEAR(graph.maxima[0].delta, 0, 1e-12);
+  EXPECT_NEAR(graph.maxima[0].score, 0.9 + 1.2 / 2.8, 1e-12);
+  // j = 2: A_j = 1.9, delta = .8 - .3 = .5; O = (4/6) .8 + 1.9/2.8 - .25.
+  EXPECT_NEAR(graph.maxima[1].area_fraction, 1.9 / 2.8, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].delta, 0.5, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].score, 0.8 * 4 / 6 + 1.9 / 2.8 - 0.25, 1e-12);
+  // j = 5: A_j = .6, delta = .4 - max(.2, .4) = 0; O = (1/6) .4 + .6/2.8.
+  EXPECT_NEAR(graph.maxima[2].score, 0.4 / 6 + 0.6 / 2.8, 1e-12);
+  // 1.329 > .962 > .281; mu = 1.2/5.6 + .9 - .5.
+  EXPECT_EQ(graph.scale(), 0u);
+  EXPECT_NEAR(graph.blend, 1.2 / 5.6 + 0.4, 1e-12);
+}
+
+TEST(LinearityGraph, ScoresBySumAsWorkedOutByHand)
+{
+  LinearityGraphSettings settings;
+  settings.score = ScaleScore::Sum;
+  const LinearityGraph graph = read(two_peaks, settings);
+  EXPECT_NEAR(graph.maxima[0].score, 0.9 - 0.0 + 1.2 / 2.8, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].score, 0.8 - 2.0 / 6 + 1.9 / 2.8 - 0.25, 1e-12);
+  // .4 - 5/6 < 0: the first term is held to 0.
+  EXPECT_NEAR(graph.maxima[2].score, 0.6 / 2.8, 1e-12);
+}
+
+TEST(LinearityGraph, BothReadingsOfTheScoreCanDisagree)
+{
+  // j = 1: CL .6, A_j = .2 + .6 + .4 = 1.2; j = 3: CL .95, A_j = .4 + .95 + .3 = 1.65;
+  // A = 2.45 + .3 = 2.45 (minima at 2 and 4: .2 + .6 + .4 + .95 + .3).
+  const std::vector<double> values = {0.2, 0.6, 0.4, 0.95, 0.3, 0.35};
+  LinearityGraphSettings settings;
+  const double area = 2.45;
+  const LinearityGraph product = read(values, settings);
+  EXPECT_NEAR(product.maxima[0].score, 0.6 * 5 / 6 + 1.2 / area - 0.1, 1e-12);
+  EXPECT_NEAR(product.maxima[1].score, 0.95 * 3 / 6 + 1.65 / area - 0.275, 1e-12);
+  EXPECT_EQ(product.scale(), 1u); // .890 > .873
+  settings.score = ScaleScore::Sum;
+  const LinearityGraph sum = read(values, settings);
+  EXPECT_NEAR(sum.maxima[0].score, 0.6 - 1.0 / 6 + 1.2 / area - 0.1, 1e-12);
+  EXPECT_NEAR(sum.maxima[1].score, 0.95 - 3.0 / 6 + 1.65 / area - 0.275, 1e-12);
+  EXPECT_EQ(sum.scale(), 3u); // .848 > .823
+}
+
+TEST(LinearityGraph, AreaOverTheRadius)
+{
+  LinearityGraphSettings settings;
+  settings.integral = GraphIntegral::Radius;
+  const LinearityGraph graph = read(two_peaks, settings);
+  // Trapezoids over 1, 2, 4, 8, 16: 1 (.9+.3)/2 + 2 (.3+.8)/2 + 4 (.8+.6)/2 + 8
+  // (.6+.2)/2.
+  const double area = 0.6 + 1.1 + 2.8 + 3.2;
+  EXPECT_NEAR(graph.area, area, 1e-12);
+  EXPECT_NEAR(graph.maxima[0].area_fraction, 0.6 / area, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].area_fraction, 7.1 / area, 1e-12);
+  // 16 (.2+.4)/2 = 4.8 lies beyond the last minimum.
+  EXPECT_NEAR(graph.maxima[2].area_fraction, 4.8 / area, 1e-12);
+}
+
+TEST(LinearityGraph, AreaOverTheLogarithmOfTheRadius)
+{
+  LinearityGraphSettings settings;
+  settings.integral = GraphIntegral::LogRadius;
+  const LinearityGraph graph = read(two_peaks, settings);
+  const double step = std::log(2.0), area = (0.6 + 0.55 + 0.7 + 0.4) * step;
+  EXPECT_NEAR(graph.area, area, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].area_fraction, (0.55 + 0.7 + 0.4) * step / area, 1e-12);
+}
+
+TEST(LinearityGraph, AreaOfTheWholeGraphWithoutAMinimum)
+{
+  // One hill: no minimum inside, so A is everything and A_j = A.
+  const LinearityGraph graph = read({0.2, 0.7, 0.5});
+  EXPECT_TRUE(graph.minima.empty());
+  EXPECT_NEAR(graph.area, 1.4, 1e-12);
+  ASSERT_EQ(graph.maxima.size(), 1u);
+  EXPECT_NEAR(graph.maxima[0].area_fraction, 1, 1e-12);
+  EXPECT_NEAR(graph.maxima[0].delta, 0.2, 1e-12);
+  EXPECT_NEAR(graph.maxima[0].score, 0.7 * 2 / 3 + 1 - 0.1, 1e-12);
+  EXPECT_NEAR(graph.blend, 0.5 + 0.2, 1e-12);
+}
+
+TEST(LinearityGraph, FallingAndRisingGraphsPeakAtTheirEnds)
+{
+  EXPECT_EQ(read({0.9, 0.6, 0.3}).scale(), 0u);
+  const LinearityGraph rising = read({0.3, 0.6, 0.9});
+  ASSERT_EQ(rising.maxima.size(), 1u);
+  EXPECT_EQ(rising.scale(), 2u);
+}
+
+TEST(LinearityGraph, PlateauIsOneMaximumAtItsFirstScale)
+{
+  // A clean line up to a corner: 1 until the corner is reached.
+  const LinearityGraph graph = read({1, 1, 1, 0.5, 0.4});
+  ASSERT_EQ(graph.maxima.size(), 1u);
+  EXPECT_EQ(graph.scale(), 0u);
+  EXPECT_EQ(graph.maxima[0].right, 4u);
+  // Rounding makes no extrema of a plateau.
+  const LinearityGraph rough = read({1, 1 - 1e-9, 1 - 1e-16, 1 - 1e-8, 0.5});
+  ASSERT_EQ(rough.maxima.size(), 1u);
+  EXPECT_EQ(rough.scale(), 0u);
+  EXPECT_TRUE(rough.minima.empty());
+}
+
+TEST(LinearityGraph, PlateauWithTooFewNeighborsStartsWhereThereAreEnough)
+{
+  const LinearityGraph graph = read({1, 1, 1, 0.5}, {}, {3, 6, 7, 9});
+  ASSERT_EQ(graph.maxima.size(), 1u);
+  EXPECT_EQ(graph.scale(), 2u);
+  EXPECT_EQ(graph.maxima[0].left, 2u);
+  EXPECT_NEAR(graph.area, 3.5, 1e-12); // A still begins at the first defined scale
+}
+
+TEST(LinearityGraph, PlateauIsOneMinimum)
+{
+  // The valley floor 1..2: the left hill ends where it begins, the right one begins
+  // where it ends, and A runs through it: .8 + .1 + .1 = 1.
+  const LinearityGraph graph = read({0.8, 0.1, 0.1, 0.6});
+  EXPECT_EQ(graph.minima, (std::vector<std::size_t>{2}));
+  EXPECT_NEAR(graph.area, 1.0, 1e-12);
+  ASSERT_EQ(graph.maxima.size(), 2u);
+  EXPECT_EQ(graph.maxima[0].right, 1u);
+  EXPECT_EQ(graph.maxima[1].left, 2u);
+  EXPECT_NEAR(graph.maxima[0].area_fraction, 0.9, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].area_fraction, 0.7, 1e-12);
+}
+
+TEST(LinearityGraph, FlatLowEndIsNoMinimum)
+{
+  // Converged behind the hill: the flat end is no minimum, A is the whole graph.
+  const LinearityGraph graph = read({0.2, 0.9, 0.4, 0.4, 0.4});
+  EXPECT_TRUE(graph.minima.empty());
+  EXPECT_NEAR(graph.area, 2.3, 1e-12);
+  EXPECT_EQ(graph.scale(), 1u);
+}
+
+TEST(LinearityGraph, FlatHighEndIsAMaximum)
+{
+  const LinearityGraph graph = read({0.5, 0.2, 0.7, 0.7});
+  ASSERT_EQ(graph.maxima.size(), 2u);
+  EXPECT_EQ(graph.maxima[1].scale, 2u);
+  EXPECT_EQ(graph.maxima[1].right, 3u);
+}
+
+TEST(LinearityGraph, FlatGraphIsAMaximum)
+{
+  const LinearityGraph graph = read({0.4, 0.4, 0.4});
+  ASSERT_EQ(graph.maxima.size(), 1u);
+  EXPECT_EQ(graph.scale(), 0u);
+  EXPECT_NEAR(graph.maxima[0].score, 0.4 + 1, 1e-12);
+  EXPECT_NEAR(graph.blend, 0.4, 1e-12);
+}
+
+TEST(LinearityGraph, OneScale)
+{
+  for (const GraphIntegral integral :
+       {GraphIntegral::Scales, GraphIntegral::LogRadius, GraphIntegral::Radius}) {
+    LinearityGraphSettings settings;
+    settings.integral = integral;
+    const LinearityGraph graph = read({0.3}, settings);
+    ASSERT_EQ(graph.maxima.size(), 1u);
+    EXPECT_EQ(graph.scale(), 0u);
+    // An integral over no width is 0, and the part of the hill in it all there is.
+    EXPECT_EQ(graph.area, integral == GraphIntegral::Scales ? 0.3 : 0.0);
+    EXPECT_EQ(graph.maxima[0].area_fraction, 1);
+    EXPECT_NEAR(graph.maxima[0].score, 1.3, 1e-12);
+    EXPECT_NEAR(graph.blend, 0.3, 1e-12);
+  }
+}
+
+TEST(LinearityGraph, OfEqualMaximaTheSmallerScaleWins)
+{
+  // Two equal hills: only 1 - k/K differs, the first is better anyway.
+  const LinearityGraph hills = read({0.1, 0.6, 0.1, 0.6, 0.1});
+  ASSERT_EQ(hills.maxima.size(), 2u);
+  EXPECT_EQ(hills.scale(), 1u);
+  // Flat zero: A = 0, all terms but the fraction vanish.
+  const LinearityGraph zero = read({0, 0, 0});
+  EXPECT_EQ(zero.scale(), 0u);
+  EXPECT_NEAR(zero.maxima[0].score, 1, 1e-12);
+  EXPECT_NEAR(zero.blend, 0.05, 1e-12); // .5 - .5 clamped
+}
+
+TEST(LinearityGraph, ExactTieGoesToTheSmallerScale)
+{
+  // Product score with CL 0 everywhere but a valley of "less than 0" cannot be; a tie
+  // is made of clamped terms instead. K = 4. j = 0: (4/4) .25 + A_0/A; j = 2: (2/4) .5
+  // + A_2/A - delta/2. A = .25 + 0 = .25 (minimum at 1); A_0/A = 1, A_2/A = .5/.25 ->
+  // 1; delta_0 = 0, delta_2 = .5 - max(0, .5) = 0 with a flat end. Both scores 1.25.
+  const LinearityGraph graph = read({0.25, 0, 0.5, 0.5});
+  ASSERT_EQ(graph.maxima.size(), 2u);
+  EXPECT_EQ(graph.maxima[0].score, 1.25);
+  EXPECT_EQ(graph.maxima[1].score, 1.25);
+  EXPECT_EQ(graph.scale(), 0u);
+}
+
+TEST(LinearityGraph, FloorOfNeighborsCountsThePointItself)
+{
+  // Seven points make a scale eligible, six do not.
+  EXPECT_EQ(read({0.9, 0.5}, {}, {7, 20}).scale(), 0u);
+  EXPECT_EQ(read({0.9, 0.5}, {}, {6, 20}).scale(), 1u);
+  // The graph begins for the maxima where there are enough, for A at its beginning.
+  const LinearityGraph graph = read({0.9, 0.5, 0.3, 0.4, 0.1}, {}, {4, 8, 9, 10, 20});
+  ASSERT_EQ(graph.maxima.size(), 2u);
+  EXPECT_EQ(graph.maxima[0].scale, 1u);
+  EXPECT_EQ(graph.maxima[0].left, 1u);
+  EXPECT_NEAR(graph.area, 1.7, 1e-12);
+  EXPECT_NEAR(graph.maxima[0].area_fraction, 0.8 / 1.7, 1e-12);
+}
+
+TEST(LinearityGraph, NoScaleWithEnoughNeighbors)
+{
+  const LinearityGraph graph = read({0.9, 0.5, 0.7}, {}, {3, 4, 6});
+  EXPECT_EQ(graph.scale(), LinearityGraph::none);
+  EXPECT_TRUE(graph.maxima.empty());
+  EXPECT_TRUE(std::isnan(graph.blend));
+  EXPECT_NEAR(graph.area, 1.4, 1e-12); // start points still have their area
+  EXPECT_NEAR(graph.largest, 0.9, 1e-12);
+}
+
+TEST(LinearityGraph, UndefinedScalesTakeNoPart)
+{
+  const LinearityGraph graph = read({nan, 0.5, nan, 0.9, 0.2}, {}, {1, 7, 7, 8, 9});
+  EXPECT_EQ(graph.scale(), 3u);
+  EXPECT_EQ(graph.maxima[0].left, 1u);
+  EXPECT_NEAR(graph.area, 1.6, 1e-12);
+  // k_j counts all scales: (1 - 3/5) .9 + 1 - .4/2.
+  EXPECT_NEAR(graph.maxima[0].score, 0.9 * 2 / 5 + 1 - 0.2, 1e-12);
+}
+
+TEST(LinearityGraph, NothingDefined)
+{
+  for (const auto& values : {std::vector<double>{}, std::vector<double>{nan, nan}}) {
+    const LinearityGraph graph = read(values);
+    EXPECT_EQ(graph.scale(), LinearityGraph::none);
+    EXPECT_TRUE(std::isnan(graph.area));
+    EXPECT_TRUE(std::isnan(graph.largest));
+    EXPECT_TRUE(std::isnan(graph.blend));
+  }
+}
+
+TEST(LinearityGraph, RefusesListsOfDifferentLength)
+{
+  EXPECT_THROW(linelet::readLinearityGraph({0.5, 0.5}, {7}, {1, 2}),
+               std::invalid_argument);
+}
+
+TEST(LinearityGraph, BlendIsClamped)
+{
+  EXPECT_NEAR(read({1, 1}).blend, 0.95, 1e-12);
+  EXPECT_NEAR(read({0.01, 0.01}).blend, 0.05, 1e-12);
+}
+
+TEST(LinearityGraph, HoldsItsPromisesOnRandomGraphs)
+{
+  const unsigned seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 engine(seed);
+  const auto random = [&engine] { return static_cast<std::uint32_t>(engine()); };
+  for (int round = 0; round < 2000; ++round) {
+    const std::size_t size = 1 + random() % 12;
+    std::vector<double> values;
+    std::vector<std::uint32_t> counts;
+    std::uint32_t count = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      // Few distinct values, so that plateaus and ties are common.
+      values.push_back(random() % 7 == 0 ? nan : 0.1 * (random() % 11));
+      counts.push_back(count += random() % 5);
+    }
+    LinearityGraphSettings settings;
+    settings.score = random() % 2 ? ScaleScore::Sum : ScaleScore::Product;
+    settings.integral = static_cast<GraphIntegral>(random() % 3);
+    const LinearityGraph graph = read(values, settings, counts);
+    bool eligible = false;
+    for (std::size_t k = 0; k < size; ++k)
+      eligible = eligible || (!std::isnan(values[k]) && counts[k] >= 7);
+    EXPECT_EQ(graph.best != LinearityGraph::none, eligible);
+    for (const auto& maximum : graph.maxima) {
+      EXPECT_LE(maximum.left, maximum.scale);
+      EXPECT_LE(maximum.scale, maximum.right);
+      EXPECT_GE(counts[maximum.scale], 7u);
+      EXPECT_LE(maximum.score, graph.maxima[graph.best].score);
+      EXPECT_GE(maximum.area_fraction, 0);
+      EXPECT_LE(maximum.area_fraction, 1);
+      EXPECT_GE(maximum.delta, -1e-12);
+      // Nothing between j- and j+ is higher.
+      for (std::size_t k = maximum.left; k <= maximum.right; ++k) {
+        EXPECT_FALSE(values[k] > values[maximum.scale] + linelet::flat_linearity);
+      }
+    }
+    if (eligible) {
+      EXPECT_GE(graph.blend, 0.05);
+      EXPECT_LE(graph.blend, 0.95);
+    }
+  }
+}
+
+} // namespace

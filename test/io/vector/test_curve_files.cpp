@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Curves as other software reads them: GDAL for vector formats, words for the rest.
+
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <linelet/io/point_file.h>
+#include <linelet/io/vector_file.h>
+
+#include "io/file_helpers.h"
+
+using namespace linelet;
+using namespace linelet::io;
+using namespace linelet::test;
+
+namespace {
+
+const Point utm_shift(689012.0, 5527515.0, 210.0);
+
+/** An open and a closed curve, with coordinates that need every digit. */
+CurveNetwork
+example()
+{
+  CurveNetwork network;
+  Curve open;
+  open.points = {{0.123456789, 1.0 / 3, 0}, {1, 2, 3.0000001}, {7.7, -0.1, 1e-7}};
+  open.back.kind = EndKind::Bounds;
+  Curve closed;
+  closed.points = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  closed.closed = true;
+  closed.front.kind = closed.back.kind = EndKind::Loop;
+  network.curves = {open, closed};
+  return network;
+}
+
+std::string
+wktOf(int code, int height = 0)
+{
+  OGRSpatialReference system;
+  system.importFromEPSG(code);
+  if (height != 0) {
+    OGRSpatialReference plane = system, vertical;
+    vertical.importFromEPSG(height);
+    system.SetCompoundCS("both", &plane, &vertical);
+  }
+  char* text = nullptr;
+  system.exportToWkt(&text);
+  const std::string wkt = text;
+  CPLFree(text);
+  return wkt;
+}
+
+std::unique_ptr<GDALDataset>
+open(const std::string& path)
+{
+  GDALAllRegister();
+  return std::unique_ptr<GDALDataset>(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
+}
+
+/** The vertices of a feature are those of \a curve, to the last bit. */
+void
+expectVertices(OGRFeature& feature, const Curve& curve, double tolerance)
+{
+  const OGRLineString* line = feature.GetGeometryRef()->toLineString();
+  const std::size_t count = curve.points.size();
+  ASSERT_EQ(line->getNumPoints(), static_cast<int>(count + (curve.closed ? 1 : 0)));
+  for (int i = 0; i < line->getNumPoints(); ++i) {
+    const Point expected =
+        utm_shift + curve.points[static_cast<std::size_t>(i) % count];
+    EXPECT_NEAR(line->getX(i), expected.x(), tolerance);
+    EXPECT_NEAR(line->getY(i), expected.y(), tolerance);
+    EXPECT_NEAR(line->getZ(i), expected.z(), tolerance);
+  }
+}
+
+} // namespace
+
+class VectorFormat : public testing::TestWithParam<const char*> {};
+
+TEST_P(VectorFormat, HoldsVerticesAttributesAndReference)
+{
+  const Folder folder;
+  const CurveNetwork network = example();
+  const std::string path = folder.file(std::string("out.") + GetParam());
+  writeCurves(path, network, utm_shift, wktOf(25832));
+  const auto dataset = open(path);
+  ASSERT_NE(dataset, nullptr);
+  ASSERT_EQ(dataset->GetLayerCount(), 1);
+  OGRLayer& layer = *dataset->GetLayer(0);
+  ASSERT_EQ(layer.GetFeatureCount(), 2);
+  const bool dxf = std::string(GetParam()) == "dxf";
+  for (const Curve& curve : network.curves) {
+    const OGRFeatureUniquePtr feature(layer.GetNextFeature());
+    // GDAL writes DXF with 15 digits: half a unit of the last one at 5527515.
+    expectVertices(*feature, curve, dxf ? 5e-9 : 0);
+    if (dxf) {
+      EXPECT_STREQ(feature->GetFieldAsString("Layer"), "curves");
+      continue;
+    }
+    EXPECT_EQ(feature->GetFieldAsInteger("closed"), curve.closed ? 1 : 0);
+    EXPECT_EQ(feature->GetFieldAsDouble("length"), length(curve));
+    EXPECT_EQ(feature->GetFieldAsString("front"),
+              std::string(nameOf(curve.front.kind)));
+    EXPECT_EQ(feature->GetFieldAsString("back"), std::string(nameOf(curve.back.kind)));
+  }
+  if (!dxf) {
+    ASSERT_NE(layer.GetSpatialRef(), nullptr);
+    EXPECT_STREQ(layer.GetSpatialRef()->GetAuthorityCode(nullptr), "25832");
+  }
+}
+
+TEST_P(VectorFormat, IsTheSameEachTime)
+{
+  const Folder folder;
+  const std::string path = folder.file(std::string("out.") + GetParam());
+  writeCurves(path, example(), utm_shift, wktOf(25832));
+  const std::string first = bytesOf(path);
+  writeCurves(path, example(), utm_shift, wktOf(25832));
+  EXPECT_TRUE(first == bytesOf(path));
+}
+
+TEST_P(VectorFormat, OfNoCurvesIsAFile)
+{
+  const Folder folder;
+  const std::string path = folder.file(std::string("out.") + GetParam());
+  writeCurves(path, {});
+  EXPECT_TRUE(std::filesystem::exists(path));
+}
+
+TEST_P(VectorFormat, ThatCannotBeWrittenSaysSo)
+{
+  const Folder folder;
+  const std::string path = folder.file(std::string("none/out.") + GetParam());
+  EXPECT_THROW(writeCurves(path, example()), FileError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats,
+                         VectorFormat,
+                         testing::Values("geojson", "gpkg", "dxf"),
+                         [](const auto& parameter) { return parameter.param; });
+
+TEST(CurveFiles, GeoJsonNamesCompoundSystems)
+{
+  const Folder folder;
+  writeCurves(folder.file("a.geojson"), example(), utm_shift, wktOf(28992, 5709));
+  const auto dataset = open(folder.file("a.geojson"));
+  const OGRSpatialReference* system = dataset->GetLayer(0)->GetSpatialRef();
+  ASSERT_NE(system, nullptr);
+  EXPECT_TRUE(system->IsCompound());
+  EXPECT_NE(bytesOf(folder.file("a.geojson")).find("EPSG::28992"), std::string::npos);
+}
+
+TEST(CurveFiles, CoordinatesOfAnUnknownSystemAreNoDegrees)
+{
+  const Folder folder;
+  writeCurves(folder.file("a.gpkg"), example(), utm_shift);
+  const auto dataset = open(folder.file("a.gpkg"));
+  const OGRSpatialReference* system = dataset->GetLayer(0)->GetSpatialRef();
+  ASSERT_NE(system, nullptr);
+  EXPECT_TRUE(system->IsLocal());
+  EXPECT_STREQ(system->GetName(), "Undefined Cartesian SRS");
+}
+
+TEST(CurveFiles, LayersKeepTheirNamesAndKinds)
+{
+  const Folder folder;
+  const VectorLayer lines{
+      "wires",
+      VectorLayer::Kind::Lines,
+      {{{{0, 0, 0}, {1, 1, 1}}, {{"id", std::int64_t{7}}}, {}, {}}}};
+  const VectorLayer points{"poles",
+                           VectorLayer::Kind::Points,
+                           {{{{5, 6, 7}},
+                             {{"height", 31.5}, {"name", std::string("a \"b\"\n\\")}},
+                             {},
+                             {}}}};
+  for (const char* name : {"a.gpkg", "a.geojson"}) {
+    writeLayers(folder.file(name), {lines, points}, {});
+    const auto dataset = open(folder.file(name));
+    const bool one = std::string(name) == "a.geojson";
+    ASSERT_EQ(dataset->GetLayerCount(), one ? 1 : 2);
+    OGRLayer& layer = *dataset->GetLayer(one ? 0 : 1);
+    OGRFeatureUniquePtr feature;
+    while (OGRFeatureUniquePtr next{layer.GetNextFeature()})
+      feature = std::move(next);
+    EXPECT_EQ(feature->GetFieldAsDouble("height"), 31.5);
+    EXPECT_STREQ(feature->GetFieldAsString("name"), "a \"b\"\n\\");
+    EXPECT_EQ(feature->GetGeometryRef()->toPoint()->getZ(), 7);
+    if (one) {
+      EXPECT_STREQ(feature->GetFieldAsString("layer"), "poles");
+    }
+  }
+}
+
+TEST(CurveFiles, ObjIsReadBackToTheLastBit)
+{
+  const Folder folder;
+  const CurveNetwork before = example();
+  writeCurves(folder.file("a.obj"), before);
+  const CurveNetwork after = readCurves(folder.file("a.obj"));
+  ASSERT_EQ(after.curves.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(after.curves[i].points, before.curves[i].points);
+    EXPECT_EQ(after.curves[i].closed, before.curves[i].closed);
+  }
+}
+
+TEST(CurveFiles, ObjMistakesAreNamedByLine)
+{
+  const Folder folder;
+  for (const auto& [text, what] :
+       std::map<std::string, std::string>{{"v 0 0 0\nl 1 2\n", "line 2: '2'"},
+                                          {"v 0 0\n", "line 1"},
+                                          {"v 0 0 0\nl 1\n", "two vertices"},
+                                          {"v 0 0 0\nl 1 0\n", "line 2: '0'"}}) {
+    writeBytes(folder.file("a.obj"), text);
+    try {
+      readCurves(folder.file("a.obj"));
+      ADD_FAILURE() << text;
+    }
+    catch (const FileError& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos)
+          << error.what();
+    }
+  }
+  writeBytes(folder.file("a.obj"), "v 0 0 0\nv 1 0 0\nl -2/1 -1/2\n");
+  EXPECT_EQ(readCurves(folder.file("a.obj")).curves.at(0).points.size(), 2U);
+}
+
+TEST(CurveFiles, PlyHasEdgesBetweenVertices)
+{
+  const Folder folder;
+  writeCurves(folder.file("a.ply"), example(), utm_shift);
+  const std::string text = bytesOf(folder.file("a.ply"));
+  EXPECT_NE(text.find("element vertex 7\n"), std::string::npos);
+  EXPECT_NE(text.find("element edge 6\nproperty int vertex1\nproperty int vertex2\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("\n6 3 1\n"), std::string::npos); // closes the second curve
+  EXPECT_EQ(readCloud(folder.file("a.ply")).points.size(), 7U);
+}
+
+TEST(CurveFiles, VtkLinesCountWhatTheyHold)
+{
+  const Folder folder;
+  writeCurves(folder.file("a.vtk"), example());
+  const std::string text = bytesOf(folder.file("a.vtk"));
+  // 3 vertices, and 4 with the first once more, each behind its count
+  EXPECT_NE(text.find("LINES 2 10\n3 0 1 2\n5 3 4 5 6 3\n"), std::string::npos);
+}
+
+TEST(CurveFiles, CsvHasARowForEachVertex)
+{
+  const Folder folder;
+  writeCurves(folder.file("a.csv"), example(), utm_shift);
+  std::istringstream lines(bytesOf(folder.file("a.csv")));
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);)
+    rows.push_back(line);
+  ASSERT_EQ(rows.size(), 8U);
+  EXPECT_EQ(rows.front(), "curve,vertex,x,y,z,closed,length,front,back");
+  EXPECT_EQ(rows.back(), "1,3,689012,5527516,211,1,4,loop,loop");
+}
+
+TEST(CurveFiles, UnknownEndingsAreRefused)
+{
+  EXPECT_THROW(writeCurves("a.abc", {}), FileError);
+  EXPECT_THROW(writeLayers("a.shp", {}, {}), FileError);
+  EXPECT_THROW(readCurves("a.ply"), FileError);
+}
