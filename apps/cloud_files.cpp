@@ -9,13 +9,23 @@
 
 namespace linelet::apps {
 
+void
+warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame)
+{
+  if (const std::string why = io::degreesIn(cloud); !why.empty())
+    frame.warn(path + ": " + why +
+               ", which are no lengths: distances, shapes and densities in its plan "
+               "mean nothing; " +
+               projection_help);
+}
+
 CloudInput::CloudInput(Frame& frame, Use use, const std::string& meaning)
     : frame_(frame), use_(use)
 {
   frame.app.add_option("INPUT", path_, meaning)->required();
   frame.reads(path_);
   addOptions(frame.app, options_);
-  if (use == Use::Analysis)
+  if (use != Use::Copy)
     addOptions(frame.app, classes_);
 }
 
@@ -26,11 +36,11 @@ CloudInput::read()
   io::Cloud cloud = io::readCloud(path_, options_, &warnings, &frame_.monitor);
   frame_.warn(warnings);
   if (use_ == Use::Analysis)
-    if (const std::string why = io::degreesIn(cloud); !why.empty())
-      frame_.warn(path_ + ": " + why +
-                  ", which are no lengths: distances, shapes and densities of its plan "
-                  "mean nothing; " +
-                  projection_help);
+    warnOfDegrees(cloud, path_, frame_);
+  else if (const std::string why = io::degreesIn(cloud);
+           use_ == Use::Lengths && !why.empty())
+    throw io::FileError(path_ + ": " + why + ", and it needs lengths; " +
+                        projection_help);
   frame_.lap("read");
   return cloud;
 }

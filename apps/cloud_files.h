@@ -20,12 +20,19 @@ constexpr const char* projection_help =
     "project it first, for example with pdal translate IN OUT.las reprojection "
     "--filters.reprojection.out_srs=EPSG:25832 (the code of your zone)";
 
+/** \brief A warning where \a cloud, of the file \a path, is in degrees. */
+void
+warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame);
+
 /** \brief The point file that a command reads: its argument INPUT and its options. */
 class CloudInput {
 public:
-  /** \brief What the points are read for: those of an analysis are chosen by class, and
-   * have lengths. */
-  enum class Use { Copy, Analysis };
+  /** \brief What the points are read for. */
+  enum class Use {
+    Copy,     ///< nothing is made of them
+    Analysis, ///< they are chosen by class, and degrees are warned of
+    Lengths   ///< the same, but degrees are refused
+  };
 
   /** \param[in] frame gets argument and options; must outlive this */
   explicit CloudInput(Frame& frame,

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <linelet/curves/reconstruct_curves.h>
@@ -15,6 +17,7 @@
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
+#include "simplify_curves.h"
 
 namespace linelet::apps {
 
@@ -55,6 +58,12 @@ runCurves(const std::vector<std::string>& arguments)
   CloudInput input(frame);
   frame.app.add_option("OUTPUT", output, "file for the curves")->required();
   frame.writes(output);
+  SimplifyTolerance simplify("auto");
+  OptionAdder(frame.app)("simplify",
+                         simplify,
+                         "leave out vertices, as long as the curves stay within this "
+                         "length; auto: a tenth "
+                         "of the noise of the points; 0: none");
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;
@@ -66,7 +75,9 @@ runCurves(const std::vector<std::string>& arguments)
   const io::Cloud cloud = input.read();
   const io::UsablePoints usable = input.usable(cloud);
   const Points points = finiteOnes(usable.points());
-  const CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
+  CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
+  const double tolerance = simplify.length(network, points);
+  network = simplified(std::move(network), tolerance);
   frame.lap("curves");
   std::vector<std::string> warnings;
   io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor);
@@ -94,6 +105,12 @@ runCurves(const std::vector<std::string>& arguments)
   frame.summary["curves"] = network.curves.size();
   frame.summary["closed"] = closed;
   frame.summary["junctions"] = network.junctions.size();
+  frame.summary["vertices"] = std::accumulate(
+      network.curves.begin(),
+      network.curves.end(),
+      std::size_t{0},
+      [](std::size_t sum, const Curve& c) { return sum + c.points.size(); });
+  frame.summary["simplify_tolerance"] = tolerance;
   frame.summary["length"] = length(network);
   return frame.finish();
 }

@@ -22,17 +22,17 @@ draw(const io::Cloud& cloud,
      const PictureSettings& settings,
      const MultiScaleSettings& shapes,
      const std::string& file,
-     ProgressMonitor* monitor)
+     Frame& frame)
 {
   switch (settings.kind) {
   case PictureKind::Profile:
-    return pictureOfProfile(cloud, settings, shapes, file, monitor);
+    return pictureOfProfile(cloud, settings, shapes, file, frame);
   case PictureKind::Graphs:
-    return pictureOfPoint(cloud, settings, shapes, file);
+    return pictureOfPoint(cloud, settings, shapes, file, frame);
   case PictureKind::Cloud:
     break;
   }
-  return pictureOfCloud(cloud, settings, shapes, file, monitor);
+  return pictureOfCloud(cloud, settings, shapes, file, frame);
 }
 
 } // namespace
@@ -82,7 +82,7 @@ runImage(const std::vector<std::string>& arguments)
     cloud.points = usable.points();
   if (cloud.points.empty())
     throw std::runtime_error(input.path() + ": there are no points to draw");
-  draw(cloud, settings, shapes, input.path(), &frame.monitor).save(output);
+  draw(cloud, settings, shapes, input.path(), frame).save(output);
   frame.lap("image");
   std::printf("%s: %s, %u x %u pixels\n",
               output.c_str(),

@@ -52,16 +52,6 @@ toJson(const PowerLineNetwork& network, Clearance Wire::*kind)
   return {{"distance", clearance.distance}, {"wire", wire}};
 }
 
-/** Degrees, told or not, have no length that wires could be measured by. */
-void
-requireLengths(const io::Cloud& cloud, const std::string& path)
-{
-  if (const std::string why = io::degreesIn(cloud); !why.empty())
-    throw io::FileError(path + ": " + why +
-                        ", and power lines are looked for in lengths; " +
-                        projection_help);
-}
-
 void
 refuseOtherResults(const std::string& folder,
                    const io::Cloud& cloud,
@@ -141,7 +131,7 @@ runPowerlines(const std::vector<std::string>& arguments)
   powerline::OutputOptions output;
   bool overwrite = false;
   CloudInput input(frame,
-                   CloudInput::Use::Analysis,
+                   CloudInput::Use::Lengths,
                    "point file, z up, meters or feet (by its reference system); "
                    "classes are not needed");
   frame.app
@@ -160,8 +150,10 @@ runPowerlines(const std::vector<std::string>& arguments)
   settings.threads = frame.threads;
 
   io::Cloud cloud = input.read();
+  output.source = std::filesystem::path(input.path()).filename().string();
+  refuseOtherResults(folder, cloud, output.source, overwrite);
+  powerline::makeOutputFolder(folder);
   const io::Units units = io::unitsOf(cloud.wkt);
-  requireLengths(cloud, input.path());
   if (!units.height_stated && !units.areMeters())
     frame.warn("the reference system tells no unit of heights; they count as " +
                units.height_name + ", like x and y");
@@ -171,9 +163,6 @@ runPowerlines(const std::vector<std::string>& arguments)
   settings.points = output.points = input.classes();
   const io::UsablePoints usable = input.usable(cloud);
   const std::size_t withheld = usable.withheld(), ignored = usable.ignored();
-  output.source = std::filesystem::path(input.path()).filename().string();
-  refuseOtherResults(folder, cloud, output.source, overwrite);
-  powerline::makeOutputFolder(folder);
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =
       powerline::extractPowerLines(cloud, settings, &frame.monitor);

@@ -35,7 +35,7 @@ onSignal(int)
 
 /** \brief Waits for a signal, then for the program to end by itself. */
 void
-watch()
+watch(const std::string& message)
 {
   char byte = 0;
   while (::read(wake[0], &byte, 1) != 1)
@@ -44,21 +44,21 @@ watch()
   pollfd second{wake[0], POLLIN, 0};
   ::poll(&second, 1, patience);
   io::removeUnfinishedFiles();
-  constexpr char text[] = "linelet: canceled\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
+  [[maybe_unused]] const auto written =
+      ::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(1);
 }
 
 } // namespace
 
 void
-watchSignals()
+watchSignals(const std::string& command)
 {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   if (::pipe(wake.data()) != 0)
     return;
-  std::thread(watch).detach();
+  std::thread(watch, "linelet " + command + ": canceled\n").detach();
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;

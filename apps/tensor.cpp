@@ -15,6 +15,7 @@
 #include "device_engine.h"
 #include "frame.h"
 #include "options.h"
+#include "scale_cost.h"
 
 namespace linelet::apps {
 
@@ -106,6 +107,53 @@ chooseRadius(double scale_unit, const std::string& file)
   return radiusFor(scale_unit);
 }
 
+Records
+run(const Points& points,
+    const Points& queries,
+    const TensorSettings& settings,
+    const NeighborhoodSizes& sizes,
+    const std::string& device,
+    Frame& frame)
+{
+  return settings.engine == Engine::OpenCL
+             ? estimateOnDevice(device, points, queries, settings, sizes, frame)
+             : estimateTensors(points, queries, settings, sizes, &frame.monitor);
+}
+
+/** \brief Says of long work beforehand how long it will take: of all that may be, by
+ * the number of neighbors, measured on a few points. */
+void
+announceTensors(const Points& points,
+                const TensorSettings& settings,
+                const NeighborhoodSizes& sizes,
+                const std::string& device,
+                Frame& frame)
+{
+  constexpr double most_pairs = 1e9;
+  const EngineWork work = engineWork(points, points, settings, sizes);
+  if (work.neighbors * static_cast<double>(work.queries) < most_pairs)
+    return;
+  const bool grid = settings.engine != Engine::Tree && !work.nearest;
+  const ScaleCost cost =
+      measuredCost(points, grid ? 3200 : 160, [&](const Indices& chosen) {
+        Points queries;
+        NeighborhoodSizes some;
+        for (const Index i : chosen) {
+          queries.push_back(points[i]);
+          if (!sizes.radii.empty())
+            some.radii.push_back(sizes.radii[i]);
+          if (!sizes.counts.empty())
+            some.counts.push_back(sizes.counts[i]);
+        }
+        double neighbors = 0;
+        for (const auto& record : run(points, queries, settings, some, device, frame))
+          neighbors += record.neighbors;
+        return neighbors;
+      });
+  announce(
+      cost, points.size(), "mean of some", work.nearest ? "--knn" : "--radius", frame);
+}
+
 /** \brief Runs the engine asked for. Engine::Auto becomes the one that ran; a device
  * that it chose and that fails is no reason to give up. */
 Records
@@ -123,21 +171,20 @@ estimate(const Points& points,
     settings.engine =
         chosenEngine(points, points, settings, sizes, gpu ? &*gpu : nullptr);
   }
-  if (settings.engine == Engine::OpenCL) {
-    try {
-      return estimateOnDevice(device, points, settings, sizes, frame);
-    }
-    catch (const Canceled&) {
-      throw;
-    }
-    catch (const std::runtime_error& error) {
-      if (!automatic)
-        throw;
-      frame.warn(std::string(error.what()) + "; the engine grid runs instead");
-      settings.engine = Engine::Grid;
-    }
+  try {
+    announceTensors(points, settings, sizes, device, frame);
+    return run(points, points, settings, sizes, device, frame);
   }
-  return estimateTensors(points, points, settings, sizes, &frame.monitor);
+  catch (const Canceled&) {
+    throw;
+  }
+  catch (const std::runtime_error& error) {
+    if (!automatic || settings.engine != Engine::OpenCL)
+      throw;
+    frame.warn(std::string(error.what()) + "; the engine grid runs instead");
+  }
+  settings.engine = Engine::Grid;
+  return run(points, points, settings, sizes, device, frame);
 }
 
 std::string

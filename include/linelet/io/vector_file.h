@@ -70,11 +70,14 @@ writeCurves(const std::string& path,
             std::vector<std::string>* warnings = nullptr,
             ProgressMonitor* monitor = nullptr);
 
-/** \brief Reads polylines back from .obj (`v x y z`, `l i j k ...`); a line whose last
- * vertex is its first is closed.
+/** \brief Reads polylines back from any file of \ref writeCurves or \ref writeLayers,
+ * by ending (.ply and .vtk in ASCII); a line whose last vertex is its first is closed.
  * \param[in] shift subtracted from every vertex
+ * \param[out] wkt reference system, empty where the file tells none; null: not wanted
  * \throws FileError */
 CurveNetwork
-readCurves(const std::string& path, const Point& shift = Point::Zero());
+readCurves(const std::string& path,
+           const Point& shift = Point::Zero(),
+           std::string* wkt = nullptr);
 
 } // namespace linelet::io

@@ -7,12 +7,12 @@
 #include <memory>
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include <linelet/io/point_file.h>
 
+#include "complaints.h"
 #include "geojson.h"
 #include "io/files.h"
 #include "io/reference.h"
@@ -21,35 +21,6 @@
 namespace linelet::io {
 
 namespace {
-
-/** Keeps what GDAL complains about for our own message. */
-class Complaints {
-public:
-  Complaints() { CPLPushErrorHandlerEx(hear, this); }
-  ~Complaints() { CPLPopErrorHandler(); }
-  Complaints(const Complaints&) = delete;
-  Complaints&
-  operator=(const Complaints&) = delete;
-
-  [[noreturn]] void
-  fail(const std::string& path) const
-  {
-    throw FileError(path + ": cannot be written (" +
-                    (first_.empty() ? "GDAL gives no reason" : first_) +
-                    "); check that the folder exists, may be written and has room");
-  }
-
-private:
-  static void CPL_STDCALL
-  hear(CPLErr level, CPLErrorNum, const char* message)
-  {
-    auto& self = *static_cast<Complaints*>(CPLGetErrorHandlerUserData());
-    if (level >= CE_Failure && self.first_.empty())
-      self.first_ = message;
-  }
-
-  std::string first_;
-};
 
 /** Sets a configuration option of GDAL for its lifetime. */
 class GdalOption {
@@ -82,7 +53,7 @@ public:
                       " driver");
     dataset_.reset(driver->Create(staged.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (dataset_ == nullptr)
-      complaints_.fail(path_);
+      fail();
   }
 
   OGRLayer*
@@ -92,7 +63,7 @@ public:
   {
     OGRLayer* layer = dataset_->CreateLayer(name.c_str(), system, type, nullptr);
     if (layer == nullptr)
-      complaints_.fail(path_);
+      fail();
     return layer;
   }
 
@@ -106,7 +77,7 @@ public:
       static constexpr OGRFieldType types[] = {OFTInteger64, OFTReal, OFTString};
       OGRFieldDefn field(name.c_str(), types[value.index()]);
       if (layer.CreateField(&field) != OGRERR_NONE)
-        complaints_.fail(path_);
+        fail();
     }
   }
 
@@ -147,7 +118,7 @@ public:
   add(OGRLayer& layer, OGRFeature& feature)
   {
     if (layer.CreateFeature(&feature) != OGRERR_NONE)
-      complaints_.fail(path_);
+      fail();
   }
 
   /** Flushes everything; errors of the disk show here at the latest. */
@@ -158,10 +129,19 @@ public:
     const bool failed = CPLGetLastErrorType() >= CE_Failure;
     dataset_.reset();
     if (failed || CPLGetLastErrorType() >= CE_Failure)
-      complaints_.fail(path_);
+      fail();
   }
 
 private:
+  [[noreturn]] void
+  fail() const
+  {
+    const std::string& reason = complaints_.first();
+    throw FileError(path_ + ": cannot be written (" +
+                    (reason.empty() ? "GDAL gives no reason" : reason) +
+                    "); check that the folder exists, may be written and has room");
+  }
+
   const std::string& path_;
   Complaints complaints_;
   std::unique_ptr<GDALDataset> dataset_;
