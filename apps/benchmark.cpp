@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +14,7 @@
 #include <bench/runs/benchmark_grid.h>
 #include <bench/runs/benchmark_summary.h>
 #include <linelet/curves/reconstruct_curves.h>
+#include <linelet/io/output_file.h>
 
 #include "commands.h"
 #include "frame.h"
@@ -138,13 +139,15 @@ public:
       }
     }
     // Written anew beside it: a line that was cut off is lost, the file never.
-    const std::string fresh = path + ".part";
-    out_.open(fresh);
-    out_ << bench::benchmark_csv_header << '\n';
+    std::ostringstream whole;
+    whole << bench::benchmark_csv_header << '\n';
     for (const BenchmarkRow& row : old_)
-      bench::writeCsv(out_, row);
+      bench::writeCsv(whole, row);
+    io::OutputFile fresh(path);
+    fresh.write(whole.str());
+    fresh.commit();
+    out_.open(path, std::ios::app);
     check();
-    std::filesystem::rename(fresh, path);
   }
 
   const std::vector<BenchmarkRow>&
@@ -239,6 +242,8 @@ runBenchmark(const std::vector<std::string>& arguments)
   BenchmarkOptions options;
   ReconstructionSettings settings;
   addOptions(frame.app, options);
+  frame.writes(options.out);
+  frame.writes(options.plot);
   frame.app
       .add_option("--geometries",
                   options.geometries,

@@ -15,11 +15,29 @@
 
 namespace linelet::apps {
 
+/** \brief What to do about coordinates that are degrees. */
+constexpr const char* projection_help =
+    "project it first, for example with pdal translate IN OUT.las reprojection "
+    "--filters.reprojection.out_srs=EPSG:25832 (the code of your zone)";
+
+/** \brief A warning where \a cloud, of the file \a path, is in degrees. */
+void
+warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame);
+
 /** \brief The point file that a command reads: its argument INPUT and its options. */
 class CloudInput {
 public:
+  /** \brief What the points are read for. */
+  enum class Use {
+    Copy,     ///< nothing is made of them
+    Analysis, ///< they are chosen by class, and degrees are warned of
+    Lengths   ///< the same, but degrees are refused
+  };
+
   /** \param[in] frame gets argument and options; must outlive this */
-  explicit CloudInput(Frame& frame, const std::string& meaning = "point file");
+  explicit CloudInput(Frame& frame,
+                      Use use = Use::Analysis,
+                      const std::string& meaning = "point file");
 
   const std::string&
   path() const
@@ -27,19 +45,30 @@ public:
     return path_;
   }
 
-  /** \brief Reads the file; what is lost is told as a warning. \throws io::FileError */
+  /** \brief Which points take part. */
+  const io::ClassFilter&
+  classes() const
+  {
+    return classes_;
+  }
+
+  /** \brief Reads the file; what is lost is told as a warning, as are degrees that an
+   * analysis would take for lengths. \throws io::FileError */
   io::Cloud
   read();
 
+  /** \brief The points of \a cloud, as read, that take part; a warning where some do
+   * not. \throws io::FileError where classes are asked for that it does not have */
+  io::UsablePoints
+  usable(const io::Cloud& cloud) const;
+
 private:
   Frame& frame_;
+  Use use_;
   std::string path_;
   io::ReadOptions options_;
+  io::ClassFilter classes_;
 };
-
-/** \brief The points of \a cloud that take part; a warning where some do not. */
-io::UsablePoints
-usablePoints(const io::Cloud& cloud, Frame& frame);
 
 /** \brief The point file that a command writes: its argument OUTPUT and its options. */
 class CloudOutput {

@@ -15,7 +15,7 @@ runConvert(const std::vector<std::string>& arguments)
   Frame frame("convert",
               "Converts point files, with all attributes that both formats can hold: "
               ".las, .pcd, .ply, .xyz, .txt, .csv, and the vertices of .obj.");
-  CloudInput input(frame);
+  CloudInput input(frame, CloudInput::Use::Copy);
   CloudOutput output(frame);
   frame.parse(arguments);
   output.check();

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
+#include <iterator>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <linelet/curves/reconstruct_curves.h>
@@ -15,32 +17,21 @@
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
+#include "simplify_curves.h"
 
 namespace linelet::apps {
 
 namespace {
 
-/** \brief The usable points of \a cloud whose class is one of \a classes, of any class
- * if none is named. */
+/** \brief Those of \a points that are any place. */
 Points
-choosePoints(const io::Cloud& cloud,
-             const io::UsablePoints& usable,
-             const std::vector<int>& classes,
-             const std::string& file)
+finiteOnes(const Points& points)
 {
-  const io::Column* column = cloud.find("classification");
-  if (column == nullptr && !classes.empty())
-    throw std::runtime_error(file +
-                             ": its points have no classes; leave out --classes");
-  const auto isOfClass = [&](std::size_t i) {
-    const int number = static_cast<int>(io::valueAt(*column, i));
-    return std::find(classes.begin(), classes.end(), number) != classes.end();
-  };
-  Points chosen;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i)
-    if (usable.points()[i].allFinite() && (classes.empty() || isOfClass(i)))
-      chosen.push_back(usable.points()[i]);
-  return chosen;
+  Points finite;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(finite), [](auto& p) {
+    return p.allFinite();
+  });
+  return finite;
 }
 
 /** \brief Whether \a option was set to no avail, unless the preset is the published
@@ -64,13 +55,15 @@ runCurves(const std::vector<std::string>& arguments)
       "the coordinates of the input. Points flagged as withheld take no part.");
   ReconstructionSettings settings;
   std::string output;
-  std::vector<int> classes;
   CloudInput input(frame);
   frame.app.add_option("OUTPUT", output, "file for the curves")->required();
-  frame.app
-      .add_option("--classes", classes, "only points of these classes, such as 14,15")
-      ->delimiter(',')
-      ->type_name("N,...");
+  frame.writes(output);
+  SimplifyTolerance simplify("auto");
+  OptionAdder(frame.app)("simplify",
+                         simplify,
+                         "leave out vertices, as long as the curves stay within this "
+                         "length; auto: a tenth "
+                         "of the noise of the points; 0: none");
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;
@@ -80,12 +73,14 @@ runCurves(const std::vector<std::string>& arguments)
       frame.warn(option->get_name() + " has no effect without --preset published");
 
   const io::Cloud cloud = input.read();
-  const io::UsablePoints usable = usablePoints(cloud, frame);
-  const Points points = choosePoints(cloud, usable, classes, input.path());
-  const CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
+  const io::UsablePoints usable = input.usable(cloud);
+  const Points points = finiteOnes(usable.points());
+  CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
+  const double tolerance = simplify.length(network, points);
+  network = simplified(std::move(network), tolerance);
   frame.lap("curves");
   std::vector<std::string> warnings;
-  io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings);
+  io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor);
   frame.warn(warnings);
   frame.lap("write");
 
@@ -93,10 +88,7 @@ runCurves(const std::vector<std::string>& arguments)
       std::count_if(network.curves.begin(), network.curves.end(), [](const Curve& c) {
         return c.closed;
       }));
-  if (points.empty() && !classes.empty())
-    frame.warn(input.path() + ": no point is of a class of --classes; linelet info "
-                              "lists those it has");
-  else if (network.curves.empty())
+  if (network.curves.empty())
     frame.warn("no curve found in the " + std::to_string(points.size()) +
                " points; the output is empty");
   std::printf(
@@ -109,9 +101,16 @@ runCurves(const std::vector<std::string>& arguments)
       points.size());
   frame.summary["points"] = points.size();
   frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
   frame.summary["curves"] = network.curves.size();
   frame.summary["closed"] = closed;
   frame.summary["junctions"] = network.junctions.size();
+  frame.summary["vertices"] = std::accumulate(
+      network.curves.begin(),
+      network.curves.end(),
+      std::size_t{0},
+      [](std::size_t sum, const Curve& c) { return sum + c.points.size(); });
+  frame.summary["simplify_tolerance"] = tolerance;
   frame.summary["length"] = length(network);
   return frame.finish();
 }

@@ -16,13 +16,14 @@ namespace linelet::apps {
 std::vector<PointDistributionTensor>
 estimateOnDevice([[maybe_unused]] const std::string& device,
                  [[maybe_unused]] const Points& points,
+                 [[maybe_unused]] const Points& queries,
                  [[maybe_unused]] const TensorSettings& settings,
                  [[maybe_unused]] const NeighborhoodSizes& sizes,
                  [[maybe_unused]] Frame& frame)
 {
 #ifdef LINELET_HAS_OPENCL
   opencl::TensorEngine engine(device);
-  auto records = engine.estimate(points, points, settings, sizes, &frame.monitor);
+  auto records = engine.estimate(points, queries, settings, sizes, &frame.monitor);
   const opencl::StageTimes& times = engine.stageTimes();
   frame.summary["device"] = engine.device().name;
   frame.summary["device_slabs"] = engine.slabs();

@@ -37,7 +37,7 @@ struct Names<apps::EngineOption> {
 
 namespace linelet::apps {
 
-/** \brief `--engine opencl`: the tensors of all points from an OpenCL device, which is
+/** \brief `--engine opencl`: the tensors of the queries from an OpenCL device, which is
  * named in the frame's summary together with the time of every stage.
  * \param[in] device number or part of a name, empty: the first GPU, else the first
  * \throws std::runtime_error where linelet was built without OpenCL, or has no device
@@ -45,6 +45,7 @@ namespace linelet::apps {
 std::vector<PointDistributionTensor>
 estimateOnDevice(const std::string& device,
                  const Points& points,
+                 const Points& queries,
                  const TensorSettings& settings,
                  const NeighborhoodSizes& sizes,
                  Frame& frame);

@@ -4,30 +4,23 @@
 #include "frame.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
 #include <unistd.h>
 
+#include <linelet/io/output_check.h>
 #include <linelet/io/output_file.h>
+#include <linelet/io/point_file.h>
 
 #include "help.h"
 #include "options.h"
+#include "signals.h"
 
 namespace linelet::apps {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void
-onInterrupt(int signal)
-{
-  interrupted = 1;
-  std::signal(signal, SIG_DFL); // a second one ends the program at once
-}
 
 double
 seconds(std::chrono::steady_clock::duration duration)
@@ -54,11 +47,7 @@ public:
 
 } // namespace
 
-ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0)
-{
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt); // of timeout, batch systems and shutdown
-}
+ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar()
 {
@@ -108,7 +97,7 @@ ProgressBar::advance(std::size_t steps)
 bool
 ProgressBar::canceled() const
 {
-  return interrupted != 0;
+  return stopRequested();
 }
 
 void
@@ -164,8 +153,62 @@ Frame::parse(const std::vector<std::string>& arguments)
     std::cout << app.config_to_str(true, true);
     throw Exit{0};
   }
+  std::vector<std::string> outputs;
+  for (const std::string* path : outputs_)
+    if (!path->empty())
+      outputs.push_back(*path);
+  checkOutputs(outputs);
   if (!json_file_.empty())
     io::checkWritable(json_file_);
+}
+
+void
+Frame::reads(const std::string& path)
+{
+  inputs_.push_back(&path);
+}
+
+void
+Frame::writes(const std::string& path)
+{
+  outputs_.push_back(&path);
+}
+
+std::vector<std::string>
+Frame::inputs() const
+{
+  std::vector<std::string> paths;
+  for (const std::string* path : inputs_)
+    if (!path->empty()) {
+      paths.push_back(*path);
+      paths.push_back(*path + ".shift"); // of a point file
+    }
+  if (const auto config = app.get_config_ptr()->as<std::string>(); !config.empty())
+    paths.push_back(config);
+  return paths;
+}
+
+void
+Frame::checkOutputs(const std::vector<std::string>& outputs) const
+{
+  const std::vector<std::string> read = inputs();
+  std::vector<std::string> written;
+  const auto check = [&](const std::string& path) {
+    for (const std::string& input : read)
+      if (io::isSameFile(path, input))
+        throw io::FileError(path + ": is the input " + input +
+                            (path == input ? "" : " by another name") +
+                            ", which an output would destroy; name another output");
+    for (const std::string& other : written)
+      if (io::isSameFile(path, other))
+        throw io::FileError(path + ": is named for two outputs; name another file "
+                                   "for one of them");
+    written.push_back(path);
+  };
+  for (const std::string& path : outputs)
+    check(path);
+  if (!json_file_.empty())
+    check(json_file_);
 }
 
 void

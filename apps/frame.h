@@ -19,8 +19,8 @@
 namespace linelet::apps {
 
 /** \brief Progress on stderr where that is a terminal: stage, bar, estimate of the time
- * left, shown once a stage takes longer than a second. Ctrl-C (SIGINT) and SIGTERM make
- * it say canceled. */
+ * left, shown once a stage takes longer than a second. Canceled by signals (see
+ * signals.h). */
 class ProgressBar : public ProgressMonitor {
 public:
   ProgressBar();
@@ -64,10 +64,26 @@ public:
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   ProgressBar monitor;
 
+  /** \brief \a path, empty if not given, will name a file to read once \ref parse is
+   * done; must outlive this. */
+  void
+  reads(const std::string& path);
+
+  /** \brief The same for a file to write, which \ref parse refuses where it is one to
+   * read, or another one to write. */
+  void
+  writes(const std::string& path);
+
   /** \brief Reads the arguments behind the command's name.
-   * \throws Exit, io::FileError where --json cannot be written */
+   * \throws Exit, io::FileError where --json cannot be written, or an output is an
+   * input */
   void
   parse(const std::vector<std::string>& arguments);
+
+  /** \brief Refuses \a outputs, known only after \ref parse, that are inputs or other
+   * outputs. \throws io::FileError */
+  void
+  checkOutputs(const std::vector<std::string>& outputs) const;
 
   /** \brief One sentence about something lost or odd, to stderr and into the summary.
    */
@@ -87,6 +103,10 @@ public:
   finish();
 
 private:
+  std::vector<std::string>
+  inputs() const;
+
+  std::vector<const std::string*> inputs_, outputs_;
   std::string json_file_;
   bool print_config_ = false;
   std::vector<std::string> warnings_;

@@ -46,6 +46,7 @@ generateGeometry(const std::vector<std::string>& arguments)
       "NAME", geometry, "the curve" + geometryNames() + "; or corridor; or scene");
   CloudOutput output(frame);
   add("truth", truth, "file for the true curves (.obj and others)");
+  frame.writes(truth);
   frame.app
       .add_option(
           "--hole", hole, "no samples between these parts of the length, 0 to 1")
@@ -61,12 +62,12 @@ generateGeometry(const std::vector<std::string>& arguments)
   if (!hole.empty())
     settings.hole = {hole[0], hole[1]};
   io::Cloud cloud;
-  cloud.points = bench::sample(geometry, settings);
+  cloud.points = bench::sample(geometry, settings, &frame.monitor);
   const CurveNetwork network = bench::truthOf(geometry, settings.out_of_plane);
   frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())
-    io::writeCurves(truth, network);
+    io::writeCurves(truth, network, Point::Zero(), {}, nullptr, &frame.monitor);
 
   std::printf("%s: %zu points of %s, length %.6g\n",
               output.path().c_str(),

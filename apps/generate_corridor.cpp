@@ -65,6 +65,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
   std::string truth;
   CloudOutput output(frame);
   OptionAdder(frame.app)("truth", truth, "file for the true wires, a polyline a span");
+  frame.writes(truth);
   addOptions(frame.app, settings);
   frame.parse(arguments);
   output.check();
@@ -80,7 +81,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
   frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())
-    io::writeCurves(truth, network, cloud.shift, cloud.wkt);
+    io::writeCurves(truth, network, cloud.shift, cloud.wkt, nullptr, &frame.monitor);
 
   std::printf("%s: %zu points, %zu of them on %zu wires of %.0f m\n",
               output.path().c_str(),

@@ -80,6 +80,8 @@ runGenerateScene(const std::vector<std::string>& arguments)
   CloudOutput output(frame);
   add("truth", truth, "file for the true wires, a polyline a span; bundles as one");
   add("structures", structures, "file for what else is long and thin, piece by piece");
+  frame.writes(truth);
+  frame.writes(structures);
   addOptions(frame.app, settings);
   frame.parse(arguments);
   output.check();
@@ -103,9 +105,14 @@ runGenerateScene(const std::vector<std::string>& arguments)
   frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())
-    io::writeCurves(truth, wires, cloud.shift, cloud.wkt);
+    io::writeCurves(truth, wires, cloud.shift, cloud.wkt, nullptr, &frame.monitor);
   if (!structures.empty())
-    io::writeCurves(structures, structureNetwork(scan), cloud.shift, cloud.wkt);
+    io::writeCurves(structures,
+                    structureNetwork(scan),
+                    cloud.shift,
+                    cloud.wkt,
+                    nullptr,
+                    &frame.monitor);
 
   std::printf("%s: %zu points, %zu of them on %zu wires of %.0f m\n",
               output.path().c_str(),

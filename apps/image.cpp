@@ -22,17 +22,17 @@ draw(const io::Cloud& cloud,
      const PictureSettings& settings,
      const MultiScaleSettings& shapes,
      const std::string& file,
-     ProgressMonitor* monitor)
+     Frame& frame)
 {
   switch (settings.kind) {
   case PictureKind::Profile:
-    return pictureOfProfile(cloud, settings, shapes, file, monitor);
+    return pictureOfProfile(cloud, settings, shapes, file, frame);
   case PictureKind::Graphs:
-    return pictureOfPoint(cloud, settings, shapes, file);
+    return pictureOfPoint(cloud, settings, shapes, file, frame);
   case PictureKind::Cloud:
     break;
   }
-  return pictureOfCloud(cloud, settings, shapes, file, monitor);
+  return pictureOfCloud(cloud, settings, shapes, file, frame);
 }
 
 } // namespace
@@ -54,6 +54,9 @@ runImage(const std::vector<std::string>& arguments)
   std::string output;
   CloudInput input(frame);
   frame.app.add_option("OUTPUT", output, "picture, .png")->required();
+  frame.writes(output);
+  frame.reads(settings.curves);
+  frame.reads(settings.along);
   addOptions(frame.app, settings);
   addOptions(frame.app, shapes);
   frame.parse(arguments);
@@ -75,11 +78,11 @@ runImage(const std::vector<std::string>& arguments)
     throw std::runtime_error("width and height must be between 200 and 10000 pixels");
 
   io::Cloud cloud = input.read();
-  if (const auto usable = usablePoints(cloud, frame); usable.withheld() > 0)
+  if (const auto usable = input.usable(cloud); usable.leftOut() > 0)
     cloud.points = usable.points();
   if (cloud.points.empty())
     throw std::runtime_error(input.path() + ": there are no points to draw");
-  draw(cloud, settings, shapes, input.path(), &frame.monitor).save(output);
+  draw(cloud, settings, shapes, input.path(), frame).save(output);
   frame.lap("image");
   std::printf("%s: %s, %u x %u pixels\n",
               output.c_str(),

@@ -150,7 +150,10 @@ numberOrNull(double value)
 }
 
 ordered_json
-describe(const std::string& path, const io::Cloud& cloud, unsigned threads)
+describe(const std::string& path,
+         const io::Cloud& cloud,
+         const io::UsablePoints& usable,
+         unsigned threads)
 {
   ordered_json out;
   out["file"] = path;
@@ -165,7 +168,6 @@ describe(const std::string& path, const io::Cloud& cloud, unsigned threads)
         any ? ordered_json({world.x(), world.y(), world.z()}) : ordered_json();
   }
   out["reference_system"] = io::referenceName(cloud.wkt);
-  const io::UsablePoints usable(cloud);
   const double unit = scaleUnit(usable.points(), 1024, 1, threads);
   const double density = any ? densityOf(usable.points(), bounds, 5 * unit) : NAN;
   out["scale_unit"] = numberOrNull(unit);
@@ -238,12 +240,13 @@ runInfo(const std::vector<std::string>& arguments)
   Frame frame(
       "info",
       "Says what a point file holds: extent, density, flags, classes and attributes. "
-      "Scale unit and density are those of the points that are not withheld.");
+      "Scale unit and density are those of the points that are neither withheld nor "
+      "noise.");
   CloudInput input(frame);
   frame.parse(arguments);
 
   const io::Cloud cloud = input.read();
-  frame.summary = describe(input.path(), cloud, frame.threads);
+  frame.summary = describe(input.path(), cloud, input.usable(cloud), frame.threads);
   print(frame.summary);
   return frame.finish();
 }

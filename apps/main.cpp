@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "frame.h"
 #include "help.h"
+#include "signals.h"
 #include "version.h"
 
 using namespace linelet::apps;
@@ -50,6 +51,7 @@ main(int argc, char** argv)
   for (const Command& command : commands()) {
     if (name != command.name)
       continue;
+    watchSignals(command.name);
     try {
       return command.run({arguments.begin() + 1, arguments.end()});
     }
@@ -61,7 +63,9 @@ main(int argc, char** argv)
           stderr, "linelet %s: not enough memory for this input\n", command.name);
     }
     catch (const std::exception& error) {
-      std::fprintf(stderr, "linelet %s: %s\n", command.name, error.what());
+      // What a signal broke off may have failed in another way.
+      const char* what = stopRequested() ? linelet::Canceled().what() : error.what();
+      std::fprintf(stderr, "linelet %s: %s\n", command.name, what);
     }
     return 1;
   }

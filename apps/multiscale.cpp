@@ -79,25 +79,6 @@ aboutPoints(MultiScaleSettings settings)
   return settings;
 }
 
-/** \brief Says of long work beforehand how long it will take, and why. */
-void
-announce(const Points& points, const MultiScaleSettings& settings)
-{
-  constexpr double long_work = 3; // seconds
-  ScaleCost cost = estimateCost(points, settings);
-  if (settings.centroid != Centroid::QueryPoint)
-    cost.seconds += estimateCost(points, aboutPoints(settings)).seconds;
-  if (cost.seconds > long_work)
-    std::fprintf(stderr,
-                 "linelet multiscale: largest radius %.4g holds %.0f neighbors a "
-                 "point; about %.0f s for %zu points, less with a smaller "
-                 "--max-radius\n",
-                 settings.radii.back(),
-                 cost.neighbors,
-                 cost.seconds,
-                 points.size());
-}
-
 /** \brief The shapes of \a points; their graphs go to the file \a graphs, if any. */
 std::vector<MultiScaleShape>
 measure(const Points& points,
@@ -196,6 +177,7 @@ runMultiscale(const std::vector<std::string>& arguments)
   addOptions(frame.app, settings);
   const OptionAdder add(frame.app);
   add("graphs", graphs, "CSV file for the graphs of every point");
+  frame.writes(graphs);
   add("centroid-shift",
       shift.radius,
       "first move every point to the mean of its neighbors within this radius (the "
@@ -207,13 +189,13 @@ runMultiscale(const std::vector<std::string>& arguments)
     io::checkWritable(graphs);
 
   io::Cloud cloud = input.read();
-  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const io::UsablePoints usable = input.usable(cloud);
   const Points points = shiftedPoints(cloud, usable, shift, &frame.monitor);
   const MultiScaleShapes plan = multiScaleRadii(points, settings, &frame.monitor);
   settings.radii = plan.radii;
   settings.stop_change = 0; // it has had its say
   settings.engine = chosenScaleEngine(points, points, settings.radii.back(), settings);
-  announce(points, settings);
+  announceMultiScale(points, points, settings, frame);
   const auto shapes = measure(points, settings, graphs, &frame.monitor);
   const auto about_points =
       settings.centroid == Centroid::QueryPoint
@@ -229,9 +211,10 @@ runMultiscale(const std::vector<std::string>& arguments)
 
   frame.summary["points"] = cloud.points.size();
   frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
   report({noiseRate(about_points),
           noiseWidth(about_points),
-          static_cast<std::size_t>(without_scale) - usable.withheld()},
+          static_cast<std::size_t>(without_scale) - usable.leftOut()},
          plan,
          settings,
          output.path(),

@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <linelet/io/usable_points.h>
 #include <linelet/support/names.h>
 
 namespace linelet::apps {
@@ -63,6 +64,10 @@ public:
       add(app_.add_option(option, value), "TEXT", help);
     else if constexpr (std::is_same_v<T, std::vector<double>>)
       add(app_.add_option(option, value)->delimiter(','), "X,...", help);
+    else if constexpr (std::is_same_v<T, io::ClassList>) {
+      const auto set = [&value](const std::string& text) { value = T(text); };
+      addNamed(option, set, help)->default_str(value.name())->type_name("N,...");
+    }
     else {
       const auto set = [&value](const std::string& text) { value = T(text); };
       addNamed(option, set, help)->default_str(value.name());

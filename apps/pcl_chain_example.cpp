@@ -1,16 +1,23 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <iostream>
+
 #include <linelet/curves/eigen_streamline_curve_reconstruction.h>
 #include <linelet/features/point_distribution_tensor.h>
+#include <linelet/io/output_check.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 #include <pcl/filters/passthrough.h>
 #include <pcl/filters/voxel_grid.h>
 using Cloud = pcl::PointCloud<pcl::PointXYZI>;
 int
-main(int, char** argv) // pcl_chain_example INPUT.las OUTPUT.geojson
-{
+main(int argc, char** argv)
+try {
+  if (argc != 3) {
+    std::cerr << "usage: pcl_chain_example INPUT.las OUTPUT.geojson\n";
+    return 2;
+  }
   const auto file = linelet::io::readCloud(argv[1]); // shifted: small enough for float
   Cloud::Ptr cloud(new Cloud), thinned(new Cloud), lines(new Cloud);
   for (const auto& p : file.points)
@@ -36,5 +43,11 @@ main(int, char** argv) // pcl_chain_example INPUT.las OUTPUT.geojson
   pcl::PolygonMesh mesh; // one polygon a curve, for whatever works on meshes
   reconstruction.reconstruct(mesh);
   const linelet::CurveNetwork curves = reconstruction.reconstruct();
+  if (linelet::io::isSameFile(argv[1], argv[2]))
+    throw linelet::io::FileError(std::string(argv[2]) + ": is the input");
   linelet::io::writeCurves(argv[2], curves, file.shift, file.wkt);
+}
+catch (const std::exception& error) {
+  std::cerr << "pcl_chain_example: " << error.what() << '\n';
+  return 1;
 }

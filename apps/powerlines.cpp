@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline_output/output_files.h>
@@ -53,32 +52,16 @@ toJson(const PowerLineNetwork& network, Clearance Wire::*kind)
   return {{"distance", clearance.distance}, {"wire", wire}};
 }
 
-/** Degrees, told or not, have no length that wires could be measured by. */
 void
-requireLengths(const io::Cloud& cloud, const io::Units& units, const std::string& path)
+refuseOtherResults(const std::string& folder,
+                   const io::Cloud& cloud,
+                   const std::string& source,
+                   bool overwrite)
 {
-  const std::string help =
-      ", and power lines are looked for in lengths; project it first, for example with "
-      "pdal translate IN OUT.las reprojection "
-      "--filters.reprojection.out_srs=EPSG:25832 "
-      "(the code of your zone)";
-  if (std::isnan(units.plan))
-    throw io::FileError(path + ": its reference system " +
-                        io::referenceName(cloud.wkt) + " has the unit " +
-                        units.plan_name + help);
-  // Degrees that no reference system tells of: next to no extent, but for the height.
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Point& p : cloud.points)
-    if (p.allFinite()) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  const Point extent = high - low;
-  const Point world = cloud.shift + low;
-  if (cloud.wkt.empty() && cloud.points.size() > 1 &&
-      extent.head<2>().maxCoeff() < 0.5 && extent.z() > 2 &&
-      std::abs(world.x()) <= 360 && std::abs(world.y()) <= 90)
-    throw io::FileError(path + ": its coordinates look like degrees" + help);
+  const std::string other = powerline::otherResultsIn(folder, cloud, source);
+  if (!other.empty() && !overwrite)
+    throw io::FileError(folder + ": holds the results of " + other +
+                        "; name another folder, or replace them with --overwrite");
 }
 
 /** \brief What the wires of a network come to. */
@@ -145,7 +128,10 @@ runPowerlines(const std::vector<std::string>& arguments)
               "used like others.");
   std::string folder;
   powerline::PowerLineSettings settings;
+  powerline::OutputOptions output;
+  bool overwrite = false;
   CloudInput input(frame,
+                   CloudInput::Use::Lengths,
                    "point file, z up, meters or feet (by its reference system); "
                    "classes are not needed");
   frame.app
@@ -155,25 +141,31 @@ runPowerlines(const std::vector<std::string>& arguments)
                   "summary.json and report.html; made if need be")
       ->required();
   addOptions(frame.app, settings);
+  addOptions(frame.app, output.classes);
+  OptionAdder(frame.app)(
+      "overwrite", overwrite, "replace results of another input in OUTDIR");
   frame.parse(arguments);
+  frame.checkOutputs(powerline::powerLineFiles(folder));
+  check(output.classes);
   settings.threads = frame.threads;
 
   io::Cloud cloud = input.read();
+  output.source = std::filesystem::path(input.path()).filename().string();
+  refuseOtherResults(folder, cloud, output.source, overwrite);
+  powerline::makeOutputFolder(folder);
   const io::Units units = io::unitsOf(cloud.wkt);
-  requireLengths(cloud, units, input.path());
   if (!units.height_stated && !units.areMeters())
     frame.warn("the reference system tells no unit of heights; they count as " +
                units.height_name + ", like x and y");
   if (cloud.wkt.empty())
     frame.warn(input.path() +
                " tells no reference system: its coordinates count as meters");
-  const std::size_t withheld = usablePoints(cloud, frame).withheld();
-  powerline::makeOutputFolder(folder);
+  settings.points = output.points = input.classes();
+  const io::UsablePoints usable = input.usable(cloud);
+  const std::size_t withheld = usable.withheld(), ignored = usable.ignored();
   const std::size_t points = cloud.points.size();
   const PowerLineNetwork network =
       powerline::extractPowerLines(cloud, settings, &frame.monitor);
-  powerline::OutputOptions output;
-  output.source = std::filesystem::path(input.path()).filename().string();
   output.clearance = settings.clearance;
   frame.lap("powerlines");
   std::vector<std::string> warnings;
@@ -192,6 +184,7 @@ runPowerlines(const std::vector<std::string>& arguments)
 
   frame.summary["points"] = points;
   frame.summary["withheld"] = withheld;
+  frame.summary["ignored"] = ignored;
   summarize(frame.summary, network, totals);
   frame.summary["files"] = files;
   return frame.finish();

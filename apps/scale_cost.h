@@ -3,18 +3,47 @@
 
 #pragma once
 
+#include <cstddef>
+#include <functional>
+
 #include <linelet/features/multi_scale.h>
+
+#include "frame.h"
 
 namespace linelet::apps {
 
-/** \brief What the multi-scale feature of a cloud costs. */
+/** \brief What the shapes of neighborhoods of a cloud cost. */
 struct ScaleCost {
   double neighbors = 0; ///< of a point within the largest radius, on average
-  double seconds = 0;   ///< wall time for all points
+  double seconds = 0;   ///< wall time for all queries
 };
 
-/** \brief The cost for \a points, measured on a few of them. */
+/** \brief The cost of \a work on \a queries, measured on a few of them: first on so few
+ * that it takes no time worth speaking of, then on more, until it does.
+ * \param[in] most queries worth a try
+ * \param[in] work for the given indices of queries; returns how many neighbors these
+ * have, in all */
 ScaleCost
-estimateCost(const Points& points, const MultiScaleSettings& settings);
+measuredCost(const Points& queries,
+             std::size_t most,
+             const std::function<double(const Indices& chosen)>& work);
+
+/** \brief Says of long work beforehand how long it will take, and why.
+ * \param[in] size in words: "largest radius 5"
+ * \param[in] option that makes it shorter */
+void
+announce(const ScaleCost& cost,
+         std::size_t queries,
+         const std::string& size,
+         const char* option,
+         const Frame& frame);
+
+/** \brief The same for the multi-scale shapes of \a queries among \a points, measured.
+ * \param[in] settings with the radii and the engine that will be used */
+void
+announceMultiScale(const Points& points,
+                   const Points& queries,
+                   const MultiScaleSettings& settings,
+                   Frame& frame);
 
 } // namespace linelet::apps

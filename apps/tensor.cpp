@@ -16,6 +16,7 @@
 #include "device_engine.h"
 #include "frame.h"
 #include "options.h"
+#include "scale_cost.h"
 
 namespace linelet::apps {
 
@@ -107,6 +108,57 @@ chooseRadius(double scale_unit, const std::string& file)
   return radiusFor(scale_unit);
 }
 
+Records
+run(const Points& points,
+    const Points& queries,
+    TensorSettings settings,
+    EngineOption engine,
+    const NeighborhoodSizes& sizes,
+    const std::string& device,
+    Frame& frame)
+{
+  settings.engine = engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
+  return engine == EngineOption::OpenCL
+             ? estimateOnDevice(device, points, queries, settings, sizes, frame)
+             : estimateTensors(points, queries, settings, sizes, &frame.monitor);
+}
+
+/** \brief Says of long work beforehand how long it will take: of all that may be, by
+ * the number of neighbors, measured on a few points. */
+void
+announceTensors(const Points& points,
+                const TensorSettings& settings,
+                EngineOption engine,
+                const NeighborhoodSizes& sizes,
+                const std::string& device,
+                Frame& frame)
+{
+  constexpr double most_pairs = 1e9;
+  const EngineWork work = engineWork(points, points, settings, sizes);
+  if (work.neighbors * static_cast<double>(work.queries) < most_pairs)
+    return;
+  const bool grid = engine != EngineOption::Tree && !work.nearest;
+  const ScaleCost cost =
+      measuredCost(points, grid ? 3200 : 160, [&](const Indices& chosen) {
+        Points queries;
+        NeighborhoodSizes some;
+        for (const Index i : chosen) {
+          queries.push_back(points[i]);
+          if (!sizes.radii.empty())
+            some.radii.push_back(sizes.radii[i]);
+          if (!sizes.counts.empty())
+            some.counts.push_back(sizes.counts[i]);
+        }
+        double neighbors = 0;
+        for (const auto& record :
+             run(points, queries, settings, engine, some, device, frame))
+          neighbors += record.neighbors;
+        return neighbors;
+      });
+  announce(
+      cost, points.size(), "mean of some", work.nearest ? "--knn" : "--radius", frame);
+}
+
 /** \brief Runs the engine asked for. EngineOption::Auto becomes the one that ran; a
  * device that it chose and that fails is no reason to give up. */
 Records
@@ -126,22 +178,20 @@ estimate(const Points& points,
              : cheapestEngine(work) == Engine::Grid         ? EngineOption::Grid
                                                             : EngineOption::Tree;
   }
-  if (engine == EngineOption::OpenCL) {
-    try {
-      return estimateOnDevice(device, points, settings, sizes, frame);
-    }
-    catch (const Canceled&) {
-      throw;
-    }
-    catch (const std::runtime_error& error) {
-      if (!automatic)
-        throw;
-      frame.warn(std::string(error.what()) + "; the engine grid runs instead");
-      engine = EngineOption::Grid;
-    }
+  try {
+    announceTensors(points, settings, engine, sizes, device, frame);
+    return run(points, points, settings, engine, sizes, device, frame);
   }
-  settings.engine = engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
-  return estimateTensors(points, points, settings, sizes, &frame.monitor);
+  catch (const Canceled&) {
+    throw;
+  }
+  catch (const std::runtime_error& error) {
+    if (!automatic || engine != EngineOption::OpenCL)
+      throw;
+    frame.warn(std::string(error.what()) + "; the engine grid runs instead");
+  }
+  engine = EngineOption::Grid;
+  return run(points, points, settings, engine, sizes, device, frame);
 }
 
 std::string
@@ -161,25 +211,25 @@ describeSize(const TensorSettings& settings, const SizeFields& fields)
 /** \brief What the records of a cloud come to. */
 struct Tally {
   std::size_t points = 0;
-  std::size_t withheld = 0;  ///< of them, which take no part
+  std::size_t left_out = 0;  ///< of them, which take no part
   std::size_t unknown = 0;   ///< of the others, without a shape
   double mean_neighbors = 0; ///< of the others
 };
 
 Tally
-tallyOf(const Records& records, std::size_t withheld)
+tallyOf(const Records& records, std::size_t left_out)
 {
   Tally tally;
   tally.points = records.size();
-  tally.withheld = withheld;
+  tally.left_out = left_out;
   double neighbors = 0;
   for (const PointDistributionTensor& record : records) {
     tally.unknown += std::isnan(record.linearity) ? 1 : 0;
     neighbors += record.neighbors;
   }
-  tally.unknown -= withheld;
-  if (tally.points > withheld)
-    tally.mean_neighbors = neighbors / static_cast<double>(tally.points - withheld);
+  tally.unknown -= left_out;
+  if (tally.points > left_out)
+    tally.mean_neighbors = neighbors / static_cast<double>(tally.points - left_out);
   return tally;
 }
 
@@ -193,7 +243,7 @@ printUnknown(const Tally& tally, double scale_unit, const Points& points)
   std::printf("%zu points have no shape: too few neighbors, or all in one place\n",
               tally.unknown);
   // One point in a hundred is no reason for another radius.
-  if (tally.unknown * 100 <= tally.points - tally.withheld)
+  if (tally.unknown * 100 <= tally.points - tally.left_out)
     return;
   if (std::isnan(scale_unit))
     scale_unit = scaleUnit(points);
@@ -223,7 +273,6 @@ summarize(nlohmann::ordered_json& summary,
   summary["engine"] = nameOf(engine);
   summary["mean_neighbors"] = tally.mean_neighbors;
   summary["unknown"] = tally.unknown;
-  summary["withheld"] = tally.withheld;
 }
 
 } // namespace
@@ -264,7 +313,7 @@ runTensor(const std::vector<std::string>& arguments)
   output.check();
 
   io::Cloud cloud = input.read();
-  const io::UsablePoints usable = usablePoints(cloud, frame);
+  const io::UsablePoints usable = input.usable(cloud);
   const NeighborhoodSizes sizes = sizesFrom(cloud, fields, input.path());
   double scale_unit = std::nan("");
   if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
@@ -279,7 +328,7 @@ runTensor(const std::vector<std::string>& arguments)
   addColumns(cloud, records);
   output.write(cloud);
 
-  const Tally tally = tallyOf(records, usable.withheld());
+  const Tally tally = tallyOf(records, usable.leftOut());
   std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
               output.path().c_str(),
               tally.points,
@@ -288,6 +337,8 @@ runTensor(const std::vector<std::string>& arguments)
               std::string(nameOf(engine)).c_str());
   printUnknown(tally, scale_unit, usable.points());
   summarize(frame.summary, tally, settings, engine, fields);
+  frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
   return frame.finish();
 }
 

@@ -11,6 +11,7 @@
 #include "axes.h"
 #include "cloud_view.h"
 #include "pictures.h"
+#include "scale_cost.h"
 
 namespace linelet::apps {
 
@@ -28,12 +29,16 @@ median(std::vector<double>& values)
 /// Median over the scales of each factor, through the map.
 std::vector<Color>
 colorsByShape(const Points& points,
-              const MultiScaleSettings& settings,
+              MultiScaleSettings settings,
               ShapeColors colors,
-              ProgressMonitor* monitor)
+              Frame& frame)
 {
   std::vector<Color> result(points.size(), ink::grid);
   std::array<std::vector<double>, 3> factors;
+  settings.radii = multiScaleRadii(points, settings, &frame.monitor).radii;
+  settings.stop_change = 0; // it has had its say
+  settings.engine = chosenScaleEngine(points, points, settings.radii.back(), settings);
+  announceMultiScale(points, points, settings, frame);
   multiScaleShapes(
       points,
       points,
@@ -51,7 +56,7 @@ colorsByShape(const Points& points,
           result[point] = shapeColor(
               colors, median(factors[0]), median(factors[1]), median(factors[2]));
       },
-      monitor);
+      &frame.monitor);
   return result;
 }
 
@@ -181,7 +186,7 @@ pictureOfCloud(const io::Cloud& cloud,
                const PictureSettings& settings,
                const MultiScaleSettings& shapes,
                const std::string& file,
-               ProgressMonitor* monitor)
+               Frame& frame)
 {
   CloudView view;
   view.points = cloud.points;
@@ -199,7 +204,7 @@ pictureOfCloud(const io::Cloud& cloud,
   const bool gray = settings.color == "grey";
   Scalars values;
   if (by_shape)
-    view.colors = colorsByShape(cloud.points, shapes, settings.colors, monitor);
+    view.colors = colorsByShape(cloud.points, shapes, settings.colors, frame);
   else if (by_rgb)
     view.colors = colorsByRgb(cloud, file);
   else {

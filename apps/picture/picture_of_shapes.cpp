@@ -12,6 +12,7 @@
 
 #include "axes.h"
 #include "pictures.h"
+#include "scale_cost.h"
 #include "shape_pictures.h"
 
 namespace linelet::apps {
@@ -182,7 +183,7 @@ pictureOfProfile(const io::Cloud& cloud,
                  const PictureSettings& settings,
                  const MultiScaleSettings& shapes,
                  const std::string& file,
-                 ProgressMonitor* monitor)
+                 Frame& frame)
 {
   const Probe probe = probeLine(cloud, settings, shapes, file);
   if (settings.columns < 2 || probe.line.size() < 2)
@@ -194,8 +195,15 @@ pictureOfProfile(const io::Cloud& cloud,
   if (!(profile.positions.back() > 0))
     throw std::runtime_error("the line of the profile has no length");
 
+  ProgressMonitor* const monitor = &frame.monitor;
+  MultiScaleSettings planned = shapes;
+  planned.radii = multiScaleRadii(cloud.points, shapes, monitor).radii;
+  planned.stop_change = 0; // it has had its say
+  planned.engine =
+      chosenScaleEngine(cloud.points, places, planned.radii.back(), planned);
+  announceMultiScale(cloud.points, places, planned, frame);
   const MultiScaleShapes scales =
-      multiScaleShapes(cloud.points, places, shapes, {}, monitor);
+      multiScaleShapes(cloud.points, places, planned, {}, monitor);
   for (const MultiScaleShape& shape : scales.shapes)
     profile.chosen.push_back(static_cast<double>(shape.optimal_radius));
   profile.radii =
@@ -211,7 +219,8 @@ Canvas
 pictureOfPoint(const io::Cloud& cloud,
                const PictureSettings& settings,
                const MultiScaleSettings& shapes,
-               const std::string& file)
+               const std::string& file,
+               Frame& frame)
 {
   constexpr unsigned fine = 160;
   if (settings.point.empty())
@@ -222,12 +231,13 @@ pictureOfPoint(const io::Cloud& cloud,
   picture.title = settings.title.empty()
                       ? "Shape over scales at " + worldText(cloud, point)
                       : settings.title;
-  picture.radii = multiScaleRadii(cloud.points, shapes).radii;
+  picture.radii = multiScaleRadii(cloud.points, shapes, &frame.monitor).radii;
   picture.graph =
-      graphsAt(cloud.points, {point}, shapes, picture.radii, nullptr).front();
+      graphsAt(cloud.points, {point}, shapes, picture.radii, &frame.monitor).front();
   picture.fine_radii = fineRadii(picture.radii, fine);
   picture.fine_graph =
-      graphsAt(cloud.points, {point}, shapes, picture.fine_radii, nullptr).front();
+      graphsAt(cloud.points, {point}, shapes, picture.fine_radii, &frame.monitor)
+          .front();
   std::vector<double> linearity;
   std::vector<std::uint32_t> neighbors;
   for (const ScaleShape& shape : picture.graph) {

@@ -14,6 +14,7 @@
 #include <linelet/support/names.h>
 
 #include "canvas.h"
+#include "frame.h"
 
 namespace linelet::apps {
 
@@ -58,12 +59,14 @@ describe(PictureSettings& s, Visit&& visit)
         s.color,
         "cloud: shape (median of the factors over all radii), height, grey, rgb, or an "
         "attribute of the file");
-  visit("curves", s.curves, "cloud: polylines to draw over it (.obj)");
+  visit("curves",
+        s.curves,
+        "cloud: polylines to draw over it, in any format that linelet writes");
   visit("azimuth", s.azimuth, "cloud: where the eye is, degrees clockwise from north");
   visit("elevation", s.elevation, "cloud: of the eye, degrees; 90: from above");
   visit("point-size", s.point_size, "cloud: pixels; 0: by density");
   visit("curve-width", s.curve_width, "cloud: pixels");
-  visit("along", s.along, "profile: along the first curve of this file (.obj)");
+  visit("along", s.along, "profile: along the first curve of this file");
   visit("probe", s.probe, "profile: along the polyline x,y,z,x,y,z,...");
   visit("point",
         s.point,
@@ -82,7 +85,7 @@ pictureOfCloud(const io::Cloud& cloud,
                const PictureSettings& settings,
                const MultiScaleSettings& shapes,
                const std::string& file,
-               ProgressMonitor* monitor);
+               Frame& frame);
 
 /** \brief The multi-scale feature image along the line that \a settings name. */
 Canvas
@@ -90,14 +93,15 @@ pictureOfProfile(const io::Cloud& cloud,
                  const PictureSettings& settings,
                  const MultiScaleSettings& shapes,
                  const std::string& file,
-                 ProgressMonitor* monitor);
+                 Frame& frame);
 
 /** \brief The graphs of the point that \a settings name. */
 Canvas
 pictureOfPoint(const io::Cloud& cloud,
                const PictureSettings& settings,
                const MultiScaleSettings& shapes,
-               const std::string& file);
+               const std::string& file,
+               Frame& frame);
 
 } // namespace linelet::apps
 

@@ -97,7 +97,9 @@ check(const SamplingSettings& s)
 } // namespace
 
 Points
-sample(Geometry geometry, const SamplingSettings& settings)
+sample(Geometry geometry,
+       const SamplingSettings& settings,
+       const ProgressMonitor* monitor)
 {
   check(settings);
   boost::random::mt19937_64 random(settings.seed);
@@ -115,6 +117,8 @@ sample(Geometry geometry, const SamplingSettings& settings)
   Points points;
   points.reserve(settings.points + settings.outliers);
   for (std::size_t i = 0; i < settings.points; ++i) {
+    if (i % 8192 == 0)
+      throwIfCanceled(monitor);
     const double t = static_cast<double>(i) / n;
     const double tau = (1 - settings.distribution) * t + settings.distribution * r[i];
     // One statement a draw: the order of evaluation is part of the result.

@@ -10,6 +10,7 @@
 #include <bench/geometries/geometries.h>
 #include <linelet/curves/curve_network.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::bench {
 
@@ -52,8 +53,10 @@ describe(SamplingSettings& settings, Visit&& visit)
  * [-1, 1]. The box of the outliers is that of the samples, enlarged by 10 % of its
  * diagonal on each side (in a direction in which it is flat only if S_J > 0). The same
  * settings give the same points on every machine.
- * \throws std::invalid_argument for settings out of range */
+ * \throws std::invalid_argument for settings out of range; Canceled */
 Points
-sample(Geometry geometry, const SamplingSettings& settings);
+sample(Geometry geometry,
+       const SamplingSettings& settings,
+       const ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet::bench

@@ -166,8 +166,10 @@ simulateCorridor(const CorridorSettings& settings, ProgressMonitor* monitor)
   addHighVoltageLine(scene, settings, random);
   for (unsigned line = 1; line <= settings.low_voltage; ++line)
     addPoleLine(scene, settings, static_cast<int>(line), random);
+  throwIfCanceled(monitor);
   addGaps(scene, settings.gaps, random);
   addObjects(scene, settings, random);
+  throwIfCanceled(monitor);
   // Before the scan, so that another scan of the same scene lies at the same place.
   const Placement placement(random);
   CorridorScan result = scan(scene, settings, random, monitor);

@@ -37,6 +37,10 @@ cloudFromColumns(const Source& source, std::vector<Column> columns);
 std::optional<std::array<std::vector<std::uint8_t>, 3>>
 byteColors(const Cloud& cloud);
 
+/** \brief Stands before the names of other attributes than coordinates, normals and
+ * colors in PLY files, as CloudCompare writes them. */
+constexpr std::string_view scalar_prefix = "scalar_";
+
 /** \brief Whether \a name is red, green or blue. */
 bool
 isColor(std::string_view name);

@@ -34,27 +34,9 @@ cannotRead(const std::string& path)
                   "); check the path and its permissions");
 }
 
-bool
-isSpecial(const std::string& path)
-{
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
-         !S_ISDIR(status.st_mode);
-}
-
-/** \a path, or what it points to where it is a symbolic link. */
-fs::path
-placeOf(const std::string& path)
-{
-  std::error_code error;
-  if (fs::is_symlink(path, error))
-    return fs::weakly_canonical(path, error);
-  return path;
-}
-
 } // namespace
 
-MappedFile::MappedFile(const std::string& path)
+MappedFile::MappedFile(const std::string& path, const ProgressMonitor* monitor)
 {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   struct stat status {};
@@ -67,8 +49,10 @@ MappedFile::MappedFile(const std::string& path)
   if (!S_ISREG(status.st_mode)) {
     char buffer[65536];
     ssize_t got = 0;
-    while ((got = ::read(file.number, buffer, sizeof buffer)) > 0)
+    while ((got = ::read(file.number, buffer, sizeof buffer)) > 0) {
       owned_.append(buffer, static_cast<std::size_t>(got));
+      throwIfCanceled(monitor);
+    }
     if (got < 0)
       cannotRead(path);
     bytes_ = owned_;
@@ -97,31 +81,6 @@ cannotWrite(const std::string& path, int error)
   return path + ": cannot be written (" +
          (error != 0 ? std::strerror(error) : "unknown reason") +
          "); check that the folder exists, may be written and has room";
-}
-
-std::string
-stagingPath(const std::string& path)
-{
-  if (isSpecial(path))
-    return path;
-  fs::path place = placeOf(path);
-  const std::string name = place.filename().string();
-  place.replace_filename(".part-" + std::to_string(::getpid()) + "-" + name);
-  return place.string();
-}
-
-void
-publish(const std::string& staged, const std::string& path)
-{
-  if (staged == path)
-    return;
-  std::error_code error;
-  fs::rename(staged, placeOf(path), error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(staged, ignored);
-    throw FileError(cannotWrite(path, error.value()));
-  }
 }
 
 std::string

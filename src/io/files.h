@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <linelet/io/output_file.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 namespace linelet {
@@ -15,8 +16,9 @@ namespace LINELET_PUBLIC io {
 /** \brief A file in memory, read-only: mapped where it is a regular file. */
 class MappedFile {
 public:
-  /** \throws FileError */
-  explicit MappedFile(const std::string& path);
+  /** \throws FileError, Canceled */
+  explicit MappedFile(const std::string& path,
+                      const ProgressMonitor* monitor = nullptr);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile&
@@ -33,15 +35,6 @@ private:
   std::string owned_; ///< content of what cannot be mapped (pipes)
   void* mapped_ = nullptr;
 };
-
-/** \brief Where the content of \a path is written until it is whole: a name beside it,
- * or \a path itself where that is a device or a pipe. */
-std::string
-stagingPath(const std::string& path);
-
-/** \brief Puts the finished \a staged in the place of \a path. \throws FileError */
-void
-publish(const std::string& staged, const std::string& path);
 
 /** \brief The sentence for a file that cannot be written, from errno. */
 std::string

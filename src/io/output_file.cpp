@@ -7,36 +7,45 @@
 #include <filesystem>
 
 #include <linelet/io/file_error.h>
+#include <linelet/io/output_check.h>
 
 #include "files.h"
+#include "staged_file.h"
 
 namespace linelet::io {
 
 void
 checkWritable(const std::string& path)
 {
-  if (stagingPath(path) != path) // a pipe must not be opened twice
+  if (!StagedFile(path).direct()) // a pipe must not be opened twice
     OutputFile probe(path);
 }
 
-OutputFile::OutputFile(const std::string& path)
-    : path_(path), staged_(stagingPath(path))
+bool
+isSameFile(const std::string& one, const std::string& other)
 {
+  namespace fs = std::filesystem;
   std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw FileError(cannotWrite(path, EISDIR));
-  file_ = std::fopen(staged_.c_str(), "wb");
+  if (fs::is_other(one, error) || fs::is_other(other, error))
+    return false;
+  if (fs::exists(one, error) && fs::exists(other, error))
+    return fs::equivalent(one, other, error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(one, error), error);
+  return !error && place == fs::weakly_canonical(fs::absolute(other, error), error);
+}
+
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), staged_(std::make_unique<StagedFile>(path))
+{
+  file_ = std::fopen(staged_->place().c_str(), "wb");
   if (file_ == nullptr)
     throw FileError(cannotWrite(path, errno));
 }
 
 OutputFile::~OutputFile()
 {
-  if (file_ == nullptr)
-    return;
-  std::fclose(file_);
-  if (staged_ != path_)
-    std::remove(staged_.c_str());
+  if (file_ != nullptr)
+    std::fclose(file_);
 }
 
 void
@@ -54,7 +63,7 @@ OutputFile::commit()
     fail();
   std::fclose(file_);
   file_ = nullptr;
-  publish(staged_, path_);
+  staged_->publish();
 }
 
 void

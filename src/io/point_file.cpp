@@ -77,7 +77,7 @@ readCloud(const std::string& path,
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
     throw FileError(path + ": is a folder; name a point file");
   const Format& format = formatOf(path);
-  const MappedFile file(path);
+  const MappedFile file(path, monitor);
   if (monitor != nullptr)
     monitor->begin("reading", 0);
   Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});

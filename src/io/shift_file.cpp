@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include <linelet/io/file_error.h>
 
@@ -27,7 +28,7 @@ Point
 readShift(const std::string& path)
 {
   const std::string beside = pathOfShift(path);
-  if (!std::filesystem::exists(beside))
+  if (std::error_code ignored; !std::filesystem::exists(beside, ignored))
     return Point::Zero();
   const MappedFile file(beside);
   std::string_view text = file.bytes();
@@ -48,7 +49,8 @@ writeShift(const std::string& path, const Point& shift)
 {
   const std::string beside = pathOfShift(path);
   if (shift == Point::Zero()) {
-    std::filesystem::remove(beside);
+    std::error_code ignored; // there is most often none
+    std::filesystem::remove(beside, ignored);
     return;
   }
   std::string text;

@@ -236,6 +236,8 @@ writePly(const Target& target, const Cloud& cloud)
     std::string name = column.name;
     if (name.rfind("normal_", 0) == 0 && name.size() == 8)
       name = std::string("n") + name.back();
+    else if (!isColor(name) && name != "intensity")
+      name.insert(0, scalar_prefix); // PLY has a convention for the others
     ValueType type = typeOf(*source);
     if (type == ValueType::Int64 || type == ValueType::UInt64) {
       type = ValueType::Float64; // PLY has no integers of 8 bytes

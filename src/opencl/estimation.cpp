@@ -188,7 +188,8 @@ private:
       if (!sizes_.counts.empty())
         sizes.counts.push_back(sizes_.counts[i]);
     }
-    const auto completed = estimateTensors(surface_, queries, settings, sizes);
+    const auto completed =
+        estimateTensors(surface_, queries, settings, sizes, monitor_);
     for (std::size_t i = 0; i < open.size(); ++i)
       records[open[i]] = completed[i];
   }

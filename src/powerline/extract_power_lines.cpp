@@ -94,9 +94,11 @@ Ground
 groundUnder(const Points& points,
             const std::vector<std::uint8_t>& classes,
             const PowerLineSettings& settings,
-            PowerLineNetwork& network)
+            PowerLineNetwork& network,
+            const ProgressMonitor* monitor)
 {
-  Ground ground = findGround(points, classes, settings.use_classes);
+  Ground ground = findGround(points, classes, settings.use_classes, monitor);
+  throwIfCanceled(monitor);
   if (showsTerrain(points, classes))
     network.ground = ground;
   else
@@ -121,15 +123,19 @@ extractPowerLines(const Points& points,
   PowerLineNetwork network;
   network.classes = classes;
   network.classes.resize(points.size(), 0);
+  for (std::uint8_t& number : network.classes)
+    if (number == wire_class || number == pylon_class)
+      number = unclassified; // until found
   network.wire_id.assign(points.size(), 0);
   network.span_id.assign(points.size(), 0);
   network.wire_distance.assign(points.size(), std::numeric_limits<float>::quiet_NaN());
   {
     Stages stages(network, monitor);
     stages.begin("ground");
-    const Ground ground = groundUnder(points, classes, settings, network);
+    const Ground ground = groundUnder(points, classes, settings, network, monitor);
     stages.begin("index");
     const Candidates candidates = findCandidates(points, ground, settings.min_height);
+    throwIfCanceled(monitor);
     const Underside underside(points);
     stages.begin("seeds");
     const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
@@ -138,7 +144,9 @@ extractPowerLines(const Points& points,
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
+    throwIfCanceled(monitor);
     addParallelWires(growth, pieces, settings);
+    throwIfCanceled(monitor);
     addBundles(growth, seeds, pieces, settings);
     mergePieces(growth, pieces, settings);
     std::vector<WireWithEnds> with_ends;
@@ -147,14 +155,19 @@ extractPowerLines(const Points& points,
     stages.begin("supports");
     completeByCompany(with_ends, growth, settings);
     matchEnds(with_ends);
+    throwIfCanceled(monitor);
     splitAtPoles(with_ends, growth);
+    throwIfCanceled(monitor);
     dropFalsePositives(with_ends, growth, points, ground);
     matchEnds(with_ends);
+    throwIfCanceled(monitor);
     dropUnlikely(with_ends, growth, underside, settings);
+    throwIfCanceled(monitor);
     addStubs(with_ends, growth, seeds, underside, settings);
     matchEnds(with_ends);
     if (mendBreaks(with_ends, growth, settings))
       matchEnds(with_ends);
+    throwIfCanceled(monitor);
     std::vector<Tower> towers = buildTowers(with_ends, growth, ground, settings);
     if (dropMisled(with_ends, growth)) {
       matchEnds(with_ends);
@@ -183,7 +196,7 @@ extractPowerLines(const io::Cloud& cloud,
       classes[i] = static_cast<std::uint8_t>(io::valueAt(*column, i));
   }
   const MetricFrame frame(cloud);
-  const io::UsablePoints usable(cloud);
+  const io::UsablePoints usable(cloud, nullptr, settings.points);
   if (frame.units().areMeters())
     return extractPowerLines(usable.points(), classes, settings, monitor);
   Points points(cloud.points.size());

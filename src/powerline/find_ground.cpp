@@ -196,9 +196,11 @@ fillHoles(std::vector<float>& raster, int columns, int rows, Fill fill)
 Ground
 findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
-           bool use_classes)
+           bool use_classes,
+           const ProgressMonitor* monitor)
 {
   const PlanExtent extent = planExtent(points, cell_size);
+  throwIfCanceled(monitor);
   Raster raster = emptyRaster(extent);
   Ground& g = raster.ground;
   if (g.heights.empty())
@@ -224,6 +226,7 @@ findGround(const Points& points,
       height = std::fmin(height, static_cast<float>(p.z()));
     }
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
+  throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;
   fillHoles(surface, g.columns, g.rows, Fill::Low);
   repairPits(surface, g.columns, g.rows);
@@ -231,6 +234,7 @@ findGround(const Points& points,
     if (!std::isnan(g.heights[i]))
       g.heights[i] = surface[i];
   for (int radius = 1; radius <= largest_radius; ++radius) {
+    throwIfCanceled(monitor);
     const std::vector<float> opened = openRaster(surface, g.columns, g.rows, radius);
     // Terrain of the steepest slope loses this much more than at the radius before.
     const float limit = static_cast<float>(step + terrain_slope * g.cell);
@@ -240,6 +244,7 @@ findGround(const Points& points,
     surface = opened;
   }
   fillHoles(g.heights, g.columns, g.rows);
+  throwIfCanceled(monitor);
   refine(raster, extent, points);
   return g;
 }

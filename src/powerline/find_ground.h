@@ -8,6 +8,7 @@
 
 #include <linelet/powerline/ground.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::powerline {
 
@@ -23,7 +24,8 @@ namespace linelet::powerline {
 Ground
 findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
-           bool use_classes);
+           bool use_classes,
+           const ProgressMonitor* monitor = nullptr);
 
 /** \brief How \ref fillHoles looks at larger cells. */
 enum class Fill {

@@ -28,7 +28,21 @@ writeText(const std::string& path, const std::string& text)
 } // namespace
 
 void
-classify(io::Cloud& cloud, const PowerLineNetwork& network)
+check(const ClassScheme& scheme)
+{
+  for (const unsigned number : {scheme.wire, scheme.tower})
+    if (number > 255)
+      throw std::invalid_argument("class " + std::to_string(number) +
+                                  " does not fit into a LAS file, whose classes are 0 "
+                                  "to 255");
+  if (scheme.wire == scheme.tower)
+    throw std::invalid_argument("wires and towers both get class " +
+                                std::to_string(scheme.wire) +
+                                "; give them different ones");
+}
+
+std::size_t
+classify(io::Cloud& cloud, const PowerLineNetwork& network, const ClassScheme& scheme)
 {
   const std::size_t n = cloud.points.size();
   if (network.classes.size() != n || network.wire_id.size() != n ||
@@ -36,19 +50,43 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network)
     throw std::invalid_argument("the power lines were extracted from another cloud: " +
                                 std::to_string(network.classes.size()) +
                                 " labels for " + std::to_string(n) + " points");
+  check(scheme);
+  const auto wire = static_cast<std::uint8_t>(scheme.wire),
+             tower = static_cast<std::uint8_t>(scheme.tower);
   std::vector<std::uint8_t> classes(n, 0);
+  std::size_t unconfirmed = 0;
   const io::Column* given = cloud.find("classification");
   for (std::size_t i = 0; i < n; ++i) {
     if (given != nullptr)
       classes[i] = static_cast<std::uint8_t>(io::valueAt(*given, i));
     const std::uint8_t found = network.classes[i];
     if (found == wire_class || found == pylon_class)
-      classes[i] = found;
+      classes[i] = found == wire_class ? wire : tower;
+    else if (given != nullptr && (classes[i] == wire || classes[i] == tower)) {
+      ++unconfirmed;
+      if (scheme.existing == ExistingClasses::Reset)
+        classes[i] = unclassified;
+    }
   }
   cloud.set({"classification", std::move(classes), ""});
   cloud.set({"wire_id", network.wire_id, "wire, 0: none"});
   cloud.set({"span_id", network.span_id, "span, 0: none"});
   cloud.set({"wire_distance", network.wire_distance, "to the wire, m"});
+  return unconfirmed;
+}
+
+std::vector<std::string>
+powerLineFiles(const std::string& folder)
+{
+  std::vector<std::string> paths;
+  for (const char* name : {"classified.las",
+                           "wires.geojson",
+                           "wires.gpkg",
+                           "wires.dxf",
+                           "summary.json",
+                           "report.html"})
+    paths.push_back((std::filesystem::path(folder) / name).string());
+  return paths;
 }
 
 void
@@ -56,7 +94,8 @@ makeOutputFolder(const std::string& folder)
 {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
     throw io::FileError("cannot make the folder " + folder + ": " +
                         (error ? error.message() : "there is a file of that name") +
                         "; name a folder that can be made or written to");
@@ -72,21 +111,22 @@ writePowerLineFiles(const std::string& folder,
                     ProgressMonitor* monitor)
 {
   makeOutputFolder(folder);
-  std::vector<std::string> paths;
-  for (const char* name : {"classified.las",
-                           "wires.geojson",
-                           "wires.gpkg",
-                           "wires.dxf",
-                           "summary.json",
-                           "report.html"})
-    paths.push_back((std::filesystem::path(folder) / name).string());
-
+  check(options.classes);
+  const std::vector<std::string> paths = powerLineFiles(folder);
   const auto layers = powerLineLayers(cloud, network, options);
   for (std::size_t i = 1; i <= 3; ++i)
-    io::writeLayers(paths[i], layers, cloud.wkt, warnings);
+    io::writeLayers(paths[i], layers, cloud.wkt, warnings, monitor);
   writeText(paths[4], powerLineSummary(cloud, network, options));
-  writeText(paths[5], powerLineReport(cloud, network, options));
-  classify(cloud, network);
+  throwIfCanceled(monitor);
+  writeText(paths[5], powerLineReport(cloud, network, options, monitor));
+  const std::size_t unconfirmed = classify(cloud, network, options.classes);
+  if (unconfirmed > 0 && warnings != nullptr &&
+      options.classes.existing == ExistingClasses::Keep)
+    warnings->push_back(std::to_string(unconfirmed) + " points came with class " +
+                        std::to_string(options.classes.wire) + " or " +
+                        std::to_string(options.classes.tower) +
+                        " but are no wire or tower that was found; they keep it "
+                        "(--existing-classes reset makes them unclassified)");
   io::writeCloud(paths[0], cloud, {}, warnings, monitor);
   return paths;
 }

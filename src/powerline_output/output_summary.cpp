@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -116,7 +120,52 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
           {"wires_of_low_confidence", doubtful}};
 }
 
+/** What tells an input from others. */
+Json
+identityOf(const io::Cloud& cloud, const std::string& source)
+{
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Point& p : cloud.points)
+    if (p.allFinite()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  const auto corner = [&](const Point& p) {
+    const Point world = cloud.shift + p;
+    return Json::array({number(world.x()), number(world.y()), number(world.z())});
+  };
+  return {{"source", source},
+          {"points", cloud.points.size()},
+          {"bounds", {{"minimum", corner(low)}, {"maximum", corner(high)}}}};
+}
+
 } // namespace
+
+std::string
+otherResultsIn(const std::string& folder,
+               const io::Cloud& cloud,
+               const std::string& source)
+{
+  const std::vector<std::string> files = powerLineFiles(folder);
+  std::error_code ignored;
+  if (std::none_of(files.begin(), files.end(), [&](const std::string& file) {
+        return std::filesystem::exists(file, ignored);
+      }))
+    return {};
+  constexpr const char* unknown = "an unknown input";
+  std::ifstream in(std::filesystem::path(folder) / "summary.json");
+  const Json there = Json::parse(in, nullptr, false);
+  if (!there.is_object() || !there.contains("source") || !there["source"].is_string())
+    return unknown;
+  // A summary of an earlier version tells less.
+  const Json here = identityOf(cloud, source);
+  for (const auto& [key, value] : here.items())
+    if (there.contains(key) && there[key] != value) {
+      const auto name = there["source"].get<std::string>();
+      return name == source ? "another " + name : name.empty() ? unknown : name;
+    }
+  return {};
+}
 
 std::string
 powerLineSummary(const io::Cloud& cloud,
@@ -125,15 +174,14 @@ powerLineSummary(const io::Cloud& cloud,
 {
   const MetricFrame frame(cloud);
   const io::Units& units = frame.units();
-  Json summary = {{"source", options.source},
-                  {"points", cloud.points.size()},
-                  {"reference_system", io::referenceName(cloud.wkt)},
+  Json summary = identityOf(cloud, options.source);
+  summary.update({{"reference_system", io::referenceName(cloud.wkt)},
                   {"units",
                    {{"lengths", "metre"},
                     {"coordinates", units.plan_name},
                     {"heights_in_coordinates", units.height_name}}},
                   {"clearance_limit", number(options.clearance)},
-                  {"totals", totals(network, options)}};
+                  {"totals", totals(network, options)}});
   Json circuits = Json::array(), spans = Json::array(), wires = Json::array(),
        pylons = Json::array();
   for (const Circuit& circuit : network.circuits)

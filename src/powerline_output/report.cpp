@@ -105,10 +105,11 @@ addTotals(Markup& page, const Content& content)
 }
 
 void
-addSpans(Markup& page, const Content& content)
+addSpans(Markup& page, const Content& content, const ProgressMonitor* monitor)
 {
   const std::vector<Indices> points = report::pointsOfSpans(content);
   for (std::size_t k = 0; k < content.network.spans.size(); ++k) {
+    throwIfCanceled(monitor);
     const Span& span = content.network.spans[k];
     page << "<section class=\"span\" id=\"span" << span.id << "\">\n<h3>Span "
          << span.id << ": " << content.supportName(span.from_support) << " to "
@@ -138,10 +139,14 @@ unitsInWords(const io::Units& units)
 std::string
 powerLineReport(const io::Cloud& cloud,
                 const PowerLineNetwork& network,
-                const OutputOptions& options)
+                const OutputOptions& options,
+                const ProgressMonitor* monitor)
 {
-  const Content content{
-      cloud, network, options, MetricFrame(cloud), io::UsablePoints(cloud)};
+  const Content content{cloud,
+                        network,
+                        options,
+                        MetricFrame(cloud),
+                        io::UsablePoints(cloud, nullptr, options.points)};
   const std::string name = options.source.empty() ? std::string("point cloud")
                                                   : report::escaped(options.source);
   const std::string reference = io::referenceName(cloud.wkt);
@@ -166,7 +171,9 @@ powerLineReport(const io::Cloud& cloud,
           "stands on the ground. Squares are pylons, dots are poles, red rings "
           "clearances "
           "below the limit.</p>\n";
+  throwIfCanceled(monitor);
   report::addPlan(page, content);
+  throwIfCanceled(monitor);
   if (!network.wires.empty()) {
     page << "<h2>Clearances below " << report::number(options.clearance, 1)
          << " m</h2>\n";
@@ -178,7 +185,7 @@ powerLineReport(const io::Cloud& cloud,
            "its "
            "direction from left to right. Curves are the fitted catenaries (dashed: in "
            "doubt), dots the points beside them.</p>\n";
-    addSpans(page, content);
+    addSpans(page, content, monitor);
   }
   page << "</body>\n</html>\n";
   return page.text();

@@ -91,7 +91,7 @@ struct Content {
   MetricFrame metric;
   io::UsablePoints usable;
 
-  /** \brief A point of the cloud in meters, as the network has it; NaN if withheld. */
+  /** \brief A point of the cloud in meters, as the network has it; NaN if left out. */
   Point
   point(std::size_t i) const
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -141,18 +142,18 @@ TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
     text +=
         std::to_string(0.1 * i) + ",0,5,14\n" + std::to_string(0.1 * i) + ",20,0,2\n";
   const std::string cloud = write("scene.csv", text), output = path("wires.obj");
-  runWell("curves " + cloud + " " + output + " --classes 14 --json " +
+  runWell("curves " + cloud + " " + output + " --keep-classes 14 --json " +
           path("wires.json"));
   EXPECT_EQ(json(path("wires.json"))["points"], 100);
   const CurveNetwork network = io::readCurves(output);
   ASSERT_EQ(network.curves.size(), 1u);
   for (const Point& vertex : network.curves[0].points)
     EXPECT_NEAR(vertex.z(), 5, 1e-3);
-  EXPECT_THAT(runWell("curves " + cloud + " " + output + " --classes 99").error,
-              HasSubstr("no point is of a class of --classes"));
+  EXPECT_THAT(runWell("curves " + cloud + " " + output + " --keep-classes 99").error,
+              HasSubstr("no point is left"));
   runWell("generate circle " + path("circle.xyz"));
   expectOneLineOf("curves " + path("circle.xyz") + " " + path("out.obj") +
-                      " --classes 14",
+                      " --keep-classes 14",
                   "no classes");
 }
 
@@ -204,4 +205,38 @@ TEST_F(CurveCommands, RowsOfOtherSettingsAreNotTakenForThese)
   EXPECT_EQ(json(path("runs.json"))["method"], "published");
   EXPECT_EQ(lines(contents(path("rows.csv"))), 21);
   expectOneLineOf(command + " --label a,b", "--label a,b");
+}
+
+TEST_F(CurveCommands, AStraightWireHasFewVertices)
+{
+  // Five hundred points along a line, a hundredth about it.
+  std::string text;
+  for (int i = 0; i < 500; ++i)
+    text += std::to_string(0.1 * i) + " " + std::to_string(0.01 * std::sin(i * 7.1)) +
+            " " + std::to_string(0.01 * std::cos(i * 3.7)) + "\n";
+  const std::string cloud = write("wire.xyz", text);
+  const auto verticesOf = [&](const std::string& options) {
+    runWell("curves " + cloud + " " + path("wire.gpkg") + options + " --json " +
+            path("wire.json"));
+    return json(path("wire.json"))["vertices"].get<int>();
+  };
+  const int all = verticesOf(" --simplify 0");
+  runWell("curves " + cloud + " " + path("all.obj") + " --simplify 0");
+  const int few = verticesOf("");
+  EXPECT_GT(all, 10);
+  EXPECT_LT(few, all / 2);
+  const double tolerance = json(path("wire.json"))["simplify_tolerance"];
+  EXPECT_NEAR(tolerance, 0.001, 0.0005); // a tenth of the noise
+  // It is the same curve, to this tolerance.
+  runWell("evaluate " + path("all.obj") + " " + path("wire.gpkg") + " --json " +
+          path("same.json"));
+  EXPECT_LE(json(path("same.json"))["e_h"].get<double>(), tolerance * 1.01);
+  EXPECT_EQ(verticesOf(" --simplify 1"), 2);
+  EXPECT_EQ(run("curves " + cloud + " " + path("a.obj") + " --simplify -1").code, 2);
+  EXPECT_EQ(run("curves " + cloud + " " + path("a.obj") + " --simplify x").code, 2);
+  // A closed curve stays one.
+  runWell("generate circle " + path("circle.xyz") + " --points 400");
+  runWell("curves " + path("circle.xyz") + " " + path("circle.obj") +
+          " --simplify 100 --json " + path("circle.json"));
+  EXPECT_EQ(json(path("circle.json"))["closed"], 1);
 }

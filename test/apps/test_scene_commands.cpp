@@ -176,12 +176,12 @@ TEST_F(SceneCommands, AMissingReferenceSystemIsSaidOnce)
   const std::string sample = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
   io::Cloud cloud = io::readCloud(sample);
   ASSERT_FALSE(cloud.wkt.empty());
-  EXPECT_EQ(runWell("powerlines " + sample + " " + path("known")).error, "");
+  const std::string call = "powerlines --ignore-classes none --existing-classes reset ";
+  EXPECT_EQ(runWell(call + sample + " " + path("known")).error, "");
 
   cloud.wkt.clear();
   io::writeCloud(path("nowhere.las"), cloud);
-  const Outcome run =
-      runWell("powerlines " + path("nowhere.las") + " " + path("unknown"));
+  const Outcome run = runWell(call + path("nowhere.las") + " " + path("unknown"));
   EXPECT_EQ(lines(run.error), 2) << run.error;
   EXPECT_THAT(run.error, HasSubstr("its coordinates count as meters"));
   EXPECT_THAT(run.error, HasSubstr(path("unknown/wires.geojson")));

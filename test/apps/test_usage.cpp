@@ -216,7 +216,7 @@ TEST_F(Usage, PrintedOptionsCanBeReadBack)
       {"tensor", "in.las out.las --radius 0.7 --weight step:0.5"},
       {"multiscale", "in.las out.las"},
       {"multiscale", "in.las out.las --radii 0.5,1,2.25"},
-      {"curves", "in.las out.obj --classes 14,15 --preset published"},
+      {"curves", "in.las out.obj --keep-classes 14,15 --preset published"},
       {"powerlines", "in.las out --max-gap 12.5"},
       {"generate", "helix out.xyz --hole 0.2,0.3 --seed 7"},
       {"generate corridor", "out.las"},

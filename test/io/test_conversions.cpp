@@ -208,6 +208,34 @@ TEST(Conversion, AShiftedFileIsReadByPclAndKeepsItsPlace)
   }
 }
 
+// As CloudCompare writes scalar fields, and calls them once it has read them.
+TEST(Conversion, NamesOfAttributesInPlyAreThoseOfScalarFields)
+{
+  const Folder folder;
+  Cloud cloud;
+  cloud.points = {{1, 2, 3}, {4, 5, 6}};
+  const std::vector<float> values = {0.25F, 0.5F};
+  for (const char* name : {"linearity", "optimal_radius", "normal_x", "intensity"})
+    cloud.set({name, values, {}});
+  cloud.set({"red", std::vector<std::uint8_t>{1, 2}, {}});
+  cloud.set({"green", std::vector<std::uint8_t>{1, 2}, {}});
+  cloud.set({"blue", std::vector<std::uint8_t>{1, 2}, {}});
+  writeCloud(folder.file("a.ply"), cloud);
+  const std::string header = bytesOf(folder.file("a.ply"));
+  for (const char* property : {" scalar_linearity\n",
+                               " scalar_optimal_radius\n",
+                               " nx\n",
+                               " intensity\n",
+                               " red\n"})
+    EXPECT_NE(header.find(property), std::string::npos) << property;
+  const Cloud back = readCloud(folder.file("a.ply"));
+  ASSERT_EQ(back.columns.size(), cloud.columns.size());
+  for (const Column& column : cloud.columns) {
+    ASSERT_NE(back.find(column.name), nullptr) << column.name;
+    EXPECT_EQ(valueAt(*back.find(column.name), 1), valueAt(column, 1));
+  }
+}
+
 TEST(Conversion, MillimetersOfSmallCoordinatesSurviveFloats)
 {
   const Folder folder;

@@ -66,7 +66,7 @@ protected:
 
   PowerLineNetwork network_;
   io::Cloud cloud_;
-  OutputOptions options_{"by_hand.las", 5};
+  OutputOptions options_{"by_hand.las", 5, {}, {}};
 };
 
 TEST_F(Report, IsWellFormedAndStandsAlone)

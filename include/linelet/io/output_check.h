@@ -20,5 +20,10 @@ checkCloudOutput(const std::string& path);
 void
 checkCurvesOutput(const std::string& path);
 
+/** \brief Whether \a one and \a other are the same file, by whatever names and links,
+ * or would be once both exist. Devices and pipes, which hold nothing, never are. */
+bool
+isSameFile(const std::string& one, const std::string& other);
+
 } // namespace io
 } // namespace linelet

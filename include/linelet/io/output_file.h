@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,8 @@
 
 namespace linelet {
 namespace LINELET_PUBLIC io {
+
+class StagedFile;
 
 /** \brief A file under construction. Nothing stands at its path before \ref commit;
  * without it, nothing stays. */
@@ -35,13 +38,19 @@ private:
   [[noreturn]] void
   fail();
 
-  std::string path_, staged_;
+  std::string path_;
+  std::unique_ptr<StagedFile> staged_;
   std::FILE* file_ = nullptr;
 };
 
 /** \brief Fails where no file can be made at \a path; makes none. \throws FileError */
 void
 checkWritable(const std::string& path);
+
+/** \brief Removes all files under construction, by whatever writer; none is made or
+ * published afterwards. For a program that ends at once, from any of its threads. */
+void
+removeUnfinishedFiles();
 
 } // namespace io
 } // namespace linelet

@@ -10,6 +10,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
+struct Cloud;
+
 /** \brief Name of the reference system that \a wkt describes; empty where it is unknown
  * or cannot be understood. */
 std::string
@@ -35,6 +37,12 @@ struct Units {
  * vertical part. Meters where it is empty or cannot be understood. */
 Units
 unitsOf(const std::string& wkt);
+
+/** \brief Why lengths in the plan of \a cloud mean nothing, as a clause to follow the
+ * name of its file: its reference system counts in degrees, or none is told and the
+ * coordinates look like it. Empty where they are lengths for all that is known. */
+std::string
+degreesIn(const Cloud& cloud);
 
 } // namespace io
 } // namespace linelet

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <linelet/io/cloud.h>
@@ -13,36 +14,103 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
+/** \brief Numbers of classes, as text: "7,18"; "none" and "all" name no number. */
+class ClassList {
+public:
+  /** \throws std::invalid_argument */
+  explicit ClassList(std::string_view text);
+
+  const std::string&
+  name() const
+  {
+    return text_;
+  }
+
+  bool
+  empty() const
+  {
+    return numbers_.empty();
+  }
+
+  bool
+  contains(int number) const;
+
+private:
+  std::string text_;
+  std::vector<int> numbers_;
+};
+
+/** \brief Which points of a classified cloud an analysis may use. Says nothing of
+ * clouds without classes. */
+struct ClassFilter {
+  /// Points of these classes take no part: by default noise, low and high (ASPRS).
+  ClassList ignored{"7,18"};
+  /// If it names any, only points of these take part, ignored or not.
+  ClassList kept{"all"};
+
+  bool
+  passes(int number) const;
+};
+
+template <class Visit>
+void
+describe(ClassFilter& s, Visit&& visit)
+{
+  visit("ignore-classes",
+        s.ignored,
+        "points of these classes take no part, unless they are kept; none: all do");
+  visit("keep-classes", s.kept, "only points of these classes take part");
+}
+
 /** \brief The points of a cloud that an analysis may use.
  *
  * A point flagged as withheld counts as deleted (so the LAS specification: not to be
- * included in processing). It stays in the cloud, so that a file written again has it
- * bit for bit; here it has no coordinates, which every analysis passes over. Overlap,
- * synthetic and key points are points like others. */
+ * included in processing), and noise is no part of any surface. Both stay in the cloud,
+ * so that a file written again has them bit for bit; here they have no coordinates,
+ * which every analysis passes over. Overlap, synthetic and key points are points like
+ * others. */
 class UsablePoints {
 public:
   /** \brief Those of \a cloud, which must outlive this.
-   * \param[out] warnings one sentence where any point is left out */
+   * \param[out] warnings one sentence for each reason why points are left out */
   explicit UsablePoints(const Cloud& cloud,
-                        std::vector<std::string>* warnings = nullptr);
+                        std::vector<std::string>* warnings = nullptr,
+                        const ClassFilter& classes = {});
 
-  /** \brief As many as the cloud has, in its order; NaN where withheld. */
+  /** \brief As many as the cloud has, in its order; NaN where left out. */
   const Points&
   points() const
   {
-    return withheld_ == 0 ? cloud_.points : usable_;
+    return leftOut() == 0 ? cloud_.points : usable_;
   }
 
+  /** \brief How many are flagged as withheld. */
   std::size_t
   withheld() const
   {
     return withheld_;
   }
 
+  /** \brief How many of the others are left out for their class. */
+  std::size_t
+  ignored() const
+  {
+    return ignored_;
+  }
+
+  std::size_t
+  leftOut() const
+  {
+    return withheld_ + ignored_;
+  }
+
 private:
+  void
+  leaveOut(std::size_t i);
+
   const Cloud& cloud_;
-  Points usable_; // empty where nothing is withheld
-  std::size_t withheld_ = 0;
+  Points usable_; // empty where nothing is left out
+  std::size_t withheld_ = 0, ignored_ = 0;
 };
 
 } // namespace io

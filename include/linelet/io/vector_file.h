@@ -11,6 +11,7 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 namespace linelet {
@@ -50,31 +51,36 @@ struct VectorLayer {
  * \param[in] wkt reference system, empty: unknown
  * \param[out] warnings one sentence where readers will take the coordinates for what
  * they are not
- * \throws FileError */
+ * \throws FileError, Canceled */
 void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
             const std::string& wkt,
-            std::vector<std::string>* warnings = nullptr);
+            std::vector<std::string>* warnings = nullptr,
+            ProgressMonitor* monitor = nullptr);
 
 /** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
  * (lines), .csv, .geojson, .gpkg, .dxf.
  * \param[in] shift added to every vertex: the output is in world coordinates
  * \param[in] wkt see \ref writeLayers, as for \a warnings
- * \throws FileError */
+ * \throws FileError, Canceled */
 void
 writeCurves(const std::string& path,
             const CurveNetwork& network,
             const Point& shift = Point::Zero(),
             const std::string& wkt = {},
-            std::vector<std::string>* warnings = nullptr);
+            std::vector<std::string>* warnings = nullptr,
+            ProgressMonitor* monitor = nullptr);
 
-/** \brief Reads polylines back from .obj (`v x y z`, `l i j k ...`); a line whose last
- * vertex is its first is closed.
+/** \brief Reads polylines back from any file of \ref writeCurves or \ref writeLayers,
+ * by ending (.ply and .vtk in ASCII); a line whose last vertex is its first is closed.
  * \param[in] shift subtracted from every vertex
+ * \param[out] wkt reference system, empty where the file tells none; null: not wanted
  * \throws FileError */
 CurveNetwork
-readCurves(const std::string& path, const Point& shift = Point::Zero());
+readCurves(const std::string& path,
+           const Point& shift = Point::Zero(),
+           std::string* wkt = nullptr);
 
 } // namespace io
 } // namespace linelet

@@ -18,6 +18,7 @@ namespace LINELET_PUBLIC powerline {
 /** \brief Classes of LAS 1.4 (ASPRS) that linelet gives. */
 constexpr std::uint8_t wire_class = 14;
 constexpr std::uint8_t pylon_class = 15; ///< transmission tower; poles as well
+constexpr std::uint8_t unclassified = 1;
 
 /** \brief A hanging wire: a catenary in a plane that wind may have swung out.
  *
@@ -148,7 +149,8 @@ struct PowerLineNetwork {
 
   /// \name One entry a point, in input order
   /// @{
-  std::vector<std::uint8_t> classes; ///< 14 wire, 15 pylon or pole, else as given (0)
+  std::vector<std::uint8_t> classes; ///< 14 wire, 15 pylon or pole that were found (1
+                                     ///< where they only were given), else as given
   std::vector<std::int32_t> wire_id; ///< 0: none
   std::vector<std::int32_t> span_id; ///< 0: none
   std::vector<float> wire_distance;  ///< to its wire, meters; NaN: none

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <linelet/io/usable_points.h>
 #include <linelet/support/visibility.h>
 
 namespace linelet {
@@ -16,6 +17,7 @@ struct PowerLineSettings {
   double max_gap = 50; ///< no wire is carried on across a longer stretch without points
   double min_height = 3;  ///< wires hang higher above the terrain than this
   double min_length = 10; ///< a shorter wire is reported only where the data cut it off
+  io::ClassFilter points; ///< which of a cloud take part
   unsigned threads = 0;   ///< 0: all
 };
 

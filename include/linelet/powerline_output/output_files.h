@@ -3,22 +3,59 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <linelet/io/cloud.h>
+#include <linelet/io/usable_points.h>
 #include <linelet/io/vector_file.h>
 #include <linelet/powerline/power_line_network.h>
+#include <linelet/support/names.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
+/** \brief What becomes of points that came with the class of a wire or tower but are
+ * none of those found. */
+enum class ExistingClasses {
+  Keep, ///< they stay what they were
+  Reset ///< they become unclassified (1)
+};
+
+/** \brief The classes that a classified cloud gets. */
+struct ClassScheme {
+  unsigned wire = wire_class, tower = pylon_class; ///< 0 to 255
+  ExistingClasses existing = ExistingClasses::Keep;
+};
+
+template <class Visit>
+void
+describe(ClassScheme& s, Visit&& visit)
+{
+  visit("wire-class", s.wire, "class of wires in classified.las (ASPRS: 14)");
+  visit("tower-class", s.tower, "class of towers and poles there (ASPRS: 15)");
+  visit("existing-classes",
+        s.existing,
+        "what becomes of points that came with one of these classes and are none of "
+        "those found; reset: unclassified (1)");
+}
+
+/** \throws std::invalid_argument where a class is above 255 or both are the same */
+void
+check(const ClassScheme& scheme);
+
 /** \brief What the outputs say beside the network itself. */
 struct OutputOptions {
   std::string source;   ///< name of the input, for headings; may be empty
   double clearance = 5; ///< a clearance below this is a hazard, meters
+  ClassScheme classes;
+  io::ClassFilter points; ///< which of the cloud took part
 };
 
 /** \brief Whether a clearance of \a wire, to the ground or to vegetation, is known and
@@ -26,12 +63,16 @@ struct OutputOptions {
 bool
 belowClearance(const Wire& wire, double limit);
 
-/** \brief Gives \a cloud what was found: class 14 and 15 in `classification`, and the
- * columns `wire_id` and `span_id` (0: none) and `wire_distance` (meters, NaN: none).
- * Every other class and attribute stays as it is.
- * \throws std::invalid_argument unless the network belongs to the cloud */
-void
-classify(io::Cloud& cloud, const PowerLineNetwork& network);
+/** \brief Gives \a cloud what was found: the classes of \a scheme in `classification`,
+ * and the columns `wire_id` and `span_id` (0: none) and `wire_distance` (meters, NaN:
+ * none). Every other class and attribute stays as it is.
+ * \return how many points had one of these classes but are none of those found
+ * \throws std::invalid_argument unless the network belongs to the cloud, and see
+ * \ref check */
+std::size_t
+classify(io::Cloud& cloud,
+         const PowerLineNetwork& network,
+         const ClassScheme& scheme = {});
 
 /** \brief The network as layers in world coordinates: `wires` (lines) and `pylons`
  * (points at the foot), each with its attributes; also without a feature. In a drawing
@@ -56,7 +97,19 @@ powerLineSummary(const io::Cloud& cloud,
 std::string
 powerLineReport(const io::Cloud& cloud,
                 const PowerLineNetwork& network,
-                const OutputOptions& options);
+                const OutputOptions& options,
+                const ProgressMonitor* monitor = nullptr);
+
+/** \brief The files of \a folder that \ref writePowerLineFiles writes, in its order. */
+std::vector<std::string>
+powerLineFiles(const std::string& folder);
+
+/** \brief Whose results \a folder holds, by its summary, where it holds any that are
+ * not of \a cloud called \a source: a name, or "an unknown input". Else empty. */
+std::string
+otherResultsIn(const std::string& folder,
+               const io::Cloud& cloud,
+               const std::string& source);
 
 /** \brief Makes \a folder if need be and makes sure that files can be written there, so
  * that this fails before long work.
@@ -81,4 +134,14 @@ writePowerLineFiles(const std::string& folder,
                     ProgressMonitor* monitor = nullptr);
 
 } // namespace powerline
+
+template <>
+struct Names<powerline::ExistingClasses> {
+  static constexpr std::string_view kind = "treatment of existing classes";
+  static constexpr std::array<std::pair<powerline::ExistingClasses, std::string_view>,
+                              2>
+      table = {{{powerline::ExistingClasses::Keep, "keep"},
+                {powerline::ExistingClasses::Reset, "reset"}}};
+};
+
 } // namespace linelet

@@ -46,4 +46,13 @@ public:
   Canceled() : std::runtime_error("canceled") {}
 };
 
+/** \brief Ends work that \a monitor, which may be null, asked to stop. Not for loops
+ * that run in several threads: nothing may be thrown out of these. \throws Canceled */
+inline void
+throwIfCanceled(const ProgressMonitor* monitor)
+{
+  if (monitor != nullptr && monitor->canceled())
+    throw Canceled();
+}
+
 } // namespace linelet

@@ -209,7 +209,7 @@ multiScaleShapesOnGrid(const Points& surface,
 {
   const std::vector<double>& radii = result.radii;
   const grid::MultiScaleEngine engine(
-      surface, radii.back(), usefulThreads(settings.threads, queries.size()));
+      surface, queries, radii.back(), usefulThreads(settings.threads, queries.size()));
   if (!engine.usable())
     return false;
   result.shapes.assign(queries.size(), MultiScaleShape());
@@ -266,14 +266,14 @@ fourthOrderTensorsOnGrid(const Points& surface,
                          std::vector<FourthOrderTensor>& tensors)
 {
   const grid::MultiScaleEngine engine(
-      surface, radii.back(), usefulThreads(settings.threads, queries.size()));
+      surface, queries, radii.back(), usefulThreads(settings.threads, queries.size()));
   if (!engine.usable())
     return false;
   // Of queries that reach nothing no scale is defined.
   tensors.assign(queries.size(), fourthOrderTensor({}, weight));
   if (monitor != nullptr)
     monitor->begin("fourth order", queries.size());
-  const double unit = radii.back() * radii.back();
+  const double unit = engine.unit() * engine.unit();
   engine.run(
       queries,
       nullptr,

@@ -102,7 +102,7 @@ changesOnGrid(const Points& surface,
       chosenScaleEngine(surface, surface, radii.back(), settings) != ScaleEngine::Grid)
     return false;
   const grid::MultiScaleEngine engine(
-      surface, radii.back(), usefulThreads(settings.threads, surface.size()));
+      surface, surface, radii.back(), usefulThreads(settings.threads, surface.size()));
   if (!engine.usable())
     return false;
   engine.run(

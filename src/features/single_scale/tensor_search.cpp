@@ -86,8 +86,11 @@ estimateTensors(const NeighborSearch& search,
         continue;
       const std::size_t begin = static_cast<std::size_t>(b) * block;
       const std::size_t end = std::min(begin + block, queries.size());
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i) {
         records[i] = make(queries[i], i);
+        if (monitor != nullptr && monitor->canceled())
+          break; // neighborhoods may be the whole cloud
+      }
       if (monitor != nullptr) {
         monitor->advance(end - begin);
         if (monitor->canceled())

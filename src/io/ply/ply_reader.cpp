@@ -147,8 +147,12 @@ private:
   nameProperties(Element& element)
   {
     std::vector<std::string> names;
-    for (const Property& property : element.properties)
-      names.push_back(property.name);
+    for (const Property& property : element.properties) {
+      std::string_view name = property.name;
+      if (name.substr(0, scalar_prefix.size()) == scalar_prefix)
+        name.remove_prefix(scalar_prefix.size());
+      names.emplace_back(name);
+    }
     names = canonicalNames(names);
     for (std::size_t i = 0; i < names.size(); ++i)
       element.properties[i].name = names[i];

@@ -4,13 +4,14 @@
 #include <linelet/io/vector_file.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include <linelet/io/output_check.h>
 
+#include "curve_readers.h"
 #include "curve_writers.h"
 #include "io/files.h"
 #include "io/source.h"
-#include "io/text/text_scan.h"
 
 namespace linelet::io {
 
@@ -54,82 +55,6 @@ writeText(const std::string& path, const std::string& text)
   file.commit();
 }
 
-/** Reads the curves of an OBJ text. */
-class ObjReader {
-public:
-  ObjReader(const Source& source, const Point& shift) : source_(source), shift_(shift)
-  {
-  }
-
-  CurveNetwork
-  read()
-  {
-    Lines lines(source_.bytes);
-    for (std::string_view line; lines.next(line);) {
-      number_ = lines.number();
-      const std::string_view word = takeWord(line);
-      if (word == "v")
-        readVertex(line);
-      else if (word == "l")
-        readLine(line);
-    }
-    return std::move(network_);
-  }
-
-private:
-  [[noreturn]] void
-  fail(const std::string& what) const
-  {
-    source_.fail("line " + std::to_string(number_) + ": " + what);
-  }
-
-  void
-  readVertex(std::string_view line)
-  {
-    Point point;
-    for (double& value : point.reshaped())
-      if (!parseNumber(takeWord(line), value))
-        fail("a vertex needs three numbers");
-    vertices_.push_back(point - shift_);
-  }
-
-  void
-  readLine(std::string_view line)
-  {
-    std::vector<std::size_t> places;
-    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
-      const std::string_view place = word.substr(0, word.find('/'));
-      const auto count = static_cast<long long>(vertices_.size());
-      long long value = 0;
-      const bool read = parseNumber(place, value);
-      if (read && value < 0)
-        value += count + 1; // counted back from the newest
-      if (!read || value < 1 || value > count)
-        fail("'" + cleanName(word) + "' is none of the " + std::to_string(count) +
-             " vertices before it");
-      places.push_back(static_cast<std::size_t>(value - 1));
-    }
-    if (places.size() < 2)
-      fail("a line needs at least two vertices");
-    Curve curve;
-    curve.closed =
-        places.size() > 2 && vertices_[places.front()] == vertices_[places.back()];
-    if (curve.closed) {
-      places.pop_back();
-      curve.front.kind = curve.back.kind = EndKind::Loop;
-    }
-    for (std::size_t place : places)
-      curve.points.push_back(vertices_[place]);
-    network_.curves.push_back(std::move(curve));
-  }
-
-  const Source& source_;
-  Point shift_;
-  Points vertices_;
-  CurveNetwork network_;
-  std::size_t number_ = 0;
-};
-
 [[noreturn]] void
 noCurveFormat(const std::string& path)
 {
@@ -156,8 +81,10 @@ writeCurves(const std::string& path,
             const CurveNetwork& network,
             const Point& shift,
             const std::string& wkt,
-            std::vector<std::string>* warnings)
+            std::vector<std::string>* warnings,
+            ProgressMonitor* monitor)
 {
+  throwIfCanceled(monitor);
   const std::string ending = endingOf(path);
   if (ending == ".obj")
     writeText(path, curvesAsObj(network, shift));
@@ -168,21 +95,38 @@ writeCurves(const std::string& path,
   else if (ending == ".csv")
     writeText(path, curvesAsCsv(network, shift));
   else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
-    writeLayers(path, {layerOf(network, shift)}, wkt, warnings);
+    writeLayers(path, {layerOf(network, shift)}, wkt, warnings, monitor);
   else
     noCurveFormat(path);
 }
 
 CurveNetwork
-readCurves(const std::string& path, const Point& shift)
+readCurves(const std::string& path, const Point& shift, std::string* wkt)
 {
-  if (endingOf(path) != ".obj")
-    throw FileError(path + ": curves are read from .obj only");
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+    throw FileError(path + ": is a folder; name a file of curves");
+  const std::string ending = endingOf(path);
   const MappedFile file(path);
   Source source;
   source.name = path;
   source.bytes = file.bytes();
-  return ObjReader(source, shift).read();
+  CurveNetwork network;
+  if (ending == ".obj")
+    network = curvesFromObj(source);
+  else if (ending == ".ply")
+    network = curvesFromPly(source);
+  else if (ending == ".vtk")
+    network = curvesFromVtk(source);
+  else if (ending == ".csv")
+    network = curvesFromCsv(source);
+  else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
+    network = curvesFromLayers(source, wkt);
+  else
+    noCurveFormat(path);
+  for (Curve& curve : network.curves)
+    for (Point& point : curve.points)
+      point -= shift;
+  return network;
 }
 
 } // namespace linelet::io

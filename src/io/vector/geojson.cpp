@@ -114,7 +114,9 @@ appendFeature(std::string& json, const VectorLayer& layer, const VectorFeature& 
 } // namespace
 
 std::string
-layersAsGeoJson(const std::vector<VectorLayer>& layers, const std::string& wkt)
+layersAsGeoJson(const std::vector<VectorLayer>& layers,
+                const std::string& wkt,
+                const ProgressMonitor* monitor)
 {
   std::string json = "{\n\"type\":\"FeatureCollection\",\n";
   const std::string name = systemName(wkt);
@@ -127,6 +129,7 @@ layersAsGeoJson(const std::vector<VectorLayer>& layers, const std::string& wkt)
   bool first = true;
   for (const VectorLayer& layer : layers)
     for (const VectorFeature& feature : layer.features) {
+      throwIfCanceled(monitor);
       json += first ? "\n" : ",\n";
       appendFeature(json, layer, feature);
       first = false;

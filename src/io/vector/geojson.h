@@ -13,6 +13,8 @@ namespace linelet::io {
 /** \brief A feature collection of all features, each with a property `layer`, in the
  * reference system \a wkt, which its `crs` member names. */
 std::string
-layersAsGeoJson(const std::vector<VectorLayer>& layers, const std::string& wkt);
+layersAsGeoJson(const std::vector<VectorLayer>& layers,
+                const std::string& wkt,
+                const ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet::io

@@ -4,52 +4,23 @@
 #include <linelet/io/vector_file.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include <linelet/io/file_error.h>
 
+#include "complaints.h"
 #include "geojson.h"
 #include "io/files.h"
+#include "io/staged_file.h"
 #include "reference.h"
 
 namespace linelet::io {
 
 namespace {
-
-/** Keeps what GDAL complains about for our own message. */
-class Complaints {
-public:
-  Complaints() { CPLPushErrorHandlerEx(hear, this); }
-  ~Complaints() { CPLPopErrorHandler(); }
-  Complaints(const Complaints&) = delete;
-  Complaints&
-  operator=(const Complaints&) = delete;
-
-  [[noreturn]] void
-  fail(const std::string& path) const
-  {
-    throw FileError(path + ": cannot be written (" +
-                    (first_.empty() ? "GDAL gives no reason" : first_) +
-                    "); check that the folder exists, may be written and has room");
-  }
-
-private:
-  static void CPL_STDCALL
-  hear(CPLErr level, CPLErrorNum, const char* message)
-  {
-    auto& self = *static_cast<Complaints*>(CPLGetErrorHandlerUserData());
-    if (level >= CE_Failure && self.first_.empty())
-      self.first_ = message;
-  }
-
-  std::string first_;
-};
 
 /** Sets a configuration option of GDAL for its lifetime. */
 class GdalOption {
@@ -67,17 +38,6 @@ private:
   const char* name_;
 };
 
-struct RemoveUnlessPublished {
-  const std::string& staged;
-  const std::string& path;
-  ~RemoveUnlessPublished()
-  {
-    std::error_code ignored;
-    if (staged != path)
-      std::filesystem::remove(staged, ignored);
-  }
-};
-
 /** Makes layers in a dataset of one driver. */
 class LayerWriter {
 public:
@@ -93,7 +53,7 @@ public:
                       " driver");
     dataset_.reset(driver->Create(staged.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (dataset_ == nullptr)
-      complaints_.fail(path_);
+      fail();
   }
 
   OGRLayer*
@@ -103,7 +63,7 @@ public:
   {
     OGRLayer* layer = dataset_->CreateLayer(name.c_str(), system, type, nullptr);
     if (layer == nullptr)
-      complaints_.fail(path_);
+      fail();
     return layer;
   }
 
@@ -117,7 +77,7 @@ public:
       static constexpr OGRFieldType types[] = {OFTInteger64, OFTReal, OFTString};
       OGRFieldDefn field(name.c_str(), types[value.index()]);
       if (layer.CreateField(&field) != OGRERR_NONE)
-        complaints_.fail(path_);
+        fail();
     }
   }
 
@@ -158,7 +118,7 @@ public:
   add(OGRLayer& layer, OGRFeature& feature)
   {
     if (layer.CreateFeature(&feature) != OGRERR_NONE)
-      complaints_.fail(path_);
+      fail();
   }
 
   /** Flushes everything; errors of the disk show here at the latest. */
@@ -169,10 +129,19 @@ public:
     const bool failed = CPLGetLastErrorType() >= CE_Failure;
     dataset_.reset();
     if (failed || CPLGetLastErrorType() >= CE_Failure)
-      complaints_.fail(path_);
+      fail();
   }
 
 private:
+  [[noreturn]] void
+  fail() const
+  {
+    const std::string& reason = complaints_.first();
+    throw FileError(path_ + ": cannot be written (" +
+                    (reason.empty() ? "GDAL gives no reason" : reason) +
+                    "); check that the folder exists, may be written and has room");
+  }
+
   const std::string& path_;
   Complaints complaints_;
   std::unique_ptr<GDALDataset> dataset_;
@@ -192,7 +161,8 @@ void
 writeGeoPackage(const std::string& path,
                 const std::string& staged,
                 const std::vector<VectorLayer>& layers,
-                const std::string& wkt)
+                const std::string& wkt,
+                const ProgressMonitor* monitor)
 {
   // The same input gives the same bytes: no time of writing.
   const GdalOption date("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
@@ -210,6 +180,7 @@ writeGeoPackage(const std::string& path,
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
       writer.setAttributes(*out, feature);
       writer.add(*layer, *out);
+      throwIfCanceled(monitor);
     }
   }
   writer.close();
@@ -233,13 +204,15 @@ labelStyle(const std::string& text, double height)
 void
 writeDxf(const std::string& path,
          const std::string& staged,
-         const std::vector<VectorLayer>& layers)
+         const std::vector<VectorLayer>& layers,
+         const ProgressMonitor* monitor)
 {
   CPLErrorReset();
   LayerWriter writer(path, staged, "DXF");
   OGRLayer* layer = writer.makeLayer("entities", wkbUnknown, nullptr);
   for (const VectorLayer& content : layers)
     for (const VectorFeature& feature : content.features) {
+      throwIfCanceled(monitor);
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
       const std::string& own = feature.drawing_layer;
       out->SetField("Layer", own.empty() ? content.name.c_str() : own.c_str());
@@ -269,8 +242,10 @@ void
 writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
             const std::string& wkt,
-            std::vector<std::string>* warnings)
+            std::vector<std::string>* warnings,
+            ProgressMonitor* monitor)
 {
+  throwIfCanceled(monitor);
   const std::string ending = endingOf(path);
   if (ending == ".geojson") {
     if (wkt.empty() && warnings != nullptr && !isEmpty(layers))
@@ -278,19 +253,18 @@ writeLayers(const std::string& path,
                                  "GeoJSON take the coordinates for degrees; .gpkg says "
                                  "it is unknown");
     OutputFile file(path);
-    file.write(layersAsGeoJson(layers, wkt));
+    file.write(layersAsGeoJson(layers, wkt, monitor));
     return file.commit();
   }
   if (ending != ".gpkg" && ending != ".dxf")
     throw FileError(path + ": the ending '" + ending +
                     "' names no vector format; use .geojson, .gpkg or .dxf");
-  const std::string staged = stagingPath(path);
-  const RemoveUnlessPublished cleaner{staged, path};
+  StagedFile staged(path);
   if (ending == ".gpkg")
-    writeGeoPackage(path, staged, layers, wkt);
+    writeGeoPackage(path, staged.place(), layers, wkt, monitor);
   else
-    writeDxf(path, staged, layers);
-  publish(staged, path);
+    writeDxf(path, staged.place(), layers, monitor);
+  staged.publish();
 }
 
 } // namespace linelet::io

@@ -10,6 +10,7 @@
 #include <cpl_error.h>
 #include <ogr_spatialref.h>
 
+#include <linelet/io/cloud.h>
 #include <linelet/io/reference_system.h>
 #include <linelet/support/visibility.h>
 
@@ -190,6 +191,29 @@ unitsOf(const std::string& wkt)
     units.height_name = units.plan_name;
   }
   return units;
+}
+
+std::string
+degreesIn(const Cloud& cloud)
+{
+  const Units units = unitsOf(cloud.wkt);
+  if (std::isnan(units.plan))
+    return "its reference system " + referenceName(cloud.wkt) + " has the unit " +
+           units.plan_name;
+  if (!cloud.wkt.empty() || cloud.points.size() < 2)
+    return {};
+  // Next to no extent, but for the height.
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Point& p : cloud.points)
+    if (p.allFinite()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  const Point extent = high - low;
+  const Point world = cloud.shift + low;
+  const bool alike = extent.head<2>().maxCoeff() < 0.5 && extent.z() > 2 &&
+                     std::abs(world.x()) <= 360 && std::abs(world.y()) <= 90;
+  return alike ? "its coordinates look like degrees" : "";
 }
 
 } // namespace linelet::io

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <string>
 #include <vector>
@@ -122,6 +123,49 @@ TEST(MultiScaleEngines, AgreeForEveryKernelAndMean)
       settings.max_radius = 3;
       ASSERT_NO_FATAL_FAILURE(expectSameShapes(cloud, queries, settings));
     }
+  }
+}
+
+// Searched no farther than the cloud reaches, but weighted by the radii asked for.
+TEST(MultiScaleEngines, AgreeBeyondTheDiagonal)
+{
+  const Points cloud = randomPoints(700, 16, {10, 4, 0.5});
+  const Points queries(cloud.begin(), cloud.begin() + 40);
+  for (const auto& [kernel, name] : linelet::Names<Kernel>::table) {
+    if (kernel == Kernel::FermiDirac || kernel == Kernel::Step)
+      continue; // have parameters
+    SCOPED_TRACE(std::string(name));
+    for (const Centroid centroid : {Centroid::QueryPoint, Centroid::Mean}) {
+      MultiScaleSettings settings;
+      settings.weighting = kernel;
+      settings.centroid = centroid;
+      settings.radii = {0.5, 3, 12, 25, 60, 1e3, 1e6};
+      ASSERT_NO_FATAL_FAILURE(expectSameShapes(cloud, queries, settings));
+    }
+  }
+  MultiScaleSettings settings;
+  settings.radii = {100, 995, 1010};
+  ASSERT_NO_FATAL_FAILURE(
+      expectSameShapes(cloud, {Point(1000, 0, 0), Point(0, 3000, 0)}, settings));
+}
+
+TEST(MultiScaleEngines, CostNoMoreBeyondTheDiagonal)
+{
+  const Points cloud = randomPoints(3000, 17, {10, 4, 0.5});
+  const auto processorTime = [&](Kernel kernel, double radius) {
+    MultiScaleSettings settings;
+    settings.engine = ScaleEngine::Grid;
+    settings.weighting = kernel;
+    settings.radii = {0.5, 3, radius};
+    settings.threads = 1;
+    const std::clock_t begin = std::clock();
+    multiScaleShapes(cloud, cloud, settings);
+    return static_cast<double>(std::clock() - begin);
+  };
+  for (const Kernel kernel : {Kernel::Const, Kernel::FermiDirac1}) {
+    SCOPED_TRACE(nameOf(kernel));
+    const double at_diagonal = processorTime(kernel, 11);
+    EXPECT_LT(processorTime(kernel, 1e5), 4 * at_diagonal + CLOCKS_PER_SEC / 50);
   }
 }
 

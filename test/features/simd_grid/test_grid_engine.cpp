@@ -62,6 +62,59 @@ TEST(GridEngine, AgreesForEveryKernelAndCentroid)
     }
 }
 
+// Searched no farther than the cloud reaches, but weighted by the radius that was
+// asked.
+TEST(GridEngine, AgreesBeyondTheDiagonal)
+{
+  const Points points = wireScene(600, 9);
+  for (const auto& kernel : Names<Kernel>::table)
+    for (const Centroid centroid :
+         {Centroid::QueryPoint, Centroid::Mean, Centroid::WeightedMean})
+      for (const double radius : {20.0, 50.0, 3e3, 1e9}) {
+        SCOPED_TRACE(std::string(kernel.second) + " radius " + std::to_string(radius));
+        TensorSettings settings;
+        settings.radius = radius;
+        settings.weighting = weightingOf(kernel.first);
+        settings.centroid = centroid;
+        EXPECT_TRUE(gridAgrees(points, settings, {}, 20));
+      }
+  NeighborhoodSizes sizes;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sizes.radii.push_back(std::array<double, 5>{1, 15, 40, 1e4, 1e200}[i % 5]);
+  for (const Kernel kernel : {Kernel::Const, Kernel::FermiDirac1, Kernel::Quadratic}) {
+    TensorSettings settings;
+    settings.weighting = kernel;
+    EXPECT_TRUE(gridAgrees(points, settings, sizes, 50));
+  }
+  // Queries far away from the points need the radius.
+  TensorSettings settings;
+  settings.radius = 1010;
+  const Points far = {Point(1000, 0, 0), Point(2000, 0, 0)};
+  const auto records = estimateTensorsOnGrid(points, far, settings);
+  EXPECT_GT(records[0].neighbors, 400u);
+  EXPECT_EQ(records[1].neighbors, 0u);
+}
+
+// It took a hundred times as long, query by query in double.
+TEST(GridEngine, CostsNoMoreBeyondTheDiagonal)
+{
+  const Points points = uniformPoints(6000, {10, 10, 1}, 3);
+  const auto processorTime = [&](Kernel kernel, double radius) {
+    TensorSettings settings;
+    settings.weighting = kernel;
+    settings.radius = radius;
+    settings.threads = 1;
+    const std::clock_t begin = std::clock();
+    estimateTensorsOnGrid(points, points, settings);
+    return static_cast<double>(std::clock() - begin);
+  };
+  for (const Kernel kernel : {Kernel::Const, Kernel::FermiDirac1, Kernel::Quadratic}) {
+    SCOPED_TRACE(nameOf(kernel));
+    const double at_diagonal = processorTime(kernel, 14.2);
+    EXPECT_LT(processorTime(kernel, 1e5), 4 * at_diagonal + CLOCKS_PER_SEC / 50);
+  }
+}
+
 TEST(GridEngine, AgreesOnRandomClouds)
 {
   const unsigned first_seed = std::random_device()();

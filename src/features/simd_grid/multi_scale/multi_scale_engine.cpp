@@ -3,6 +3,8 @@
 
 #include "multi_scale_engine.h"
 
+#include "features/simd_grid/order/reach.h"
+
 #include <algorithm>
 #include <atomic>
 #include <limits>
@@ -37,9 +39,12 @@ addPieces(std::size_t block,
 } // namespace
 
 MultiScaleEngine::MultiScaleEngine(const Points& surface,
+                                   const Points& queries,
                                    double largest_radius,
                                    int threads)
-    : surface_(surface), threads_(threads)
+    : surface_(surface),
+      unit_(std::min(largest_radius, reachOf(surface, queries))),
+      threads_(threads)
 {
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Point& point : surface)
@@ -48,7 +53,7 @@ MultiScaleEngine::MultiScaleEngine(const Points& surface,
       high = high.cwiseMax(point);
     }
   // Neighbors lie in the next block at most, for all rounding of its place.
-  double edge = largest_radius * (1 + 1e-6);
+  double edge = unit_ * (1 + 1e-6);
   if (!(low.x() <= high.x()) || !BlockFrame::fits(low, high, edge))
     return;
   const auto sort = [&] {
@@ -58,7 +63,7 @@ MultiScaleEngine::MultiScaleEngine(const Points& surface,
   };
   sort();
   while (surface_order_->crowding() < least_crowding &&
-         edge * 2 <= widest_block * largest_radius) {
+         edge * 2 <= widest_block * unit_) {
     edge *= 2;
     sort();
   }
@@ -77,13 +82,14 @@ MultiScaleEngine::run(const Points& queries,
   if (&queries != &surface_ || chosen != nullptr)
     own = std::make_unique<BlockOrder>(queries, chosen, *frame_, threads_);
   const BlockOrder& order = own != nullptr ? *own : *surface_order_;
-  const MultiScaleJob job{*frame_, *surface_order_, *groups_, order, settings, radii};
+  std::atomic<bool> stop{false};
+  const MultiScaleJob job{
+      *frame_, *surface_order_, *groups_, order, settings, radii, unit_, monitor, stop};
 
   std::vector<MultiScalePiece> pieces;
   for (std::size_t block = 0; block < order.blocks(); ++block)
     addPieces(block, order.begin(block), order.begin(block + 1), pieces);
   const auto count = static_cast<std::ptrdiff_t>(pieces.size());
-  std::atomic<bool> stop{false};
 #pragma omp parallel num_threads(threads_)
   {
     MultiScaleSweep sweep(job, make_visitor());

@@ -19,8 +19,19 @@ namespace linelet::grid {
 class MultiScaleEngine {
 public:
   /** \param[in] surface kept by reference
+   * \param[in] queries around which it will be asked for shapes
    * \param[in] largest_radius none that is asked for is larger */
-  MultiScaleEngine(const Points& surface, double largest_radius, int threads);
+  MultiScaleEngine(const Points& surface,
+                   const Points& queries,
+                   double largest_radius,
+                   int threads);
+
+  /** \brief In units of the square of this are the tensors of LeafShapes. */
+  double
+  unit() const
+  {
+    return unit_;
+  }
 
   /** \brief Whether the points could be sorted; not where the radius is so small beside
    * their extent that blocks cannot be numbered. */
@@ -47,6 +58,7 @@ public:
 
 private:
   const Points& surface_;
+  double unit_;
   int threads_;
   std::unique_ptr<BlockFrame> frame_;
   std::unique_ptr<BlockOrder> surface_order_;

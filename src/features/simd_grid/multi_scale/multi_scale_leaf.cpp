@@ -180,7 +180,7 @@ MultiScaleSweep::finish(const Part& queries,
                         bool relative)
 {
   Lanes<float> found;
-  const double radius = radii_[scale];
+  const double radius = searched_[scale];
   const std::uint32_t good = kernels_.finish({sums,
                                               inside,
                                               relative,
@@ -234,7 +234,7 @@ MultiScaleSweep::inDouble(std::size_t begin, std::size_t lane, std::size_t scale
     shapes_.planarity[k][lane] = static_cast<float>(factors.planarity);
     shapes_.sphericity[k][lane] = static_cast<float>(factors.sphericity);
     SymmetricTensor t = sweep_.tensors()[k];
-    t *= 1 / (job_.radii.back() * job_.radii.back());
+    t *= 1 / (job_.unit * job_.unit);
     const std::array<double, 6> entries = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
     for (std::size_t entry = 0; entry < 6; ++entry)
       shapes_.tensors[k][entry][lane] = entries[entry];

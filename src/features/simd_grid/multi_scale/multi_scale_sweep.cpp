@@ -44,11 +44,13 @@ MultiScaleSweep::MultiScaleSweep(const MultiScaleJob& job, LeafVisitor visit)
       sweep_(job.radii, job.settings)
 {
   for (const double radius : job.radii)
-    radii_.push_back(radius / job.radii.back());
+    radii_.push_back(radius / job.unit);
+  for (const double radius : radii_)
+    searched_.push_back(std::min(radius, 1.0));
   if (method_ == SweepMethod::Sums)
-    reaches_.insert(reaches_.end(), radii_.begin(), radii_.end());
+    reaches_.insert(reaches_.end(), searched_.begin(), searched_.end());
   else
-    reaches_.push_back(radii_.back());
+    reaches_.push_back(searched_.back());
 }
 
 void
@@ -60,7 +62,7 @@ MultiScaleSweep::operator()(const MultiScalePiece& piece)
   const std::size_t count = piece.end - piece.begin;
   queries_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
-    queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radii.back());
+    queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.unit);
   refine(0, count, 0, 0);
 }
 
@@ -70,7 +72,7 @@ MultiScaleSweep::gather(std::size_t block)
   block_ = block;
   const BlockFrame::Cell cell = job_.frame.cell(job_.queries.key(block));
   origin_ = job_.frame.center(cell);
-  reach_ = job_.frame.edge() / 2 / job_.radii.back();
+  reach_ = job_.frame.edge() / 2 / job_.unit;
   const auto runs = around_(cell);
   std::size_t count = 0;
   for (const auto& [first, last] : runs)
@@ -90,7 +92,7 @@ MultiScaleSweep::gather(std::size_t block)
 void
 MultiScaleSweep::addGroup(const PointGroup& group)
 {
-  const double scale = 1 / job_.radii.back();
+  const double scale = 1 / job_.unit;
   const Point center = (group.center - origin_) * scale;
   const Float3 rounded = toFloat(center);
   const std::size_t at = region_.size++;
@@ -132,6 +134,10 @@ MultiScaleSweep::refine(std::size_t begin,
                         std::size_t depth,
                         int cuts_left)
 {
+  if (job_.monitor != nullptr && job_.monitor->canceled())
+    job_.stop = true;
+  if (job_.stop)
+    return;
   const bool leaf = end - begin <= leaf_queries;
   if (!leaf && cuts_left > 0) {
     const std::size_t middle = begin + BlockOrder::half(end - begin);
@@ -186,8 +192,7 @@ MultiScaleSweep::open(const Part& queries,
                       Moments& certain)
 {
   list.reserve(groups.size * PointGroups::most_points);
-  const double unit = job_.radii.back(),
-               sharp = sharp_radius + queries.size + 2 * margin;
+  const double unit = job_.unit, sharp = sharp_radius + queries.size + 2 * margin;
   kernels_.openGroups(groups,
                       places_,
                       {toFloat(queries.center),
@@ -205,9 +210,9 @@ MultiScaleSweep::coordinateError(std::size_t scale, double size) const
 {
   // Candidates and queries are rounded relative to the center of the leaf, candidates
   // of the larger scales relative to the block as well.
-  const double far = radii_[scale] + size;
+  const double far = searched_[scale] + size;
   return float_rounding *
-         (far + size + (radii_[scale] < sharp_radius ? 0 : reach_ + far));
+         (far + size + (searched_[scale] < sharp_radius ? 0 : reach_ + far));
 }
 
 void
@@ -215,10 +220,10 @@ MultiScaleSweep::setScales(const Part& queries, const Level& level)
 {
   const double size = queries.size;
   for (std::size_t k = 0; k < radii_.size(); ++k) {
-    const double radius = radii_[k], near = radius - size - margin,
+    const double radius = searched_[k], near = radius - size - margin,
                  far = radius + size + margin;
     LeafScale& scale = scales_[k];
-    scale.radius = static_cast<float>(radius);
+    scale.radius = static_cast<float>(radii_[k]);
     // What left the groups as sums is not about the queries.
     const bool summed = method_ == SweepMethod::Sums && level.inside[k + 1].count > 0;
     scale.relative = !summed && radius < 1.5 * size;

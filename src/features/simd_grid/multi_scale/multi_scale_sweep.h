@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -12,6 +13,7 @@
 
 #include <features/multi_scale/scale_sweep.h>
 #include <linelet/features/multi_scale.h>
+#include <linelet/support/progress_monitor.h>
 
 #include "features/simd_grid/kernels/multi_scale_kernels.h"
 #include "features/simd_grid/kernels/weight_error.h"
@@ -37,7 +39,7 @@ struct LeafShapes {
   std::vector<Lanes<std::uint32_t>> neighbors;
   /// NaN where a scale is not defined.
   std::vector<Lanes<float>> linearity, planarity, sphericity;
-  /// xx xy xz yy yz zz, in units of the largest radius squared.
+  /// xx xy xz yy yz zz, in units of MultiScaleJob::unit squared.
   std::vector<std::array<Lanes<double>, 6>> tensors;
 
   explicit LeafShapes(std::size_t scales)
@@ -61,6 +63,10 @@ struct MultiScaleJob {
   const BlockOrder& queries; ///< may be the same as the surface
   const MultiScaleSettings& settings;
   const std::vector<double>& radii; ///< rising
+  double unit; ///< of lengths: the largest radius, or less where no two points are as
+               ///< far apart, and nothing is searched beyond it
+  const ProgressMonitor* monitor; ///< may be null
+  std::atomic<bool>& stop;        ///< once true, nothing is computed any more
 };
 
 /** \brief Queries of one block: sorted indices begin to end of their BlockOrder, a part
@@ -184,7 +190,8 @@ private:
   SweepMethod method_;
   SweepWeight weight_, center_weight_;
   WeightError weight_error_;
-  std::vector<double> radii_; // in units of the largest
+  std::vector<double> radii_;    // of the weights, in units
+  std::vector<double> searched_; // the same, at most 1
 
   // Distances from queries up to which groups are listed: none, for what lies in the
   // place of a query, then the radii, or the largest alone where one list serves all.

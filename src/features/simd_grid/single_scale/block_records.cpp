@@ -22,7 +22,7 @@ BlockSweep::inDouble(std::size_t query, const PointList& candidates)
   const Point at = job_.queries.point(first_ + query);
   for (const auto& neighbor : exact_)
     offsets_.push_back(job_.surface.point(neighbor.second) - at);
-  return tensorOf(offsets_, radii_[query] * job_.radius, job_.settings);
+  return tensorOf(offsets_, radiusOf(query), job_.settings);
 }
 
 void
@@ -49,6 +49,8 @@ BlockSweep::write()
       PointDistributionTensor& record =
           job_.records[job_.queries.index(first_ + query)];
       if ((precise >> i & 1) == 0) {
+        if (stopped())
+          return;
         record = inDouble(query, region_);
         continue;
       }

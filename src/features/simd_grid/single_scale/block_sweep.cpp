@@ -46,6 +46,7 @@ BlockSweep::operator()(std::size_t block)
   const std::size_t count = job_.queries.begin(block + 1) - first_;
   queries_.resize(count);
   radii_.resize(count);
+  widths_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     // A record may lie in two cache lines.
     const PointDistributionTensor& record =
@@ -53,7 +54,8 @@ BlockSweep::operator()(std::size_t block)
     hwy::Prefetch(&record.xx);
     hwy::Prefetch(&record.neighbors);
     queries_[i] = (job_.queries.point(first_ + i) - origin_) * (1 / job_.radius);
-    radii_[i] = radiusOf(i) / job_.radius;
+    radii_[i] = searchedRadiusOf(i) / job_.radius;
+    widths_[i] = radiusOf(i) / job_.radius;
   }
   const auto makeRoom = [&](std::vector<double>& entries) {
     if (entries.size() < count + PointList::padding)
@@ -76,12 +78,13 @@ BlockSweep::Part
 BlockSweep::part(std::size_t begin, std::size_t end) const
 {
   Point low = queries_[begin], high = low;
-  Part p{begin, end, low, 0, radii_[begin], radii_[begin]};
+  Part p{begin, end, low, 0, radii_[begin], radii_[begin], widths_[begin]};
   for (std::size_t i = begin + 1; i < end; ++i) {
     low = low.cwiseMin(queries_[i]);
     high = high.cwiseMax(queries_[i]);
     p.shortest = std::min(p.shortest, radii_[i]);
     p.longest = std::max(p.longest, radii_[i]);
+    p.widest = std::max(p.widest, widths_[i]);
   }
   // As float: lists are made relative to it in float.
   p.center = ((low + high) / 2).cast<float>().cast<double>();
@@ -98,10 +101,12 @@ BlockSweep::refine(const Part& queries,
                    const QuadraticMoments& inside,
                    std::size_t depth)
 {
+  if (stopped())
+    return;
   const double near = queries.shortest - queries.size - margin;
   const double from = job_.weight.table.from;
   const double tabled =
-      from > 0 ? std::sqrt(from) * queries.longest + queries.size + margin : 0;
+      from > 0 ? std::sqrt(from) * queries.widest + queries.size + margin : 0;
   const double far = queries.longest + queries.size + margin;
   const Ball ball{toFloat(queries.center),
                   static_cast<float>(near > 0 ? near * near : -1.0),
@@ -169,7 +174,7 @@ BlockSweep::solve(const Part& queries, const QuadraticMoments& inside)
       sumCentered(queries, query);
     break;
   case SweepMethod::Double:
-    for (std::size_t query = queries.begin; query < queries.end; ++query)
+    for (std::size_t query = queries.begin; query < queries.end && !stopped(); ++query)
       job_.records[job_.queries.index(first_ + query)] = inDouble(query, last_);
     break;
   }
@@ -201,7 +206,7 @@ BlockSweep::sumWeighted(const Part& queries,
                         const QuadraticMoments& inside)
 {
   const BandedQuery around = banded(queries, query);
-  const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
+  const auto scale = static_cast<float>(1 / (widths_[query] * widths_[query]));
   Moments t;
   const Found found = kernels_.weightedSums(
       {last_, around, certain_, toFloat(queries_[query])}, job_.weight, scale, t);
@@ -238,7 +243,7 @@ BlockSweep::sumCentered(const Part& queries, std::size_t query)
     }
     dense_.pad();
   }
-  const auto scale = static_cast<float>(1 / (radii_[query] * radii_[query]));
+  const auto scale = static_cast<float>(1 / (widths_[query] * widths_[query]));
   Moments reference, t;
   kernels_.momentsAround(dense_,
                          {0, 0, 0},
@@ -280,11 +285,25 @@ BlockSweep::keep(std::size_t query,
   found_[query] = neighbors;
 }
 
+bool
+BlockSweep::stopped() const
+{
+  if (job_.monitor != nullptr && job_.monitor->canceled())
+    job_.stop = true;
+  return job_.stop;
+}
+
 double
 BlockSweep::radiusOf(std::size_t query) const
 {
   return job_.radii != nullptr ? (*job_.radii)[job_.queries.index(first_ + query)]
-                               : job_.radius;
+                               : job_.settings.radius;
+}
+
+double
+BlockSweep::searchedRadiusOf(std::size_t query) const
+{
+  return std::min(radiusOf(query), job_.reach);
 }
 
 double
@@ -297,7 +316,7 @@ BlockSweep::squaredDistance(std::size_t query, std::uint32_t sorted_index) const
 bool
 BlockSweep::isNeighbor(std::size_t query, std::uint32_t sorted_index) const
 {
-  const double radius = radiusOf(query);
+  const double radius = searchedRadiusOf(query);
   return squaredDistance(query, sorted_index) <= radius * radius;
 }
 

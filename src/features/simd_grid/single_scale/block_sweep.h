@@ -4,12 +4,14 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
+#include <linelet/support/progress_monitor.h>
 
 #include "features/simd_grid/kernels/quadratic_moments.h"
 #include "features/simd_grid/kernels/sweep_kernels.h"
@@ -26,9 +28,12 @@ struct SweepJob {
   const BlockOrder& queries; ///< may be the same
   const TensorSettings& settings;
   const SweepWeight& weight;
-  double radius;                    ///< of all queries, or the largest of
+  double radius; ///< within which is searched: of all queries, or the largest of
+  double reach;  ///< no two points are farther apart: larger radii search no farther
   const std::vector<double>* radii; ///< one a query of the input, or null
   PointDistributionTensor* records; ///< one a query of the input
+  const ProgressMonitor* monitor;   ///< may be null
+  std::atomic<bool>& stop;          ///< once true, nothing is computed any more
 };
 
 /** \brief Computes the records of all queries of a block; one a thread.
@@ -57,7 +62,8 @@ private:
     std::size_t begin, end;
     Point center;             // relative to the block
     double size;              // distance of the farthest query from the center
-    double shortest, longest; // radii
+    double shortest, longest; // radii that are searched
+    double widest;            // radius of the weights
   };
 
   Part
@@ -94,9 +100,15 @@ private:
   void
   keep(std::size_t query, const Moments& sums, const Point& at, double neighbors);
 
+  /** \brief Whether the work shall stop; asks the monitor. */
+  bool
+  stopped() const;
+
   /** \brief As the points came, not as they are in the lists. */
   double
   radiusOf(std::size_t query) const;
+  double
+  searchedRadiusOf(std::size_t query) const;
   double
   squaredDistance(std::size_t query, std::uint32_t sorted_index) const;
   bool
@@ -126,7 +138,8 @@ private:
   Point origin_;               // center of the block
   double reach_ = 1;           // largest coordinate of a list
   std::vector<Point> queries_; // relative to the block, in units of the radius
-  std::vector<double> radii_;  // in the same unit
+  std::vector<double> radii_;  // searched, in the same unit
+  std::vector<double> widths_; // of the weights
   std::array<std::vector<double>, 10> sums_;  // of every query of the block
   std::array<std::vector<double>, 3> places_; // of the query, as its sums see it
   std::vector<double> found_;

@@ -15,6 +15,7 @@
 
 #include "block_sweep.h"
 #include "features/simd_grid/order/huge_pages.h"
+#include "features/simd_grid/order/reach.h"
 
 namespace linelet {
 
@@ -37,27 +38,6 @@ usefulThreads(unsigned requested, std::size_t queries)
       std::min(useful, static_cast<std::size_t>(threadCount(requested))));
 }
 
-/** \brief Box of the finite ones of a set of points. */
-struct Bounds {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity());
-  Point high = -low;
-
-  explicit Bounds(const Points& points)
-  {
-    for (const Point& point : points)
-      if (point.allFinite()) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-      }
-  }
-
-  bool
-  empty() const
-  {
-    return !(low.x() <= high.x());
-  }
-};
-
 /** \brief Estimates around some queries, whose radii are about alike. */
 class Estimate {
 public:
@@ -75,16 +55,25 @@ public:
         monitor_(monitor),
         records_(records),
         bounds_(surface),
+        reach_(reachOf(surface, queries)),
         threads_(usefulThreads(settings.threads, queries.size()))
   {
   }
 
-  /** \param[in] chosen indices of the queries, or null for all */
+  double
+  reach() const
+  {
+    return reach_;
+  }
+
+  /** \param[in] radius of the queries, or the longest of them
+   * \param[in] chosen indices of the queries, or null for all */
   void
   run(double radius, const Indices* chosen)
   {
     if (bounds_.empty())
       return;
+    radius = std::min(radius, reach_);
     if (!BlockFrame::fits(bounds_.low, bounds_.high, radius)) {
       plain(radius, chosen);
       return;
@@ -112,16 +101,19 @@ private:
         const BlockOrder& queries,
         double radius)
   {
+    std::atomic<bool> stop{false};
     const SweepJob job{frame,
                        surface,
                        queries,
                        settings_,
                        weight_,
                        radius,
+                       reach_,
                        sizes_.radii.empty() ? nullptr : &sizes_.radii,
-                       records_.data()};
+                       records_.data(),
+                       monitor_,
+                       stop};
     const auto blocks = static_cast<std::ptrdiff_t>(queries.blocks());
-    std::atomic<bool> stop{false};
 #pragma omp parallel num_threads(threads_)
     {
       BlockSweep sweep_block(job);
@@ -159,7 +151,8 @@ private:
       queries.push_back(queries_[index(i)]);
       sizes.radii.push_back(sizes_.radii.empty() ? radius : sizes_.radii[index(i)]);
     }
-    const auto records = estimateTensors(search, surface_, queries, settings, sizes);
+    const auto records =
+        estimateTensors(search, surface_, queries, settings, sizes, monitor_);
     for (std::size_t i = 0; i < count; ++i)
       records_[index(i)] = records[i];
   }
@@ -172,6 +165,7 @@ private:
   ProgressMonitor* monitor_;
   std::vector<PointDistributionTensor>& records_;
   Bounds bounds_;
+  double reach_;
   int threads_;
 };
 
@@ -198,11 +192,12 @@ estimateTensorsOnGrid(const Points& surface,
       estimate.run(settings.radius, nullptr);
     return records;
   }
-  // Radii within a factor of two go together.
+  // Radii within a factor of two go together, as do those that reach everything.
   std::map<int, Indices> classes;
   for (std::size_t i = 0; i < queries.size(); ++i)
     if (sizes.radii[i] > 0 && std::isfinite(sizes.radii[i]))
-      classes[std::ilogb(sizes.radii[i])].push_back(static_cast<Index>(i));
+      classes[std::ilogb(std::min(sizes.radii[i], estimate.reach()))].push_back(
+          static_cast<Index>(i));
   for (const auto& [exponent, chosen] : classes) {
     double longest = 0;
     for (const Index i : chosen)

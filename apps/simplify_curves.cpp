@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "simplify_curves.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <bench/measures/segment_tree.h>
+
+namespace linelet::apps {
+
+namespace {
+
+double
+squaredDistance(const Point& p, const Point& a, const Point& b)
+{
+  const Point along = b - a;
+  const double squared = along.squaredNorm();
+  const double t =
+      squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (p - a - t * along).squaredNorm();
+}
+
+/** \brief Marks the vertices between \a first and \a last, kept both, that must be
+ * kept.
+ */
+void
+keepBetween(const Points& points,
+            std::size_t first,
+            std::size_t last,
+            double tolerance,
+            std::vector<bool>& keep)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    double farthest = tolerance * tolerance;
+    std::size_t place = a;
+    for (std::size_t i = a + 1; i < b; ++i) {
+      const double squared =
+          squaredDistance(points[i], points[a], points[b % points.size()]);
+      if (squared > farthest) {
+        farthest = squared;
+        place = i;
+      }
+    }
+    if (place == a)
+      continue;
+    keep[place] = true;
+    open.emplace_back(a, place);
+    open.emplace_back(place, b);
+  }
+}
+
+/** \brief Leaves out of \a curve what is not to be kept; what a vertex explained goes
+ * to the one before it. */
+void
+thin(Curve& curve, const std::vector<bool>& keep)
+{
+  Curve thinned = curve;
+  thinned.points.clear();
+  thinned.support.clear();
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    if (keep[i])
+      thinned.points.push_back(curve.points[i]);
+    if (curve.support.empty())
+      continue;
+    if (keep[i])
+      thinned.support.push_back(curve.support[i]);
+    else
+      thinned.support.back() += curve.support[i];
+  }
+  curve = std::move(thinned);
+}
+
+/** \brief The vertex of a closed curve farthest from its first. */
+std::size_t
+oppositeOf(const Points& points)
+{
+  std::size_t place = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if ((points[i] - points[0]).squaredNorm() >
+        (points[place] - points[0]).squaredNorm())
+      place = i;
+  return place;
+}
+
+} // namespace
+
+SimplifyTolerance::SimplifyTolerance(std::string_view text) : text_(text)
+{
+  if (text == "auto")
+    return;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), length_);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
+      !(length_ >= 0) || !std::isfinite(length_))
+    throw std::invalid_argument("'" + text_ +
+                                "' is no tolerance: give a length, 0 or auto");
+}
+
+double
+SimplifyTolerance::length(const CurveNetwork& network, const Points& points) const
+{
+  return length_ >= 0 ? length_ : noiseAbout(network, points) / 10;
+}
+
+double
+noiseAbout(const CurveNetwork& network, const Points& points)
+{
+  constexpr std::size_t most = 20000;        // tell as much as millions
+  constexpr double median_distance = 1.1774; // sqrt(2 ln 2): of a normal in a plane
+  const bench::SegmentTree tree(network);
+  std::vector<double> squared;
+  const std::size_t stride = points.size() / most + 1;
+  for (std::size_t i = 0; i < points.size(); i += stride)
+    if (points[i].allFinite() && !tree.segments().empty())
+      squared.push_back(tree.nearest(points[i]).squared_distance);
+  if (squared.empty())
+    return 0;
+  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
+  std::nth_element(squared.begin(), middle, squared.end());
+  return std::sqrt(*middle) / median_distance;
+}
+
+CurveNetwork
+simplified(CurveNetwork network, double tolerance)
+{
+  if (!(tolerance > 0))
+    return network;
+  std::vector<Points> meetings(network.curves.size());
+  for (const Junction& junction : network.junctions)
+    for (const std::size_t curve : junction.curves)
+      meetings[curve].push_back(junction.position);
+  for (std::size_t c = 0; c < network.curves.size(); ++c) {
+    Curve& curve = network.curves[c];
+    const std::size_t count = curve.points.size();
+    if (count < 3)
+      continue;
+    std::vector<bool> keep(count, false);
+    keep.front() = true;
+    if (curve.closed)
+      keep[oppositeOf(curve.points)] = true;
+    else
+      keep.back() = true;
+    for (const Point& place : meetings[c]) {
+      const auto nearer = [&](const Point& a, const Point& b) {
+        return (a - place).squaredNorm() < (b - place).squaredNorm();
+      };
+      const auto at =
+          std::min_element(curve.points.begin(), curve.points.end(), nearer);
+      keep[static_cast<std::size_t>(at - curve.points.begin())] = true;
+    }
+    std::vector<std::size_t> fixed;
+    for (std::size_t i = 0; i < count; ++i)
+      if (keep[i])
+        fixed.push_back(i);
+    if (curve.closed)
+      fixed.push_back(count); // the first once more
+    for (std::size_t k = 0; k + 1 < fixed.size(); ++k)
+      keepBetween(curve.points, fixed[k], fixed[k + 1], tolerance, keep);
+    // A closed curve of two vertices is none.
+    if (curve.closed && std::count(keep.begin(), keep.end(), true) < 3)
+      continue;
+    thin(curve, keep);
+  }
+  return network;
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
+
+/** \brief Where the content of a file grows until it is whole: a name beside its own,
+ * or the file itself where that is a device or a pipe. Unless published, it is removed
+ * in the end, with what other writers (GDAL) put beside it. */
+class StagedFile {
+public:
+  /** \throws FileError where \a path is a folder, or its name too long */
+  explicit StagedFile(const std::string& path);
+  ~StagedFile();
+  StagedFile(const StagedFile&) = delete;
+  StagedFile&
+  operator=(const StagedFile&) = delete;
+
+  const std::string&
+  place() const
+  {
+    return place_;
+  }
+
+  /** \brief Whether it is written where it stays. */
+  bool
+  direct() const
+  {
+    return place_ == path_;
+  }
+
+  /** \brief It is whole: put it where it belongs. \throws FileError */
+  void
+  publish();
+
+private:
+  std::string path_, place_;
+};
+
+} // namespace io
+} // namespace linelet
