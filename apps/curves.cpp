@@ -62,8 +62,7 @@ runCurves(const std::vector<std::string>& arguments)
   OptionAdder(frame.app)("simplify",
                          simplify,
                          "leave out vertices, as long as the curves stay within this "
-                         "length; auto: a tenth "
-                         "of the noise of the points; 0: none");
+                         "length; auto: a tenth of the noise of each; 0: none");
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = frame.threads;
@@ -76,8 +75,10 @@ runCurves(const std::vector<std::string>& arguments)
   const io::UsablePoints usable = input.usable(cloud);
   const Points points = finiteOnes(usable.points());
   CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
-  const double tolerance = simplify.length(network, points);
-  network = simplified(std::move(network), tolerance);
+  double tolerance = 0; // the largest
+  for (const Curve& curve : network.curves)
+    tolerance = std::max(tolerance, simplify.of(curve));
+  network = simplified(std::move(network), simplify);
   frame.lap("curves");
   std::vector<std::string> warnings;
   io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor);

@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <bench/measures/segment_tree.h>
-
 namespace linelet::apps {
 
 namespace {
@@ -105,34 +103,16 @@ SimplifyTolerance::SimplifyTolerance(std::string_view text) : text_(text)
 }
 
 double
-SimplifyTolerance::length(const CurveNetwork& network, const Points& points) const
+SimplifyTolerance::of(const Curve& curve) const
 {
-  return length_ >= 0 ? length_ : noiseAbout(network, points) / 10;
-}
-
-double
-noiseAbout(const CurveNetwork& network, const Points& points)
-{
-  constexpr std::size_t most = 20000;        // tell as much as millions
-  constexpr double median_distance = 1.1774; // sqrt(2 ln 2): of a normal in a plane
-  const bench::SegmentTree tree(network);
-  std::vector<double> squared;
-  const std::size_t stride = points.size() / most + 1;
-  for (std::size_t i = 0; i < points.size(); i += stride)
-    if (points[i].allFinite() && !tree.segments().empty())
-      squared.push_back(tree.nearest(points[i]).squared_distance);
-  if (squared.empty())
-    return 0;
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::sqrt(*middle) / median_distance;
+  if (length_ >= 0)
+    return length_;
+  return std::isfinite(curve.noise) ? curve.noise / 10 : 0;
 }
 
 CurveNetwork
-simplified(CurveNetwork network, double tolerance)
+simplified(CurveNetwork network, const SimplifyTolerance& tolerances)
 {
-  if (!(tolerance > 0))
-    return network;
   std::vector<Points> meetings(network.curves.size());
   for (const Junction& junction : network.junctions)
     for (const std::size_t curve : junction.curves)
@@ -140,7 +120,8 @@ simplified(CurveNetwork network, double tolerance)
   for (std::size_t c = 0; c < network.curves.size(); ++c) {
     Curve& curve = network.curves[c];
     const std::size_t count = curve.points.size();
-    if (count < 3)
+    const double tolerance = tolerances.of(curve);
+    if (count < 3 || !(tolerance > 0))
       continue;
     std::vector<bool> keep(count, false);
     keep.front() = true;

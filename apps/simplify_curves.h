@@ -12,7 +12,7 @@
 namespace linelet::apps {
 
 /** \brief How far vertices may be moved off curves to have fewer: a length, or "auto",
- * a tenth of the noise of the points about the curves. */
+ * a tenth of the noise that each curve was measured with (none where it is unknown). */
 class SimplifyTolerance {
 public:
   /** \throws std::invalid_argument unless "auto" or a number >= 0 */
@@ -24,25 +24,19 @@ public:
     return text_;
   }
 
-  /** \brief The length, for curves of \a network through \a points; 0: as they are. */
+  /** \brief The length for \a curve; 0: as it is. */
   double
-  length(const CurveNetwork& network, const Points& points) const;
+  of(const Curve& curve) const;
 
 private:
   std::string text_;
   double length_ = -1; // negative: by the noise
 };
 
-/** \brief Standard deviation, along each axis across a curve, of \a points about the
- * curves of \a network; 0 where there are none of either. From the median distance,
- * which points of no curve hardly change. */
-double
-noiseAbout(const CurveNetwork& network, const Points& points);
-
 /** \brief The curves with the fewest of their vertices that Douglas and Peucker's
- * algorithm leaves within \a tolerance of them (Cartographica 10, 1973). Ends and
+ * algorithm leaves within their tolerance (Cartographica 10, 1973). Ends and
  * places where curves meet stay. */
 CurveNetwork
-simplified(CurveNetwork network, double tolerance);
+simplified(CurveNetwork network, const SimplifyTolerance& tolerances);
 
 } // namespace linelet::apps
