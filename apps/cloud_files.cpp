@@ -3,6 +3,11 @@
 
 #include "cloud_files.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include <linelet/io/merge.h>
 #include <linelet/io/output_check.h>
 
 #include "options.h"
@@ -22,49 +27,178 @@ warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame)
 CloudInput::CloudInput(Frame& frame, Use use, const std::string& meaning)
     : frame_(frame), use_(use)
 {
-  frame.app.add_option("INPUT", path_, meaning)->required();
-  frame.reads(path_);
+  frame.app.add_option("INPUT", names_, meaning)->required();
+  frame.reads(names_);
   addOptions(frame.app, options_);
   if (use != Use::Copy)
     addOptions(frame.app, classes_);
 }
 
+const std::vector<std::string>&
+CloudInput::files()
+{
+  if (list_.files.empty())
+    list_ = io::findInputs(names_);
+  return list_.files;
+}
+
+bool
+CloudInput::several()
+{
+  files();
+  return list_.several;
+}
+
+void
+CloudInput::checkReference(const std::string& path, const std::string& wkt)
+{
+  const std::string name = io::referenceName(wkt);
+  if (name.empty())
+    return;
+  if (reference_.empty()) {
+    reference_ = name;
+    reference_file_ = path;
+  }
+  if (name != reference_)
+    throw io::FileError(
+        path + ": its reference system is " + name + ", that of " + reference_file_ +
+        " is " + reference_ +
+        "; work on them one by one, or project them to one system first");
+}
+
+const std::vector<io::FileSummary>&
+CloudInput::summaries()
+{
+  if (!summaries_.empty())
+    return summaries_;
+  std::vector<std::string> warnings;
+  for (const std::string& file : files()) {
+    summaries_.push_back(io::summaryOf(file, options_, &warnings));
+    checkReference(file, summaries_.back().wkt);
+  }
+  frame_.warn(warnings);
+  return summaries_;
+}
+
 io::Cloud
-CloudInput::read()
+CloudInput::readFile(const std::string& path)
 {
   std::vector<std::string> warnings;
-  io::Cloud cloud = io::readCloud(path_, options_, &warnings, &frame_.monitor);
+  options_.threads = frame_.threads;
+  io::Cloud cloud = io::readCloud(path, options_, &warnings, &frame_.monitor);
   frame_.warn(warnings);
+  checkReference(path, cloud.wkt);
+  if (!options_.shift)
+    options_.shift = cloud.shift; // one for all, so that their points compare exactly
+  return cloud;
+}
+
+io::Cloud
+CloudInput::read(std::size_t number)
+{
+  const std::string& path = files().at(number);
+  io::Cloud cloud = readFile(path);
   if (use_ == Use::Analysis)
-    warnOfDegrees(cloud, path_, frame_);
+    warnOfDegrees(cloud, path, frame_);
   else if (const std::string why = io::degreesIn(cloud);
            use_ == Use::Lengths && !why.empty())
-    throw io::FileError(path_ + ": " + why + ", and it needs lengths; " +
+    throw io::FileError(path + ": " + why + ", and it needs lengths; " +
                         projection_help);
   frame_.lap("read");
   return cloud;
+}
+
+io::Cloud
+CloudInput::read()
+{
+  io::Cloud cloud = read(0);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 1; i < files().size(); ++i) {
+    const io::Cloud more = read(i);
+    io::append(cloud, more, &warnings);
+    if (cloud.wkt.empty())
+      cloud.wkt = more.wkt;
+  }
+  std::sort(warnings.begin(), warnings.end());
+  warnings.erase(std::unique(warnings.begin(), warnings.end()), warnings.end());
+  frame_.warn(warnings);
+  return cloud;
+}
+
+CloudInput::Border
+CloudInput::border(std::size_t number, const io::Cloud& cloud, double distance)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Point low = Point::Constant(none), high = -low;
+  for (const Point& point : cloud.points)
+    if (point.allFinite()) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+  low += cloud.shift - Point::Constant(distance);
+  high += cloud.shift + Point::Constant(distance);
+  Border border;
+  io::ReadOptions around = options_;
+  if (around.bounds_3d.size() == 6)
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      low[axis] = std::max(low[axis], around.bounds_3d[a]);
+      high[axis] = std::min(high[axis], around.bounds_3d[a + 3]);
+    }
+  around.bounds_3d = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+  around.shift = cloud.shift;
+  for (std::size_t i = 0; i < files().size(); ++i) {
+    const io::FileSummary& other = summaries()[i];
+    if (i == number || (low.array() > high.array()).any() ||
+        (other.high.array() < low.array()).any() ||
+        (other.low.array() > high.array()).any())
+      continue;
+    const io::Cloud near = io::readCloud(other.path, around, nullptr, &frame_.monitor);
+    checkReference(other.path, near.wkt);
+    const io::UsablePoints usable(near, nullptr, classes_);
+    Points& points = i < number ? border.before : border.after;
+    for (const Point& point : usable.points())
+      if (point.allFinite())
+        points.push_back(point + (near.shift - cloud.shift));
+  }
+  return border;
 }
 
 io::UsablePoints
 CloudInput::usable(const io::Cloud& cloud) const
 {
   if (!classes_.kept.empty() && cloud.find("classification") == nullptr)
-    throw io::FileError(path_ +
+    throw io::FileError(path() +
                         ": its points have no classes; leave out --keep-classes");
   std::vector<std::string> warnings;
   io::UsablePoints usable(cloud, &warnings, classes_);
   frame_.warn(warnings);
   if (usable.leftOut() == cloud.points.size() && usable.ignored() > 0)
-    frame_.warn(path_ + ": no point is left; linelet info lists the classes it has");
+    frame_.warn(path() + ": no point is left; linelet info lists the classes it has");
   return usable;
 }
 
 CloudOutput::CloudOutput(Frame& frame) : frame_(frame)
 {
-  frame.app.add_option("OUTPUT", path_, "point file, in the format of its ending")
-      ->required();
-  frame.writes(path_);
+  frame.addOutput(
+      "OUTPUT",
+      path_,
+      "point file, in the format of its ending; of several inputs, a folder "
+      "for files of the same names");
   addOptions(frame.app, options_);
+}
+
+std::string
+CloudOutput::pathFor(CloudInput& input, std::size_t number) const
+{
+  if (!input.several())
+    return path_;
+  // What is written has no octree.
+  std::string name =
+      std::filesystem::path(input.files().at(number)).filename().string();
+  if (const std::size_t at = name.rfind(".copc.laz"); at != std::string::npos)
+    name.replace(at, std::string::npos, ".laz");
+  return (std::filesystem::path(path_) / name).string();
 }
 
 void
@@ -74,10 +208,28 @@ CloudOutput::check() const
 }
 
 void
-CloudOutput::write(const io::Cloud& cloud)
+CloudOutput::check(CloudInput& input)
+{
+  if (!input.several())
+    return check();
+  std::error_code error;
+  std::filesystem::create_directories(path_, error);
+  if (!std::filesystem::is_directory(path_))
+    throw io::FileError(path_ + ": is no folder, which the outputs of several inputs "
+                                "need; name a folder");
+  std::vector<std::string> outputs;
+  for (std::size_t i = 0; i < input.files().size(); ++i)
+    outputs.push_back(pathFor(input, i));
+  frame_.checkOutputs(outputs);
+  for (const std::string& output : outputs)
+    io::checkCloudOutput(output);
+}
+
+void
+CloudOutput::write(const io::Cloud& cloud, const std::string& path)
 {
   std::vector<std::string> warnings;
-  io::writeCloud(path_, cloud, options_, &warnings, &frame_.monitor);
+  io::writeCloud(path, cloud, options_, &warnings, &frame_.monitor);
   frame_.warn(warnings);
   frame_.lap("write");
 }

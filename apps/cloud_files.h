@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <linelet/io/cloud.h>
+#include <linelet/io/file_summary.h>
+#include <linelet/io/input_list.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/usable_points.h>
 
@@ -24,7 +26,8 @@ constexpr const char* projection_help =
 void
 warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame);
 
-/** \brief The point file that a command reads: its argument INPUT and its options. */
+/** \brief The point files that a command reads: its argument INPUT (files, folders,
+ * virtual point clouds, lists) and its options. All are of one reference system. */
 class CloudInput {
 public:
   /** \brief What the points are read for. */
@@ -37,12 +40,23 @@ public:
   /** \param[in] frame gets argument and options; must outlive this */
   explicit CloudInput(Frame& frame,
                       Use use = Use::Analysis,
-                      const std::string& meaning = "point file");
+                      const std::string& meaning =
+                          "point files, folders of them, .vpc, "
+                          "or .txt lists of paths");
 
+  /** \brief The files; known once the frame has parsed. */
+  const std::vector<std::string>&
+  files();
+
+  /** \brief Whether each file is to have an output of its own, in a folder. */
+  bool
+  several();
+
+  /** \brief What was named first, for messages. */
   const std::string&
   path() const
   {
-    return path_;
+    return names_.front();
   }
 
   /** \brief Which points take part. */
@@ -52,10 +66,30 @@ public:
     return classes_;
   }
 
-  /** \brief Reads the file; what is lost is told as a warning, as are degrees that an
-   * analysis would take for lengths. \throws io::FileError */
+  /** \brief What the headers of the files say. \throws io::FileError where they are of
+   * different reference systems */
+  const std::vector<io::FileSummary>&
+  summaries();
+
+  /** \brief Reads all files as one cloud; what is lost is told as a warning, as are
+   * degrees that an analysis would take for lengths. \throws io::FileError */
   io::Cloud
   read();
+
+  /** \brief Reads one of the files. */
+  io::Cloud
+  read(std::size_t number);
+
+  /** \brief The points of other files around one of them, of those before it and of
+   * those behind it. */
+  struct Border {
+    Points before, after;
+  };
+
+  /** \brief The usable points of the other files that are nearer than \a distance to
+   * the box of \a cloud, which is file \a number, relative to its shift. */
+  Border
+  border(std::size_t number, const io::Cloud& cloud, double distance);
 
   /** \brief The points of \a cloud, as read, that take part; a warning where some do
    * not. \throws io::FileError where classes are asked for that it does not have */
@@ -63,9 +97,17 @@ public:
   usable(const io::Cloud& cloud) const;
 
 private:
+  io::Cloud
+  readFile(const std::string& path);
+  void
+  checkReference(const std::string& path, const std::string& wkt);
+
   Frame& frame_;
   Use use_;
-  std::string path_;
+  std::vector<std::string> names_;
+  io::InputList list_;
+  std::vector<io::FileSummary> summaries_; ///< of the files, where they were needed
+  std::string reference_, reference_file_; ///< of the first file that has one
   io::ReadOptions options_;
   io::ClassFilter classes_;
 };
@@ -82,15 +124,27 @@ public:
     return path_;
   }
 
-  /** \brief Fails at once where \ref write would fail after long work.
-   * \throws io::FileError */
+  /** \brief Fails at once where \ref write would fail after long work; makes the folder
+   * for several outputs. \throws io::FileError */
+  void
+  check(CloudInput& input);
   void
   check() const;
 
-  /** \brief Writes \a cloud; what the format cannot hold is told as a warning.
+  /** \brief Where the output for file \a number of \a input goes. */
+  std::string
+  pathFor(CloudInput& input, std::size_t number) const;
+
+  /** \brief Writes \a cloud to \a path, one of \ref pathFor; what the format cannot
+   * hold is told as a warning.
    * \throws io::FileError */
   void
-  write(const io::Cloud& cloud);
+  write(const io::Cloud& cloud, const std::string& path);
+  void
+  write(const io::Cloud& cloud)
+  {
+    write(cloud, path_);
+  }
 
 private:
   Frame& frame_;

@@ -23,6 +23,7 @@ commands()
       {"image",
        "draw the cloud, its shape along a line, or graphs of a point",
        runImage},
+      {"vpc", "list point files in a virtual point cloud", runVpc},
       {"devices", "list the OpenCL devices of this machine", runDevices},
   };
   return all;

@@ -47,6 +47,9 @@ int
 runPowerlines(const std::vector<std::string>& arguments);
 
 int
+runVpc(const std::vector<std::string>& arguments);
+
+int
 runDevices(const std::vector<std::string>& arguments);
 
 /** \brief All commands, in the order of `linelet --help`. */

@@ -14,20 +14,26 @@ runConvert(const std::vector<std::string>& arguments)
 {
   Frame frame("convert",
               "Converts point files, with all attributes that both formats can hold: "
-              ".las, .pcd, .ply, .xyz, .txt, .csv, and the vertices of .obj.");
+              ".las, .laz, .pcd, .ply, .xyz, .txt, .csv, and the vertices of .obj.");
   CloudInput input(frame, CloudInput::Use::Copy);
   CloudOutput output(frame);
   frame.parse(arguments);
-  output.check();
+  output.check(input);
 
-  const io::Cloud cloud = input.read();
-  output.write(cloud);
-  std::printf("%s: %zu points with %zu attributes\n",
-              output.path().c_str(),
-              cloud.points.size(),
-              cloud.columns.size());
-  frame.summary["points"] = cloud.points.size();
-  frame.summary["attributes"] = cloud.columns.size();
+  std::size_t points = 0, attributes = 0;
+  for (std::size_t i = 0; i < input.files().size(); ++i) {
+    const io::Cloud cloud = input.read(i);
+    const std::string path = output.pathFor(input, i);
+    output.write(cloud, path);
+    std::printf("%s: %zu points with %zu attributes\n",
+                path.c_str(),
+                cloud.points.size(),
+                cloud.columns.size());
+    points += cloud.points.size();
+    attributes = cloud.columns.size();
+  }
+  frame.summary["points"] = points;
+  frame.summary["attributes"] = attributes;
   return frame.finish();
 }
 

@@ -56,8 +56,7 @@ runCurves(const std::vector<std::string>& arguments)
   ReconstructionSettings settings;
   std::string output;
   CloudInput input(frame);
-  frame.app.add_option("OUTPUT", output, "file for the curves")->required();
-  frame.writes(output);
+  frame.addOutput("OUTPUT", output, "file for the curves");
   SimplifyTolerance simplify("auto");
   OptionAdder(frame.app)("simplify",
                          simplify,

@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include <linelet/io/input_list.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/output_file.h>
 #include <linelet/io/point_file.h>
@@ -140,6 +141,8 @@ Frame::parse(const std::vector<std::string>& arguments)
 {
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    if (!print_config_)
+      takeOutput();
   }
   catch (const CLI::ParseError& error) {
     // The options can be looked at before there is a file to work on.
@@ -169,6 +172,32 @@ Frame::reads(const std::string& path)
 }
 
 void
+Frame::reads(std::vector<std::string>& paths)
+{
+  names_ = &paths;
+}
+
+void
+Frame::addOutput(const char* name, std::string& path, const std::string& meaning)
+{
+  app.add_option(name, path, meaning);
+  output_ = &path;
+  output_name_ = name;
+  writes(path);
+}
+
+void
+Frame::takeOutput()
+{
+  if (output_ == nullptr || !output_->empty())
+    return;
+  if (names_ == nullptr || names_->size() < 2)
+    throw CLI::RequiredError(output_name_);
+  *output_ = std::move(names_->back());
+  names_->pop_back();
+}
+
+void
 Frame::writes(const std::string& path)
 {
   outputs_.push_back(&path);
@@ -183,6 +212,13 @@ Frame::inputs() const
       paths.push_back(*path);
       paths.push_back(*path + ".shift"); // of a point file
     }
+  if (names_ != nullptr) {
+    paths.insert(paths.end(), names_->begin(), names_->end());
+    for (const std::string& file : io::findInputs(*names_).files) {
+      paths.push_back(file);
+      paths.push_back(file + ".shift");
+    }
+  }
   if (const auto config = app.get_config_ptr()->as<std::string>(); !config.empty())
     paths.push_back(config);
   return paths;

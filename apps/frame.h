@@ -69,6 +69,16 @@ public:
   void
   reads(const std::string& path);
 
+  /** \brief The same for several. The last of them is the output of \ref addOutput, if
+   * there is one. */
+  void
+  reads(std::vector<std::string>& paths);
+
+  /** \brief Adds the argument \a name, which must be given behind those to read and
+   * names what is written to \a path. */
+  void
+  addOutput(const char* name, std::string& path, const std::string& meaning);
+
   /** \brief The same for a file to write, which \ref parse refuses where it is one to
    * read, or another one to write. */
   void
@@ -107,6 +117,12 @@ private:
   inputs() const;
 
   std::vector<const std::string*> inputs_, outputs_;
+  void
+  takeOutput();
+
+  std::vector<std::string>* names_ = nullptr; ///< files to read
+  std::string* output_ = nullptr;             ///< what comes behind them
+  const char* output_name_ = nullptr;
   std::string json_file_;
   bool print_config_ = false;
   std::vector<std::string> warnings_;

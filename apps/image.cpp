@@ -53,8 +53,7 @@ runImage(const std::vector<std::string>& arguments)
   shapes.centroid = Centroid::Median;
   std::string output;
   CloudInput input(frame);
-  frame.app.add_option("OUTPUT", output, "picture, .png")->required();
-  frame.writes(output);
+  frame.addOutput("OUTPUT", output, "picture, .png");
   frame.reads(settings.curves);
   frame.reads(settings.along);
   addOptions(frame.app, settings);

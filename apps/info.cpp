@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <optional>
 #include <unordered_set>
 
+#include <linelet/io/las_summary.h>
 #include <linelet/io/usable_points.h>
 #include <linelet/search/scale_unit.h>
 
@@ -232,6 +234,100 @@ print(const ordered_json& info)
   }
 }
 
+/** A line for each of several files by its header, and their sum. */
+ordered_json
+printTable(CloudInput& input)
+{
+  ordered_json files = ordered_json::array();
+  std::size_t points = 0;
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  std::printf("%12s %14s %14s %14s %14s  %-28s %s\n",
+              "points",
+              "x from",
+              "x to",
+              "y from",
+              "y to",
+              "format",
+              "file");
+  const auto line = [](std::size_t count,
+                       const Point& from,
+                       const Point& to,
+                       const std::string& format,
+                       const std::string& name) {
+    std::printf("%12zu %14.2f %14.2f %14.2f %14.2f  %-28s %s\n",
+                count,
+                from.x(),
+                to.x(),
+                from.y(),
+                to.y(),
+                format.c_str(),
+                name.c_str());
+  };
+  for (const io::FileSummary& file : input.summaries()) {
+    line(file.points, file.low, file.high, file.format, file.path);
+    files.push_back({{"file", file.path},
+                     {"format", file.format},
+                     {"points", file.points},
+                     {"minimum", {file.low.x(), file.low.y(), file.low.z()}},
+                     {"maximum", {file.high.x(), file.high.y(), file.high.z()}},
+                     {"reference_system", io::referenceName(file.wkt)}});
+    points += file.points;
+    if (file.points > 0) {
+      low = low.cwiseMin(file.low);
+      high = high.cwiseMax(file.high);
+    }
+  }
+  if (points > 0)
+    line(points, low, high, std::to_string(files.size()) + " files", "in all");
+  return {{"points", points}, {"files", files}};
+}
+
+/** What is told of a LAS file alone. */
+void
+describeLas(ordered_json& out, const io::Cloud& cloud)
+{
+  const std::optional<io::LasSummary> las = io::lasSummary(cloud);
+  if (!las)
+    return;
+  const auto numbers = [](const Point& p) { return ordered_json{p.x(), p.y(), p.z()}; };
+  out["scale"] = numbers(las->scale);
+  out["offset"] = numbers(las->offset);
+  out["copc_levels"] = las->copc_levels;
+  out["epsg"] = las->epsg;
+  out["records"] = las->records;
+  std::map<int, std::size_t> returns;
+  if (const io::Column* column = cloud.find("return_number"))
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      ++returns[static_cast<int>(io::valueAt(*column, i))];
+  out["returns"] = ordered_json::object();
+  for (const auto& [number, count] : returns)
+    out["returns"][std::to_string(number)] = count;
+}
+
+void
+printLas(const ordered_json& info)
+{
+  if (!info.contains("scale"))
+    return;
+  const auto triple = [&info](const char* key) {
+    std::printf("%-17s %.10g %.10g %.10g\n",
+                key,
+                info[key][0].get<double>(),
+                info[key][1].get<double>(),
+                info[key][2].get<double>());
+  };
+  if (info["copc_levels"] > 0)
+    std::printf("%-17s octree of %d levels\n", "COPC", info["copc_levels"].get<int>());
+  if (info["epsg"] > 0)
+    std::printf("%-17s %d\n", "EPSG", info["epsg"].get<int>());
+  triple("scale");
+  triple("offset");
+  for (const auto& [number, count] : info["returns"].items())
+    std::printf("return %-10s %10zu\n", number.c_str(), count.get<std::size_t>());
+  for (const auto& record : info["records"])
+    std::printf("%-17s %s\n", "record", record.get<std::string>().c_str());
+}
+
 } // namespace
 
 int
@@ -241,13 +337,19 @@ runInfo(const std::vector<std::string>& arguments)
       "info",
       "Says what a point file holds: extent, density, flags, classes and attributes. "
       "Scale unit and density are those of the points that are neither withheld nor "
-      "noise.");
+      "noise. Of several files, a table of what their headers say.");
   CloudInput input(frame);
   frame.parse(arguments);
 
+  if (input.files().size() > 1) {
+    frame.summary = printTable(input);
+    return frame.finish();
+  }
   const io::Cloud cloud = input.read();
   frame.summary = describe(input.path(), cloud, input.usable(cloud), frame.threads);
+  describeLas(frame.summary, cloud);
   print(frame.summary);
+  printLas(frame.summary);
   return frame.finish();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -184,7 +185,9 @@ runMultiscale(const std::vector<std::string>& arguments)
       "output has the moved points); 0: do not");
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
-  output.check();
+  if (input.several() && input.files().size() > 1)
+    throw std::runtime_error("multiscale takes one input at a time");
+  output.check(input);
   if (!graphs.empty())
     io::checkWritable(graphs);
 
@@ -207,7 +210,7 @@ runMultiscale(const std::vector<std::string>& arguments)
       });
   frame.lap("multiscale");
   addColumns(cloud, shapes);
-  output.write(cloud);
+  output.write(cloud, output.pathFor(input, 0));
 
   frame.summary["points"] = cloud.points.size();
   frame.summary["withheld"] = usable.withheld();
@@ -217,7 +220,7 @@ runMultiscale(const std::vector<std::string>& arguments)
           static_cast<std::size_t>(without_scale) - usable.leftOut()},
          plan,
          settings,
-         output.path(),
+         output.pathFor(input, 0),
          frame);
   return frame.finish();
 }

@@ -63,7 +63,9 @@ public:
     else if constexpr (std::is_same_v<T, std::string>)
       add(app_.add_option(option, value), "TEXT", help);
     else if constexpr (std::is_same_v<T, std::vector<double>>)
-      add(app_.add_option(option, value)->delimiter(','), "X,...", help);
+      add(app_.add_option(option, value)->delimiter(',')->allow_extra_args(false),
+          "X,...",
+          help);
     else if constexpr (std::is_same_v<T, io::ClassList>) {
       const auto set = [&value](const std::string& text) { value = T(text); };
       addNamed(option, set, help)->default_str(value.name())->type_name("N,...");

@@ -134,25 +134,32 @@ runPowerlines(const std::vector<std::string>& arguments)
                    CloudInput::Use::Lengths,
                    "point file, z up, meters or feet (by its reference system); "
                    "classes are not needed");
-  frame.app
-      .add_option("OUTDIR",
+  frame.addOutput("OUTDIR",
                   folder,
-                  "folder for classified.las, wires.geojson, wires.gpkg, wires.dxf, "
-                  "summary.json and report.html; made if need be")
-      ->required();
+                  "folder for classified.las or .laz, wires.geojson, wires.gpkg, "
+                  "wires.dxf, summary.json and report.html; made if need be");
   addOptions(frame.app, settings);
   addOptions(frame.app, output.classes);
   OptionAdder(frame.app)(
       "overwrite", overwrite, "replace results of another input in OUTDIR");
+  std::string classified = "as input";
+  frame.app.add_option("--classified", classified, "ending of the classified cloud")
+      ->check(CLI::IsMember({"as input", "las", "laz"}))
+      ->type_name("NAME")
+      ->group("Options");
   frame.parse(arguments);
-  frame.checkOutputs(powerline::powerLineFiles(folder));
+  const std::string first = input.files().front();
+  output.compress = classified == "laz" || (classified != "las" && first.size() > 4 &&
+                                            (first.substr(first.size() - 4) == ".laz" ||
+                                             first.substr(first.size() - 4) == ".LAZ"));
+  frame.checkOutputs(powerline::powerLineFiles(folder, output.compress));
   check(output.classes);
   settings.threads = frame.threads;
 
   io::Cloud cloud = input.read();
   output.source = std::filesystem::path(input.path()).filename().string();
   refuseOtherResults(folder, cloud, output.source, overwrite);
-  powerline::makeOutputFolder(folder);
+  powerline::makeOutputFolder(folder, output.compress);
   const io::Units units = io::unitsOf(cloud.wkt);
   if (!units.height_stated && !units.areMeters())
     frame.warn("the reference system tells no unit of heights; they count as " +

@@ -194,6 +194,32 @@ estimate(const Points& points,
   return run(points, points, settings, engine, sizes, device, frame);
 }
 
+/** \brief The records of the points of file \a number, whose neighbors may be in other
+ * files. */
+Records
+estimateWithBorder(CloudInput& input,
+                   std::size_t number,
+                   const io::Cloud& cloud,
+                   const io::UsablePoints& usable,
+                   TensorSettings& settings,
+                   EngineOption& engine,
+                   const NeighborhoodSizes& sizes,
+                   const std::string& device,
+                   Frame& frame)
+{
+  if (input.files().size() == 1)
+    return estimate(usable.points(), settings, engine, sizes, device, frame);
+  const CloudInput::Border border = input.border(number, cloud, settings.radius);
+  // In the order of all files together, so that sums are those of the merged cloud.
+  Points points = border.before;
+  points.insert(points.end(), usable.points().begin(), usable.points().end());
+  points.insert(points.end(), border.after.begin(), border.after.end());
+  const Records records = estimate(points, settings, engine, sizes, device, frame);
+  const auto first =
+      records.begin() + static_cast<std::ptrdiff_t>(border.before.size());
+  return {first, first + static_cast<std::ptrdiff_t>(cloud.points.size())};
+}
+
 std::string
 describeSize(const TensorSettings& settings, const SizeFields& fields)
 {
@@ -214,6 +240,19 @@ struct Tally {
   std::size_t left_out = 0;  ///< of them, which take no part
   std::size_t unknown = 0;   ///< of the others, without a shape
   double mean_neighbors = 0; ///< of the others
+
+  void
+  add(const Tally& more)
+  {
+    const auto before = static_cast<double>(points - left_out);
+    const auto behind = static_cast<double>(more.points - more.left_out);
+    if (before + behind > 0)
+      mean_neighbors =
+          (mean_neighbors * before + more.mean_neighbors * behind) / (before + behind);
+    points += more.points;
+    left_out += more.left_out;
+    unknown += more.unknown;
+  }
 };
 
 Tally
@@ -310,35 +349,47 @@ runTensor(const std::vector<std::string>& arguments)
       "OpenCL device by number or part of its name; linelet devices lists them");
   frame.parse(arguments);
   settings.threads = frame.threads;
-  output.check();
+  output.check(input);
+  if (input.several() &&
+      (settings.k > 0 || !fields.radius.empty() || !fields.knn.empty()))
+    throw std::runtime_error("neighbors across the borders of several inputs are those "
+                             "within --radius; give that, or one input");
 
-  io::Cloud cloud = input.read();
-  const io::UsablePoints usable = input.usable(cloud);
-  const NeighborhoodSizes sizes = sizesFrom(cloud, fields, input.path());
+  Tally total;
   double scale_unit = std::nan("");
-  if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
-      fields.knn.empty()) {
-    scale_unit = scaleUnit(usable.points(), 1024, 1, frame.threads);
-    frame.summary["scale_unit"] = scale_unit;
-    settings.radius = chooseRadius(scale_unit, input.path());
-  }
-  const Records records =
-      estimate(usable.points(), settings, engine, sizes, device, frame);
-  frame.lap("tensor");
-  addColumns(cloud, records);
-  output.write(cloud);
+  std::size_t withheld = 0, ignored = 0;
+  for (std::size_t i = 0; i < input.files().size(); ++i) {
+    io::Cloud cloud = input.read(i);
+    const io::UsablePoints usable = input.usable(cloud);
+    const NeighborhoodSizes sizes = sizesFrom(cloud, fields, input.files()[i]);
+    if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
+        fields.knn.empty()) {
+      scale_unit = scaleUnit(usable.points(), 1024, 1, frame.threads);
+      frame.summary["scale_unit"] = scale_unit;
+      settings.radius = chooseRadius(scale_unit, input.files()[i]);
+    }
+    const Records records = estimateWithBorder(
+        input, i, cloud, usable, settings, engine, sizes, device, frame);
+    frame.lap("tensor");
+    addColumns(cloud, records);
+    const std::string path = output.pathFor(input, i);
+    output.write(cloud, path);
 
-  const Tally tally = tallyOf(records, usable.leftOut());
-  std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
-              output.path().c_str(),
-              tally.points,
-              describeSize(settings, fields).c_str(),
-              tally.mean_neighbors,
-              std::string(nameOf(engine)).c_str());
-  printUnknown(tally, scale_unit, usable.points());
-  summarize(frame.summary, tally, settings, engine, fields);
-  frame.summary["withheld"] = usable.withheld();
-  frame.summary["ignored"] = usable.ignored();
+    const Tally tally = tallyOf(records, usable.leftOut());
+    std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
+                path.c_str(),
+                tally.points,
+                describeSize(settings, fields).c_str(),
+                tally.mean_neighbors,
+                std::string(nameOf(engine)).c_str());
+    printUnknown(tally, scale_unit, usable.points());
+    total.add(tally);
+    withheld += usable.withheld();
+    ignored += usable.ignored();
+  }
+  summarize(frame.summary, total, settings, engine, fields);
+  frame.summary["withheld"] = withheld;
+  frame.summary["ignored"] = ignored;
   return frame.finish();
 }
 

@@ -11,7 +11,9 @@
 
 #include "files.h"
 #include "readers.h"
+#include "reference_systems.h"
 #include "shift_file.h"
+#include "window.h"
 #include "writers.h"
 
 namespace linelet::io {
@@ -24,8 +26,9 @@ struct Format {
   void (*write)(const Target& target, const Cloud& cloud);
 };
 
-constexpr std::array<Format, 8> formats = {
+constexpr std::array<Format, 9> formats = {
     {{".las", readLas, writeLas},
+     {".laz", readLas, writeLaz},
      {".pcd", readPcd, writePcd},
      {".ply", readPly, writePly},
      {".xyz", readText, writeText},
@@ -41,13 +44,9 @@ formatOf(const std::string& path)
   for (const Format& format : formats)
     if (ending == format.ending)
       return format;
-  if (ending == ".laz")
-    throw FileError(
-        path + ": LAZ is compressed LAS, which linelet neither reads nor writes; "
-               "decompress it first, for example with `laszip -i in.laz -o out.las` "
-               "or `pdal translate in.laz out.las`");
-  throw FileError(path + ": the ending '" + ending +
-                  "' names no format; use .las, .pcd, .ply, .xyz, .txt, .csv or .obj");
+  throw FileError(
+      path + ": the ending '" + ending +
+      "' names no format; use .las, .laz, .pcd, .ply, .xyz, .txt, .csv or .obj");
 }
 
 const Format&
@@ -57,6 +56,22 @@ writtenFormatOf(const std::string& path)
   if (format.write == nullptr)
     throw FileError(path + ": .xy files are read only; use .xyz");
   return format;
+}
+
+/** Gives \a cloud the reference system \a text, EPSG:n, WKT or a file of it. */
+void
+declareReference(Cloud& cloud,
+                 const std::string& path,
+                 const std::string& text,
+                 std::vector<std::string>* warnings)
+{
+  const std::string wkt = declaredReference(text);
+  const auto nameOf = referenceSystems()->nameOf;
+  const std::string before = nameOf(cloud.wkt);
+  if (!before.empty() && before != nameOf(wkt) && warnings != nullptr)
+    warnings->push_back(path + ": its reference system " + before +
+                        " is overridden by --crs");
+  cloud.wkt = wkt;
 }
 
 } // namespace
@@ -77,12 +92,17 @@ readCloud(const std::string& path,
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
     throw FileError(path + ": is a folder; name a point file");
   const Format& format = formatOf(path);
+  const Window window = windowOf(options);
   const MappedFile file(path, monitor);
   if (monitor != nullptr)
     monitor->begin("reading", 0);
   Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});
-  if (format.read != readLas)
+  if (format.read != readLas) {
     cloud.shift += readShift(path);
+    crop(cloud, window);
+  }
+  if (!options.crs.empty())
+    declareReference(cloud, path, options.crs, warnings);
   return cloud;
 }
 
@@ -94,7 +114,7 @@ writeCloud(const std::string& path,
            ProgressMonitor* monitor)
 {
   const Format& format = writtenFormatOf(path);
-  if (options.shifted && format.write == writeLas)
+  if (options.shifted && format.read == readLas)
     throw FileError(path + ": LAS carries a shift of its own; leave out --shifted");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());

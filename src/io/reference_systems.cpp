@@ -3,6 +3,8 @@
 
 #include "reference_systems.h"
 
+#include <linelet/io/file_error.h>
+
 namespace linelet::io {
 
 namespace {
@@ -15,6 +17,20 @@ const ReferenceSystems*
 referenceSystems()
 {
   return known;
+}
+
+std::string
+declaredReference(const std::string& text)
+{
+  if (known == nullptr)
+    throw FileError("--crs " + text +
+                    ": this program was linked without linelet::vector, which knows "
+                    "reference systems");
+  std::string wkt = known->wktOfText(text);
+  if (wkt.empty())
+    throw FileError("--crs " + text +
+                    " is no reference system; give EPSG:n or a file of WKT");
+  return wkt;
 }
 
 void

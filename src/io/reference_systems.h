@@ -30,11 +30,26 @@ struct ReferenceSystems {
   /** \brief WKT of a system of which nothing but the unit is known; empty for meters
    * and for units that are none of length. */
   std::string (*wktOfUnit)(int code);
+
+  /** \brief WKT of the system that \a text names: EPSG:n, a WKT, or a file that holds
+   * one; empty where it is none. */
+  std::string (*wktOfText)(const std::string& text);
+
+  /** \brief See \ref referenceName. */
+  std::string (*nameOf)(const std::string& wkt);
+
+  /** \brief EPSG code of the system \a wkt; 0 where it states none. */
+  int (*epsgOf)(const std::string& wkt);
 };
 
 /** \brief Those that the program was linked with, or null. */
 const ReferenceSystems*
 referenceSystems();
+
+/** \brief WKT of the reference system that a user declares: EPSG:n, a WKT, or a file
+ * that holds one. \throws FileError where it is none, or nobody is there to ask */
+std::string
+declaredReference(const std::string& text);
 
 /** \brief Called once, when linelet::vector is loaded. */
 void

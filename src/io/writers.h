@@ -13,6 +13,10 @@ using Target = FileWork;
 void
 writeLas(const Target& target, const Cloud& cloud);
 
+/** \brief LAS with compressed points. */
+void
+writeLaz(const Target& target, const Cloud& cloud);
+
 void
 writePcd(const Target& target, const Cloud& cloud);
 

@@ -76,10 +76,10 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network, const ClassScheme& s
 }
 
 std::vector<std::string>
-powerLineFiles(const std::string& folder)
+powerLineFiles(const std::string& folder, bool compress)
 {
   std::vector<std::string> paths;
-  for (const char* name : {"classified.las",
+  for (const char* name : {compress ? "classified.laz" : "classified.las",
                            "wires.geojson",
                            "wires.gpkg",
                            "wires.dxf",
@@ -90,7 +90,7 @@ powerLineFiles(const std::string& folder)
 }
 
 void
-makeOutputFolder(const std::string& folder)
+makeOutputFolder(const std::string& folder, bool compress)
 {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -99,7 +99,7 @@ makeOutputFolder(const std::string& folder)
     throw io::FileError("cannot make the folder " + folder + ": " +
                         (error ? error.message() : "there is a file of that name") +
                         "; name a folder that can be made or written to");
-  io::checkCloudOutput((std::filesystem::path(folder) / "classified.las").string());
+  io::checkCloudOutput(powerLineFiles(folder, compress).front());
 }
 
 std::vector<std::string>
@@ -110,9 +110,9 @@ writePowerLineFiles(const std::string& folder,
                     std::vector<std::string>* warnings,
                     ProgressMonitor* monitor)
 {
-  makeOutputFolder(folder);
+  makeOutputFolder(folder, options.compress);
   check(options.classes);
-  const std::vector<std::string> paths = powerLineFiles(folder);
+  const std::vector<std::string> paths = powerLineFiles(folder, options.compress);
   const auto layers = powerLineLayers(cloud, network, options);
   for (std::size_t i = 1; i <= 3; ++i)
     io::writeLayers(paths[i], layers, cloud.wkt, warnings, monitor);

@@ -146,7 +146,8 @@ otherResultsIn(const std::string& folder,
                const io::Cloud& cloud,
                const std::string& source)
 {
-  const std::vector<std::string> files = powerLineFiles(folder);
+  std::vector<std::string> files = powerLineFiles(folder);
+  files.push_back(powerLineFiles(folder, true).front());
   std::error_code ignored;
   if (std::none_of(files.begin(), files.end(), [&](const std::string& file) {
         return std::filesystem::exists(file, ignored);

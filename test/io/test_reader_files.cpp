@@ -23,8 +23,10 @@ namespace {
 std::string
 refusal(const fs::path& path, bool lenient = false)
 {
+  ReadOptions options;
+  options.lenient = lenient;
   try {
-    readCloud(path, {lenient});
+    readCloud(path, options);
     return {};
   }
   catch (const FileError& error) {
@@ -41,7 +43,9 @@ std::size_t
 lenientPoints(const fs::path& path)
 {
   std::vector<std::string> warnings;
-  const std::size_t count = readCloud(path, {true}, &warnings).points.size();
+  ReadOptions options;
+  options.lenient = true;
+  const std::size_t count = readCloud(path, options, &warnings).points.size();
   EXPECT_TRUE(
       std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
         return text.find("ends") != std::string::npos;
@@ -124,27 +128,12 @@ TEST(ReaderFiles, LenientReadsWhatIsWholeOfCutLas)
   EXPECT_NE(refusal(folder / "scale_nan.las", true), "");
 }
 
-TEST(ReaderFiles, LazIsRefusedWithTheCommandThatUnpacksIt)
-{
-  LINELET_NEEDS_DATA("readers/las");
-  std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(dataPath("readers/las"))) {
-    if (entry.path().extension() != ".laz")
-      continue;
-    const std::string message = refusal(entry.path());
-    EXPECT_NE(message.find("laszip -i"), std::string::npos) << message;
-    EXPECT_NE(message.find("pdal translate"), std::string::npos) << message;
-    ++count;
-  }
-  EXPECT_GT(count, 10U);
-}
-
-TEST(ReaderFiles, LazUnderTheNameOfLasIsRefusedAlike)
+TEST(ReaderFiles, LazUnderTheNameOfLasIsReadAlike)
 {
   LINELET_NEEDS_DATA("readers/las/laspy_simple.laz");
   const Folder folder;
   fs::copy_file(dataPath("readers/las/laspy_simple.laz"), folder.file("a.las"));
-  EXPECT_NE(refusal(folder.file("a.las")).find("laszip -i"), std::string::npos);
+  EXPECT_EQ(readCloud(folder.file("a.las")).points.size(), 1065U);
 }
 
 TEST(ReaderFiles, TablesHoldTheirPoints)

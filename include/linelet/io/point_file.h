@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,13 @@ namespace LINELET_PUBLIC io {
 /** \brief How to read a point file. */
 struct ReadOptions {
   bool lenient = false; ///< read what is whole of a file that ends too early
+  /// Only points in X0,Y0,X1,Y1 or in X0,Y0,Z0,X1,Y1,Z1, borders included, in the
+  /// coordinates of the file; empty: all.
+  std::vector<double> bounds, bounds_3d;
+  double resolution = 0; ///< COPC: no more points than for this distance; 0: all
+  std::string crs;       ///< reference system of the input, "EPSG:n", a WKT or its file
+  unsigned threads = 0;  ///< to decompress in; 0: all
+  std::optional<Point> shift; ///< Cloud::shift to choose, as near as a LAS grid allows
 };
 
 template <class Visit>
@@ -24,6 +32,15 @@ void
 describe(ReadOptions& s, Visit&& visit)
 {
   visit("lenient", s.lenient, "read what is whole of a file that ends too early");
+  visit("bounds", s.bounds, "read only points within X0,Y0,X1,Y1");
+  visit("bounds-3d", s.bounds_3d, "read only points within X0,Y0,Z0,X1,Y1,Z1");
+  visit("resolution",
+        s.resolution,
+        "COPC: read only the levels that points at this distance take; 0: all");
+  visit(
+      "crs",
+      s.crs,
+      "reference system of the input: EPSG:n or a file of WKT; overrides what it says");
 }
 
 /** \brief How to write a point file. */
@@ -40,11 +57,12 @@ describe(WriteOptions& s, Visit&& visit)
   visit("shifted",
         s.shifted,
         "write coordinates less a shift, small enough for the floats of PCL, and the "
-        "shift to OUTPUT.shift, where linelet finds it again (not for .las)");
+        "shift to OUTPUT.shift, where linelet finds it again (not for .las and .laz)");
 }
 
-/** \brief Reads .las, .pcd, .ply, .xyz/.txt/.csv or the vertices of .obj, by ending;
- * with a file of its shift beside it (see \ref WriteOptions) in world coordinates.
+/** \brief Reads .las, .laz (and .copc.laz), .pcd, .ply, .xyz/.txt/.csv or the vertices
+ * of .obj, by ending; with a file of its shift beside it (see \ref WriteOptions) in
+ * world coordinates.
  * \param[in] path the file
  * \param[in] options see there
  * \param[out] warnings one sentence for every loss (null: not wanted)

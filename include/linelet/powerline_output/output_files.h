@@ -56,6 +56,7 @@ struct OutputOptions {
   double clearance = 5; ///< a clearance below this is a hazard, meters
   ClassScheme classes;
   io::ClassFilter points; ///< which of the cloud took part
+  bool compress = false;  ///< classified.laz instead of classified.las
 };
 
 /** \brief Whether a clearance of \a wire, to the ground or to vegetation, is known and
@@ -102,7 +103,7 @@ powerLineReport(const io::Cloud& cloud,
 
 /** \brief The files of \a folder that \ref writePowerLineFiles writes, in its order. */
 std::vector<std::string>
-powerLineFiles(const std::string& folder);
+powerLineFiles(const std::string& folder, bool compress = false);
 
 /** \brief Whose results \a folder holds, by its summary, where it holds any that are
  * not of \a cloud called \a source: a name, or "an unknown input". Else empty. */
@@ -115,11 +116,11 @@ otherResultsIn(const std::string& folder,
  * that this fails before long work.
  * \throws io::FileError */
 void
-makeOutputFolder(const std::string& folder);
+makeOutputFolder(const std::string& folder, bool compress = false);
 
-/** \brief Writes `classified.las`, `wires.geojson`, `wires.gpkg`, `wires.dxf`,
- * `summary.json` and `report.html` into \a folder, which is made if need be. An empty
- * network gives the same files, valid and without wires.
+/** \brief Writes `classified.las` (or `.laz`), `wires.geojson`, `wires.gpkg`,
+ * `wires.dxf`, `summary.json` and `report.html` into \a folder, which is made if need
+ * be. An empty network gives the same files, valid and without wires.
  * \param[in] folder where to; older files of these names are replaced
  * \param[in] cloud what the network was extracted from; move it in to save memory
  * \param[out] warnings one sentence for everything that a format cannot hold

@@ -6,12 +6,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <linelet/io/cloud.h>
 
+#include "io/laz/layout.h"
 #include "io/values.h"
 
 namespace linelet::io {
@@ -118,8 +120,10 @@ struct LasOrigin {
   std::string gap; ///< bytes between the last record and the points
   std::vector<LasExtra> extras;
   LasGrid grid;
-  Point shift;     ///< Cloud::shift as the reader set it
-  std::string wkt; ///< Cloud::wkt as the reader set it
+  std::optional<laz::Layout> compression; ///< of a LAZ file
+  int copc_levels = 0;                    ///< of its octree; 0: it has none
+  Point shift;                            ///< Cloud::shift as the reader set it
+  std::string wkt;                        ///< Cloud::wkt as the reader set it
 };
 
 /** \brief The reference system that the records of \a origin state, as WKT; empty where

@@ -83,16 +83,13 @@ checkFront(const Source& source, LasHeader& header, LasOrigin& origin)
   if (header.minor == 5)
     source.warn("LAS version 1.5 is read as 1.4; what is new in it is kept unread");
 
-  const auto format = static_cast<unsigned char>(bytes[las_at::format]);
-  if ((format & 0xC0U) != 0 && (format & 0x3FU) <= 10)
-    source.fail(
-        "LAZ: the points are compressed (point format byte " + std::to_string(format) +
-        " at byte 104); decompress it first, for example with `laszip -i in.laz "
-        "-o out.las` or `pdal translate in.laz out.las`");
+  // The upper two bits tell that the points are compressed.
+  const unsigned format = static_cast<unsigned char>(bytes[las_at::format]) & 0x3FU;
   if (format > 10)
-    source.fail("point format " + std::to_string(format) +
+    source.fail("point format " +
+                std::to_string(static_cast<unsigned char>(bytes[las_at::format])) +
                 " at byte 104 is not known; LAS has formats 0 to 10");
-  origin.format = format;
+  origin.format = static_cast<int>(format);
   const std::size_t size = load<std::uint16_t>(bytes.data() + las_at::header_size);
   const std::size_t least = header.minor >= 4   ? las_header_14
                             : header.minor == 3 ? las_header_13
@@ -106,11 +103,11 @@ checkFront(const Source& source, LasHeader& header, LasOrigin& origin)
                 std::to_string(bytes.size()) + " of " + std::to_string(size) +
                 " bytes");
   header.record_length = load<std::uint16_t>(bytes.data() + las_at::record_length);
-  if (header.record_length < lasRecordLength(format))
+  if (header.record_length < lasRecordLength(origin.format))
     source.fail("point record length " + std::to_string(header.record_length) +
                 " at byte 105 is less than the " +
-                std::to_string(lasRecordLength(format)) + " bytes of point format " +
-                std::to_string(format));
+                std::to_string(lasRecordLength(origin.format)) +
+                " bytes of point format " + std::to_string(format));
   header.points_at = load<std::uint32_t>(bytes.data() + las_at::points);
   if (header.points_at < size)
     source.fail("offset to the points " + std::to_string(header.points_at) +
@@ -180,17 +177,10 @@ readExtendedRecords(const Source& source, const LasHeader& header, LasOrigin& or
                      at(place));
 }
 
-} // namespace
-
-LasHeader
-readLasHeader(const Source& source, LasOrigin& origin)
+/** Counts the whole records of a file that is not compressed. */
+void
+countRecords(const Source& source, std::uint64_t stated, LasHeader& header)
 {
-  LasHeader header;
-  const std::size_t size = checkFront(source, header, origin);
-  origin.header = source.bytes.substr(0, size);
-  checkScale(source, origin.grid);
-
-  const std::uint64_t stated = statedCount(source, header);
   const std::size_t there =
       source.bytes.size() > header.points_at
           ? (source.bytes.size() - header.points_at) / header.record_length
@@ -205,8 +195,64 @@ readLasHeader(const Source& source, LasOrigin& origin)
                      std::to_string(header.count) + " whole ones (points" +
                      at(header.points_at) + ", " +
                      std::to_string(header.record_length) + " bytes each)");
+}
+
+/** Takes the record of the compression out of those of the file, which a file that is
+ * written anew must not have. */
+void
+takeCompression(const Source& source, const LasHeader& header, LasOrigin& origin)
+{
+  const auto place = std::find_if(
+      origin.records.begin(), origin.records.end(), [](const LasRecord& record) {
+        return record.is(laz::record_user, laz::record_number);
+      });
+  if (place == origin.records.end())
+    source.fail("its points are compressed (point format byte at 104), but it has no "
+                "record 'laszip encoded' that says how");
+  try {
+    origin.compression =
+        laz::parseLayout(place->data, origin.format, header.record_length);
+  }
+  catch (const laz::Error& error) {
+    source.fail(error.what());
+  }
+  origin.records.erase(place);
+  origin.header[las_at::format] = static_cast<char>(origin.format);
+}
+
+} // namespace
+
+std::string
+formatName(const LasHeader& header, const LasOrigin& origin)
+{
+  const bool copc =
+      std::any_of(origin.records.begin(),
+                  origin.records.end(),
+                  [](const LasRecord& record) { return record.is("copc", 1); });
+  return std::string(copc && origin.compression ? "COPC, " : "") +
+         (origin.compression ? "LAZ" : "LAS") + " 1." + std::to_string(header.minor) +
+         ", point format " + std::to_string(origin.format);
+}
+
+LasHeader
+readLasHeader(const Source& source, LasOrigin& origin)
+{
+  LasHeader header;
+  const std::size_t size = checkFront(source, header, origin);
+  origin.header = source.bytes.substr(0, size);
+  checkScale(source, origin.grid);
+
+  const std::uint64_t stated = statedCount(source, header);
+  const bool compressed =
+      (static_cast<unsigned char>(source.bytes[las_at::format]) & 0xC0U) != 0;
+  if (compressed)
+    header.count = static_cast<std::size_t>(stated);
+  else
+    countRecords(source, stated, header);
   readFrontRecords(source, header, origin);
   readExtendedRecords(source, header, origin);
+  if (compressed)
+    takeCompression(source, header, origin);
   return header;
 }
 

@@ -27,8 +27,12 @@ struct LasHeader {
   int minor = 0; ///< version 1.minor
   std::size_t points_at = 0;
   std::size_t record_length = 0;
-  std::size_t count = 0; ///< points that are there whole
+  std::size_t count = 0; ///< points that are there whole; of a compressed file, stated
 };
+
+/** \brief What a file is, in words: "LAZ 1.4, point format 7". */
+std::string
+formatName(const LasHeader& header, const LasOrigin& origin);
 
 /** \brief Reads header, records and what lies behind the points into \a origin. */
 LasHeader

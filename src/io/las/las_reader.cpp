@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
+#include "io/copc/copc_index.h"
 #include "io/readers.h"
-#include "las_header.h"
+#include "io/window.h"
+#include "las_blocks.h"
 
 namespace linelet::io {
 
 namespace {
 
-/** Records of a block of points. */
-struct Block {
-  const char* records;
-  std::size_t stride;
-  std::size_t first, count;
-};
-
 void
-readField(const LasField& field, const Block& block, Column& column)
+readField(const LasField& field, const RecordBlock& block, Column& column)
 {
   const char* at = block.records + field.byte;
   if (field.bits != 0) {
@@ -49,8 +45,11 @@ readField(const LasField& field, const Block& block, Column& column)
 
 /** Reads component \a c of an extra entry; false where scaling loses the raw value. */
 bool
-readExtra(
-    const LasExtra& extra, std::size_t c, const char* at, Block block, Column& column)
+readExtra(const LasExtra& extra,
+          std::size_t c,
+          const char* at,
+          RecordBlock block,
+          Column& column)
 {
   at += c * sizeOf(extra.type);
   return withType(extra.type, [&](auto zero) {
@@ -76,9 +75,16 @@ readExtra(
 class Reader {
 public:
   explicit Reader(const Source& source)
-      : source_(source), origin_(std::make_shared<LasOrigin>())
+      : source_(source),
+        window_(windowOf(source.options)),
+        origin_(std::make_shared<LasOrigin>()),
+        header_(readLasHeader(source, *origin_)),
+        blocks_(findBlocks())
   {
-    header_ = readLasHeader(source, *origin_);
+    if (window_.limits())
+      select();
+    else
+      header_.count = blocks_.points();
     findExtras();
     makeColumns();
   }
@@ -88,18 +94,13 @@ public:
   {
     cloud_.points.resize(header_.count);
     chooseCorner();
-    for (std::size_t first = 0; first < header_.count; first += block_points) {
-      const Block block = blockAt(first);
-      readCoordinates(block);
-      const auto& fields = lasFields(origin_->format);
-      for (std::size_t i = 0; i < fields.size(); ++i)
-        readField(fields[i], block, cloud_.columns[i]);
-      readExtras(block);
-      source_.advance(block.count);
-    }
-    keepRaw();
-    cloud_.format = "LAS 1." + std::to_string(header_.minor) + ", point format " +
-                    std::to_string(origin_->format);
+    if (window_.limits())
+      readSelected();
+    else
+      blocks_.forEach(
+          [this](std::size_t, const RecordBlock& block) { readBlock(block); });
+    dropRaw();
+    cloud_.format = formatName(header_, *origin_);
     std::string problem;
     cloud_.wkt = origin_->wkt = lasReferenceSystem(*origin_, problem);
     if (!problem.empty())
@@ -109,13 +110,96 @@ public:
   }
 
 private:
-  Block
-  blockAt(std::size_t first) const
+  /** All blocks, or those that an index knows to be enough. */
+  LasBlocks
+  findBlocks()
   {
-    return {source_.bytes.data() + header_.points_at + first * header_.record_length,
-            header_.record_length,
-            first,
-            std::min(block_points, header_.count - first)};
+    const auto info =
+        std::find_if(origin_->records.begin(),
+                     origin_->records.end(),
+                     [](const LasRecord& record) { return record.is("copc", 1); });
+    const double resolution = source_.options.resolution;
+    if (info != origin_->records.end() && origin_->compression) {
+      try {
+        const CopcIndex index(source_.bytes, info->data);
+        origin_->copc_levels = index.levels();
+        if (window_.limits() || resolution > 0)
+          return {source_, *origin_, header_, index.chunks(window_, resolution)};
+      }
+      catch (const laz::Error& error) {
+        source_.warn(std::string(error.what()) + "; it is read without its index");
+      }
+    }
+    if (resolution > 0 && origin_->copc_levels == 0)
+      source_.warn("it is no COPC file; --resolution has no effect");
+    return {source_, *origin_, header_};
+  }
+
+  bool
+  isInWindow(const char* record) const
+  {
+    Point world;
+    for (int axis = 0; axis < 3; ++axis)
+      world[axis] = load<std::int32_t>(record + 4 * axis) * origin_->grid.scale[axis] +
+                    origin_->grid.offset[axis];
+    return window_.contains(world);
+  }
+
+  /** Keeps the records in the window, block by block. */
+  void
+  select()
+  {
+    selected_.resize(blocks_.size());
+    const auto anyInWindow = [this](const RecordBlock& block) {
+      for (std::size_t i = 0; i < block.count; ++i)
+        if (isInWindow(block.record(i)))
+          return true;
+      return false;
+    };
+    blocks_.forEach(
+        [this](std::size_t number, const RecordBlock& block) {
+          for (std::size_t i = 0; i < block.count; ++i)
+            if (isInWindow(block.record(i)))
+              selected_[number].append(block.record(i), block.stride);
+        },
+        anyInWindow);
+    header_.count = 0;
+    for (const std::string& records : selected_)
+      header_.count += records.size() / header_.record_length;
+  }
+
+  void
+  readSelected()
+  {
+    std::size_t first = 0;
+    for (std::string& records : selected_) {
+      const std::size_t count = records.size() / header_.record_length;
+      readBlock({records.data(), header_.record_length, first, count});
+      first += count;
+      records = {};
+    }
+  }
+
+  /** The first record of all, or null. */
+  const char*
+  firstRecord() const
+  {
+    if (!window_.limits())
+      return blocks_.firstRecord();
+    for (const std::string& records : selected_)
+      if (!records.empty())
+        return records.data();
+    return nullptr;
+  }
+
+  void
+  readBlock(const RecordBlock& block)
+  {
+    readCoordinates(block);
+    const auto& fields = lasFields(origin_->format);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      readField(fields[i], block, cloud_.columns[i]);
+    readExtras(block);
   }
 
   void
@@ -132,7 +216,12 @@ private:
     if (!complete)
       source_.warn("the extra bytes record describes more than the point records hold; "
                    "bytes it does not place are kept unread");
-    inexact_.assign(origin_->extras.size(), false);
+    for (LasExtra& extra : origin_->extras) {
+      inexact_.push_back(std::make_unique<std::atomic<bool>>(extra.columns.empty()));
+      const bool scaled = extra.scaled[0] || extra.scaled[1] || extra.scaled[2];
+      if (extra.columns.empty() || scaled)
+        extra.raw.resize(extra.bytes * header_.count);
+    }
   }
 
   void
@@ -157,18 +246,19 @@ private:
     }
   }
 
-  /** Puts the shift on a whole number of units near the first point. */
+  /** Puts the shift on a whole number of units near the first point, or near the one
+   * asked for. */
   void
   chooseCorner()
   {
     LasGrid& grid = origin_->grid;
+    const auto& asked = source_.options.shift;
     for (std::size_t axis = 0; axis < 3 && header_.count > 0; ++axis) {
       const auto a = static_cast<int>(axis);
-      const auto first =
-          load<std::int32_t>(source_.bytes.data() + header_.points_at + 4 * axis);
-      const double whole = std::round(
-          (std::floor(first * grid.scale[a] + grid.offset[a]) - grid.offset[a]) /
-          grid.scale[a]);
+      const auto first = load<std::int32_t>(firstRecord() + 4 * axis);
+      const double wanted =
+          asked ? (*asked)[a] : std::floor(first * grid.scale[a] + grid.offset[a]);
+      const double whole = std::round((wanted - grid.offset[a]) / grid.scale[a]);
       const bool near = std::abs(whole - first) < 0x1p31;
       grid.corner[axis] = near ? static_cast<std::int64_t>(whole) : first;
     }
@@ -176,7 +266,7 @@ private:
   }
 
   void
-  readCoordinates(const Block& block)
+  readCoordinates(const RecordBlock& block)
   {
     const LasGrid& grid = origin_->grid;
     const char* at = block.records;
@@ -190,39 +280,40 @@ private:
   }
 
   void
-  readExtras(const Block& block)
+  readExtras(const RecordBlock& block)
   {
     const char* at = block.records + lasRecordLength(origin_->format);
     std::size_t column = lasFields(origin_->format).size();
     for (std::size_t e = 0; e < origin_->extras.size(); ++e) {
-      const LasExtra& extra = origin_->extras[e];
+      LasExtra& extra = origin_->extras[e];
       for (std::size_t c = 0; c < extra.columns.size(); ++c)
         if (!readExtra(extra, c, at, block, cloud_.columns[column++]))
-          inexact_[e] = true;
+          *inexact_[e] = true;
+      for (std::size_t i = 0; i < block.count && !extra.raw.empty(); ++i)
+        std::memcpy(&extra.raw[(block.first + i) * extra.bytes],
+                    at + i * block.stride,
+                    extra.bytes);
       at += extra.bytes;
     }
   }
 
-  /** Copies the bytes that the columns do not tell. */
+  /** Forgets the bytes that the columns tell. */
   void
-  keepRaw()
+  dropRaw()
   {
-    std::size_t place = header_.points_at + lasRecordLength(origin_->format);
-    for (std::size_t e = 0; e < origin_->extras.size(); ++e) {
-      LasExtra& extra = origin_->extras[e];
-      if (extra.columns.empty() || inexact_[e])
-        for (std::size_t i = 0; i < header_.count; ++i)
-          extra.raw +=
-              source_.bytes.substr(place + i * header_.record_length, extra.bytes);
-      place += extra.bytes;
-    }
+    for (std::size_t e = 0; e < origin_->extras.size(); ++e)
+      if (!*inexact_[e])
+        origin_->extras[e].raw.clear();
   }
 
   const Source& source_;
+  Window window_;
   std::shared_ptr<LasOrigin> origin_;
   LasHeader header_;
+  LasBlocks blocks_;
+  std::vector<std::string> selected_; ///< records in the window, by block
   Cloud cloud_;
-  std::vector<bool> inexact_;
+  std::vector<std::unique_ptr<std::atomic<bool>>> inexact_; // one an extra entry
 };
 
 } // namespace

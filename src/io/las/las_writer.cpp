@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "io/columns.h"
 #include "io/files.h"
 #include "io/writers.h"
 #include "las_encode.h"
 #include "las_header.h"
 #include "las_layout.h"
+#include "laz_points.h"
 
 namespace linelet::io {
 
@@ -16,7 +19,7 @@ namespace {
 
 class Writer {
 public:
-  Writer(const Target& target, const Cloud& cloud)
+  Writer(const Target& target, const Cloud& cloud, bool compress)
       : target_(target), cloud_(cloud), steps_(cloud), layout_(chooseLasLayout(cloud))
   {
     if (layout_.record_length > 65535)
@@ -35,6 +38,13 @@ public:
                   "' is rounded to what LAS holds under that "
                   "name; its exact values are in extra bytes");
     chooseRecords();
+    if (compress) {
+      const laz::Layout compression =
+          laz::layoutFor(layout_.format, layout_.record_length);
+      records_.push_back(makeLasRecord(
+          laz::record_user, laz::record_number, "linelet", laz::textOf(compression)));
+      points_ = std::make_unique<LazPoints>(compression);
+    }
     startHeader();
   }
 
@@ -42,6 +52,9 @@ public:
   write()
   {
     summarize();
+    if (points_ != nullptr)
+      compress();
+    placeParts();
     OutputFile file(target_.name);
     file.write(header_);
     for (const LasRecord& record : records_) {
@@ -49,7 +62,10 @@ public:
       file.write(record.data);
     }
     file.write(gap_);
-    writePoints(file);
+    if (points_ != nullptr)
+      points_->write(file, load<std::uint32_t>(&header_[las_at::points]));
+    else
+      writePoints(file);
     for (const LasRecord& record : extended_) {
       file.write(record.head);
       file.write(record.data);
@@ -74,6 +90,9 @@ private:
   bool
   keeps(const LasRecord& record) const
   {
+    // Indices of the places of points in a file, which are not those of this one.
+    if (record.user() == "copc" || record.is("LAStools", 30))
+      return false;
     if (record.is("LASF_Spec", 4))
       return layout_.extras_as_origin;
     return sameReference() || record.user() != "LASF_Projection";
@@ -157,7 +176,7 @@ private:
     }
     std::fill_n(header_.begin() + las_at::software, 32, '\0');
     std::string_view("linelet").copy(&header_[las_at::software], 32);
-    header_[las_at::format] = static_cast<char>(layout_.format);
+    header_[las_at::format] = static_cast<char>(layout_.format | (points_ ? 0x80 : 0));
     put(las_at::record_length, static_cast<std::uint16_t>(layout_.record_length));
     put(las_at::records, static_cast<std::uint32_t>(records_.size()));
     for (int axis = 0; axis < 3; ++axis) {
@@ -166,7 +185,6 @@ private:
       put(las_at::offset + 8 * static_cast<std::size_t>(axis),
           steps_.grid().offset[axis]);
     }
-    placeParts();
   }
 
   static std::uint64_t
@@ -185,7 +203,8 @@ private:
     if (points_at > 0xFFFFFFFFU)
       throw FileError(target_.name + ": more than 4 GB before the points");
     put(las_at::points, static_cast<std::uint32_t>(points_at));
-    const std::uint64_t end = points_at + count() * layout_.record_length;
+    const std::uint64_t end =
+        points_at + (points_ ? points_->size() : count() * layout_.record_length);
     const int minor = header_[las_at::minor];
     if (minor >= 3)
       placeWaveform(end);
@@ -256,34 +275,48 @@ private:
       put(las_at::returns64 + 8 * i, returns[i]);
   }
 
-  void
-  writePoints(OutputFile& file)
+  /** The records of \a number points from \a first on. */
+  std::string
+  makeRecords(std::size_t first, std::size_t number) const
   {
     const auto& fields = lasFields(layout_.format);
-    std::string records;
+    std::string records(number * layout_.record_length, '\0');
+    const LasBlock block{records.data(), layout_.record_length, first, number};
+    for (std::size_t i = 0; i < number; ++i) {
+      const auto at = steps_(first + i);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        store(records.data() + i * layout_.record_length + 4 * axis, at[axis]);
+    }
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      writeLasField(fields[i],
+                    layout_.fields[i],
+                    isColor(fields[i].name) ? layout_.color_factor : 1,
+                    block);
+    std::size_t at = lasRecordLength(layout_.format);
+    for (const LasExtra& extra : layout_.extras) {
+      writeLasExtra(extra, at, cloud_, block);
+      at += extra.bytes;
+    }
+    return records;
+  }
+
+  void
+  writePoints(OutputFile& file) const
+  {
     for (std::size_t first = 0; first < count(); first += block_points) {
       const std::size_t number = std::min(block_points, count() - first);
-      records.assign(number * layout_.record_length, '\0');
-      const LasBlock block{records.data(), layout_.record_length, first, number};
-      for (std::size_t i = 0; i < number; ++i) {
-        const auto at = steps_(first + i);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          store(records.data() + i * layout_.record_length + 4 * axis, at[axis]);
-      }
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const bool color = fields[i].name == "red" || fields[i].name == "green" ||
-                           fields[i].name == "blue";
-        writeLasField(
-            fields[i], layout_.fields[i], color ? layout_.color_factor : 1, block);
-      }
-      std::size_t at = lasRecordLength(layout_.format);
-      for (const LasExtra& extra : layout_.extras) {
-        writeLasExtra(extra, at, cloud_, block);
-        at += extra.bytes;
-      }
-      file.write(records);
+      file.write(makeRecords(first, number));
       target_.advance(number);
     }
+  }
+
+  void
+  compress()
+  {
+    points_->encode(count(), [this](std::size_t first, std::size_t number) {
+      target_.advance(number);
+      return makeRecords(first, number);
+    });
   }
 
   const Target& target_;
@@ -292,6 +325,7 @@ private:
   LasLayout layout_;
   std::vector<LasRecord> records_, extended_;
   std::string gap_, header_;
+  std::unique_ptr<LazPoints> points_; ///< compressed; null: not wanted
 };
 
 /** The points that have coordinates: LAS cannot say "none". */
@@ -320,20 +354,32 @@ withoutHoles(const Cloud& cloud)
   return kept;
 }
 
-} // namespace
-
 void
-writeLas(const Target& target, const Cloud& cloud)
+writeAs(const Target& target, const Cloud& cloud, bool compress)
 {
   const auto holes =
       std::count_if(cloud.points.begin(), cloud.points.end(), [](const Point& point) {
         return !point.allFinite();
       });
   if (holes == 0)
-    return Writer(target, cloud).write();
+    return Writer(target, cloud, compress).write();
   target.warn(std::to_string(holes) +
               " points without coordinates are left out: LAS cannot hold them");
-  Writer(target, withoutHoles(cloud)).write();
+  Writer(target, withoutHoles(cloud), compress).write();
+}
+
+} // namespace
+
+void
+writeLas(const Target& target, const Cloud& cloud)
+{
+  writeAs(target, cloud, false);
+}
+
+void
+writeLaz(const Target& target, const Cloud& cloud)
+{
+  writeAs(target, cloud, true);
 }
 
 } // namespace linelet::io

@@ -4,6 +4,9 @@
 #include "reference.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include <cpl_conv.h>
@@ -112,6 +115,39 @@ parseReference(const std::string& wkt)
   return reference;
 }
 
+bool
+toLongitudeLatitude(Points& points, const std::string& wkt)
+{
+  const Quiet quiet;
+  const Reference from = parseReference(wkt);
+  OGRSpatialReference to;
+  if (from == nullptr || from->IsLocal() != 0 || to.importFromEPSG(4326) != OGRERR_NONE)
+    return false;
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const std::unique_ptr<OGRCoordinateTransformation> transformation(
+      OGRCreateCoordinateTransformation(from.get(), &to));
+  if (transformation == nullptr)
+    return false;
+  for (Point& point : points)
+    if (transformation->Transform(1, &point.x(), &point.y()) == 0)
+      return false;
+  return true;
+}
+
+std::string
+wkt2Of(const std::string& wkt)
+{
+  const Quiet quiet;
+  const Reference reference = parseReference(wkt);
+  char* text = nullptr;
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  std::string form = wkt;
+  if (reference != nullptr && reference->exportToWkt(&text, options) == OGRERR_NONE)
+    form = text;
+  CPLFree(text);
+  return form;
+}
+
 namespace {
 
 std::string
@@ -127,6 +163,33 @@ wktOfCodes(const ReferenceCodes& codes)
   if (both.SetCompoundCS(name.c_str(), &plan, &height) != OGRERR_NONE)
     return wktOf(plan);
   return wktOf(both);
+}
+
+int
+epsgOf(const std::string& wkt)
+{
+  const Reference reference = parseReference(wkt);
+  const char* code =
+      reference != nullptr ? reference->GetAuthorityCode(nullptr) : nullptr;
+  if (code == nullptr && reference != nullptr)
+    code = reference->GetAuthorityCode("PROJCS");
+  return code != nullptr ? std::atoi(code) : 0;
+}
+
+std::string
+wktOfText(const std::string& text)
+{
+  const Quiet quiet;
+  std::string definition = text;
+  if (std::ifstream file(text); file)
+    definition.assign(std::istreambuf_iterator<char>(file), {});
+  OGRSpatialReference reference;
+  // Not SetFromUserInput's way to the network.
+  const char* const options[] = {
+      "ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
+  if (reference.SetFromUserInput(definition.c_str(), options) != OGRERR_NONE)
+    return {};
+  return wktOf(reference);
 }
 
 std::string
@@ -147,7 +210,8 @@ isUnderstood(const std::string& wkt)
   return parseReference(wkt) != nullptr;
 }
 
-constexpr ReferenceSystems systems = {isUnderstood, wktOfCodes, wktOfUnit};
+constexpr ReferenceSystems systems = {
+    isUnderstood, wktOfCodes, wktOfUnit, wktOfText, referenceName, epsgOf};
 
 } // namespace
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <linelet/support/points.h>
+
 class OGRSpatialReference;
 
 namespace linelet::io {
@@ -20,5 +22,14 @@ using Reference = std::unique_ptr<OGRSpatialReference, ReleaseReference>;
  * is empty or cannot be understood. */
 Reference
 parseReference(const std::string& wkt);
+
+/** \brief Turns x and y of \a points, of the system \a wkt, into longitude and latitude
+ * (WGS 84); false where that cannot be. */
+bool
+toLongitudeLatitude(Points& points, const std::string& wkt);
+
+/** \brief \a wkt in the form of 2019. */
+std::string
+wkt2Of(const std::string& wkt);
 
 } // namespace linelet::io

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <linelet/io/cloud.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
+
+/** \brief What a LAS or LAZ file said beside its points. */
+struct LasSummary {
+  Point scale, offset;              ///< world = scale * integer + offset
+  int copc_levels = 0;              ///< of the octree of a COPC file; 0: it is none
+  int epsg = 0;                     ///< code of the reference system; 0: none is known
+  std::vector<std::string> records; ///< user, number and length of each
+};
+
+/** \brief That of the file \a cloud came from; nothing where it was no LAS. */
+std::optional<LasSummary>
+lasSummary(const Cloud& cloud);
+
+} // namespace io
+} // namespace linelet

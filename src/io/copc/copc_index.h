@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "io/laz/chunk_table.h"
+#include "io/window.h"
+
+namespace linelet::io {
+
+/** \brief The octree over the chunks of a COPC file (cloud optimized point cloud 1.0,
+ * copc.io): each node is a chunk, and those of deeper levels add to the density. */
+class CopcIndex {
+public:
+  /** \brief Reads it. \param[in] info data of the record "copc" 1
+   * \throws laz::Error where it does not fit the file */
+  CopcIndex(std::string_view file, std::string_view info);
+
+  /** \brief Number of levels. */
+  int
+  levels() const
+  {
+    return levels_;
+  }
+
+  /** \brief The chunks of nodes that meet \a window and are needed for points
+   * \a resolution apart (0: all), in the order of the file. */
+  std::vector<laz::Chunk>
+  chunks(const Window& window, double resolution) const;
+
+private:
+  struct Node {
+    std::int32_t level, x, y, z;
+    std::uint64_t at;
+    std::uint32_t bytes, points;
+  };
+
+  void
+  readPage(std::string_view file, std::uint64_t at, std::uint64_t bytes);
+
+  Point low_; ///< corner of the cube
+  double side_ = 0, spacing_ = 0;
+  int levels_ = 0;
+  std::vector<Node> nodes_;
+  std::size_t entries_ = 0; ///< read so far
+};
+
+} // namespace linelet::io

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <linelet/io/output_file.h>
+
+#include "io/laz/layout.h"
+
+namespace linelet::io {
+
+/** \brief The compressed points of a file to write. */
+class LazPoints {
+public:
+  explicit LazPoints(laz::Layout layout) : layout_(std::move(layout)) {}
+
+  /** \brief Compresses \a count points, in several threads at once; \a records makes
+   * the records of some of them from the first on. */
+  void
+  encode(
+      std::size_t count,
+      const std::function<std::string(std::size_t first, std::size_t number)>& records);
+
+  /** \brief Bytes in the file. */
+  std::uint64_t
+  size() const;
+
+  /** \brief Writes them to \a file, where they begin at byte \a place. */
+  void
+  write(OutputFile& file, std::uint64_t place) const;
+
+private:
+  laz::Layout layout_;
+  std::vector<std::vector<std::uint8_t>> chunks_;
+  std::vector<std::uint8_t> table_;
+};
+
+} // namespace linelet::io

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "layout.h"
+
+namespace linelet::laz {
+
+/** \brief The data of a chunk of \a count point records, which follow one another.
+ * \param[in] layout of \ref layoutFor
+ * \param[in,out] records written to, but not changed */
+std::vector<std::uint8_t>
+writeChunk(const Layout& layout, std::uint8_t* records, std::size_t count);
+
+} // namespace linelet::laz

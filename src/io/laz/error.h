@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <stdexcept>
+
+namespace linelet::laz {
+
+/** \brief Compressed data that cannot be what it says. what() is half a sentence, to
+ * stand behind the name of the file. */
+class Error : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace linelet::laz

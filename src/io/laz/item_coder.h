@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "decoder.h"
+#include "encoder.h"
+#include "layout.h"
+
+namespace linelet::laz {
+
+/** \brief Codes one item of one point after the other, in a stream that it shares with
+ * the other items (point formats 0 to 5). */
+template <class Coder>
+class ItemCoder {
+public:
+  virtual ~ItemCoder() = default;
+
+  /** \brief Codes the bytes at \a at: reads them to encode, writes them to decode. */
+  virtual void
+  code(Coder& coder, std::uint8_t* at) = 0;
+};
+
+/** \brief A decoder of \a item that knows its bytes \a first in the first point. */
+std::unique_ptr<ItemCoder<Decoder>>
+makeItemDecoder(const Item& item, const std::uint8_t* first);
+
+/** \brief The same for the version that is written. */
+std::unique_ptr<ItemCoder<Encoder>>
+makeItemEncoder(const Item& item, const std::uint8_t* first);
+
+} // namespace linelet::laz

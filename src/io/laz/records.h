@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace linelet::laz {
+
+/** \brief Point records of a chunk, one every \a stride bytes; 0: each in the place of
+ * the one before, for those who only want to know where the chunk ends. */
+struct Records {
+  std::uint8_t* first;
+  std::size_t stride, count;
+
+  std::uint8_t*
+  at(std::size_t i) const
+  {
+    return first + i * stride;
+  }
+};
+
+} // namespace linelet::laz

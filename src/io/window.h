@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/io/point_file.h>
+
+namespace linelet::io {
+
+/** \brief The part of space that is read, in world coordinates, borders included. */
+struct Window {
+  Point low, high;
+
+  bool
+  contains(const Point& world) const
+  {
+    return (world.array() >= low.array()).all() &&
+           (world.array() <= high.array()).all();
+  }
+
+  /** \brief Whether any of the box from \a from to \a to is in it. */
+  bool
+  meets(const Point& from, const Point& to) const
+  {
+    return (to.array() >= low.array()).all() && (from.array() <= high.array()).all();
+  }
+
+  /** \brief Whether anything is out of it. */
+  bool
+  limits() const;
+};
+
+/** \brief The window that \a options ask for; everything where they ask for none.
+ * \throws FileError where the numbers bound nothing */
+Window
+windowOf(const ReadOptions& options);
+
+/** \brief Keeps the points of \a cloud that are in \a window; all, whatever they are,
+ * where that is everything. */
+void
+crop(Cloud& cloud, const Window& window);
+
+} // namespace linelet::io
