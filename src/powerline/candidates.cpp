@@ -28,7 +28,7 @@ struct Scale {
 constexpr std::array<Scale, 4> scales = {
     {{1, 0.85, 5}, {2, 0.93, 5}, {4, 0.975, 5}, {8, 0.995, 6}}};
 constexpr double voxel = 0.5;        // one seed, or one point of the coarse cloud, each
-constexpr double steepest = 0.55;    // of a wire's direction, as sine
+constexpr double steepest = 0.7;     // of a wire's direction, as sine: 45 degrees
 constexpr double round_enough = 0.3; // sphericity that ends the search for a line
 constexpr std::size_t enough = 8;    // points that make it worth believing
 constexpr double bundle_radius = 4;  // meters, of the search for a wire among others

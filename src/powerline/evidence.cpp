@@ -18,7 +18,8 @@ constexpr double bundle_tolerance = 0.15; // meters; what fits closer is one wir
 // Points a meter of a bundle, else its guard ring says nothing: beside single wires
 // that may be told apart, and where these have been found.
 constexpr double bundle_density = 6, last_density = 3;
-constexpr double steepest_end = 0.6;
+// Slope of a wire at its ends, against its chord, and of the chord: that of terrain.
+constexpr double steepest_end = 0.6, steepest_chord = 1;
 constexpr double least_height = 4;   // meters, mean
 constexpr double hump = 0.10;        // meters of negative sag that noise may cause
 constexpr double clean_length = 6;   // meters that must be clean at least
@@ -45,12 +46,12 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   const double n = static_cast<double>(piece.members.size());
   e.rms = std::sqrt(squares / n);
   e.height /= n;
-  e.slope = std::max(std::abs(SpanModel::slope(m.z, m.begin)),
-                     std::abs(SpanModel::slope(m.z, m.end)));
+  e.chord = std::abs(SpanModel::slope(m.z, (m.begin + m.end) / 2));
+  e.slope = std::abs(m.z[2]) * m.length();
   e.sag = m.z[2] * m.length() * m.length() / 4;
   e.bins = static_cast<int>(std::ceil(m.length() / bin_length));
   const double step = m.length() / e.bins;
-  const double tolerance = std::max(m.tolerance, piece.thickness);
+  const double tolerance = piece.tolerance();
   for (int k = 0; k < e.bins; ++k) {
     const Bin bin =
         growth.look(m, m.begin + k * step, m.begin + (k + 1) * step, tolerance);
@@ -61,8 +62,9 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
       ++e.clean;
   }
   e.sound = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
-            e.slope <= steepest_end && e.sag >= -hump && e.height >= least_height &&
-            e.clean >= clean_part * e.occupied && e.clean * bin_length >= clean_length;
+            e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
+            e.height >= least_height && e.clean >= clean_part * e.occupied &&
+            e.clean * bin_length >= clean_length;
   e.accepted = e.sound && e.occupied >= least_cover * e.bins;
   return e;
 }

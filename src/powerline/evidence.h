@@ -14,7 +14,8 @@ struct Evidence {
   int clean = 0;    ///< occupied, and next to nothing right around the wire
   double rms = 0;   ///< of the members, meters
   double sag = 0;   ///< of the model between its ends, meters; negative: bulges upwards
-  double slope = 0; ///< steepest, at the ends
+  double slope = 0; ///< at the ends, against the chord
+  double chord = 0; ///< slope from end to end
   double height = 0;     ///< mean of the members above ground, meters
   bool sound = false;    ///< a wire, but perhaps too thinly covered with points
   bool accepted = false; ///< and not that

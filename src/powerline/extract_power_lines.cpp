@@ -14,6 +14,7 @@
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/support/text.h>
 
+#include "powerline/curve_pieces.h"
 #include "powerline/describe.h"
 #include "powerline/false_positives.h"
 #include "powerline/find_ground.h"
@@ -142,6 +143,8 @@ extractPowerLines(const Points& points,
     stages.begin("wires");
     Growth growth(candidates, settings);
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
+    stages.begin("curves");
+    growAlongCurves(growth, pieces, settings, monitor);
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
     throwIfCanceled(monitor);

@@ -15,9 +15,12 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double cell_size = 2;
-constexpr int largest_radius = 12;    // cells: lowers buildings up to 50 m wide
-constexpr double terrain_slope = 0.5; // steepest rise that an opening must leave alone
-constexpr double step = 0.3;          // height noise, meters
+constexpr int largest_radius = 12; // cells: lowers buildings up to 50 m wide
+// Steepest rise that an opening must leave alone: 45 degrees, at which scree comes to
+// rest (angle of repose, 30 to 45 degrees by the size and edges of the grains).
+constexpr double terrain_slope = 1;
+constexpr double lone_part = 0.4; // of the usual share of cells with returns around one
+constexpr double step = 0.3;      // height noise, meters
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 struct Raster {
@@ -54,6 +57,57 @@ emptyRaster(const PlanExtent& extent)
   g.heights.assign(
       static_cast<std::size_t>(g.columns) * static_cast<std::size_t>(g.rows), unknown);
   return raster;
+}
+
+// Share of the cells with returns in the square around each cell that has some.
+std::vector<float>
+coverAround(const Ground& g)
+{
+  const auto width = static_cast<std::size_t>(g.columns) + 1;
+  std::vector<std::uint32_t> sums(width * (static_cast<std::size_t>(g.rows) + 1), 0);
+  for (std::size_t r = 1; r * width < sums.size(); ++r)
+    for (std::size_t c = 1; c < width; ++c)
+      sums[r * width + c] =
+          sums[r * width + c - 1] + sums[(r - 1) * width + c] -
+          sums[(r - 1) * width + c - 1] +
+          (std::isnan(g.heights[(r - 1) * (width - 1) + c - 1]) ? 0U : 1U);
+  std::vector<float> cover(g.heights.size(), unknown);
+  for (std::size_t i = 0; i < cover.size(); ++i) {
+    if (std::isnan(g.heights[i]))
+      continue;
+    const int c = static_cast<int>(i % (width - 1)),
+              r = static_cast<int>(i / (width - 1));
+    const auto left = static_cast<std::size_t>(std::max(0, c - largest_radius));
+    const auto low = static_cast<std::size_t>(std::max(0, r - largest_radius));
+    const auto right =
+        static_cast<std::size_t>(std::min(g.columns, c + largest_radius + 1));
+    const auto high =
+        static_cast<std::size_t>(std::min(g.rows, r + largest_radius + 1));
+    cover[i] =
+        static_cast<float>(sums[high * width + right] + sums[low * width + left] -
+                           sums[low * width + right] - sums[high * width + left]) /
+        static_cast<float>((right - left) * (high - low));
+  }
+  return cover;
+}
+
+// Returns with nothing around them are no terrain: over water, which sends nothing
+// back, they are the wires.
+void
+forgetLoneCells(Ground& ground)
+{
+  const std::vector<float> cover = coverAround(ground);
+  std::vector<float> usual;
+  for (const float share : cover)
+    if (!std::isnan(share))
+      usual.push_back(share);
+  if (usual.empty())
+    return;
+  const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
+  std::nth_element(usual.begin(), middle, usual.end());
+  for (std::size_t i = 0; i < cover.size(); ++i)
+    if (static_cast<double>(cover[i]) < lone_part * static_cast<double>(*middle))
+      ground.heights[i] = unknown;
 }
 
 // Lifts cells far below all but one of their neighbors: multipath returns.
@@ -225,6 +279,7 @@ findGround(const Points& points,
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
+  forgetLoneCells(g);
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;

@@ -18,19 +18,6 @@ constexpr double widest_tube = 0.6;  // meters, where the prediction is vague
 constexpr std::size_t lock_sample = 400;
 
 void
-updateExtent(Piece& piece, const Points& points)
-{
-  SpanModel& m = piece.model;
-  m.begin = std::numeric_limits<double>::infinity();
-  m.end = -m.begin;
-  for (const Index i : piece.members) {
-    const double s = m.along(points[i]);
-    m.begin = std::min(m.begin, s);
-    m.end = std::max(m.end, s);
-  }
-}
-
-void
 cut(Piece& piece, const Points& points, double low, double high)
 {
   Indices& all = piece.members;
@@ -44,6 +31,19 @@ cut(Piece& piece, const Points& points, double low, double high)
 }
 
 } // namespace
+
+void
+updateExtent(Piece& piece, const Points& points)
+{
+  SpanModel& m = piece.model;
+  m.begin = std::numeric_limits<double>::infinity();
+  m.end = -m.begin;
+  for (const Index i : piece.members) {
+    const double s = m.along(points[i]);
+    m.begin = std::min(m.begin, s);
+    m.end = std::max(m.end, s);
+  }
+}
 
 Growth::Growth(const Candidates& candidates, const PowerLineSettings& settings)
     : candidates_(candidates),
@@ -123,8 +123,8 @@ Growth::advance(Piece& piece, int side, double limit, double bridge, double& gap
   if (side * (far - limit) > 0)
     return false;
   const double middle = (near + far) / 2;
-  const double tolerance =
-      std::min(widest_tube, m.tolerance + 2 * m.uncertainty(middle));
+  const double tolerance = std::min(std::max(widest_tube, piece.thickness),
+                                    piece.tolerance() + 2 * m.uncertainty(middle));
   Indices found;
   const Bin bin = look(m, std::min(near, far), std::max(near, far), tolerance, &found);
   const double reach = std::max(ring_radius, 2 * tolerance);
@@ -209,8 +209,7 @@ Growth::extend(Piece& piece, double low, double high, bool lock, double bridge) 
 std::vector<Piece>
 Growth::grow(const Seed& seed) const
 {
-  const Points& points = candidates_.points;
-  const Point& p = points[seed.candidate];
+  const Point& p = candidates_.points[seed.candidate];
   Piece piece;
   SpanModel& m = piece.model;
   m.origin = p.head<2>();
@@ -228,6 +227,14 @@ Growth::grow(const Seed& seed) const
   if (!extend(piece, -far, far, true))
     return {};
 
+  return betweenSupports(std::move(piece));
+}
+
+std::vector<Piece>
+Growth::betweenSupports(Piece piece) const
+{
+  const Points& points = candidates_.points;
+  const double far = std::numeric_limits<double>::infinity();
   std::vector<Piece> done, open;
   open.push_back(std::move(piece));
   for (int round = 0; round < 6 && !open.empty(); ++round) {
@@ -236,7 +243,7 @@ Growth::grow(const Seed& seed) const
       if (part.members.size() < 5)
         continue;
       part.model = part.model.reframed();
-      if (!collect(part, part.model.tolerance))
+      if (!collect(part, part.tolerance()))
         continue;
       const std::vector<double> kinks = findKinks(part, points);
       if (kinks.empty()) {
@@ -248,7 +255,8 @@ Growth::grow(const Seed& seed) const
         const double low = k == 0 ? -far : kinks[k - 1];
         const double high = k == kinks.size() ? far : kinks[k];
         cut(split, points, low, high);
-        if (split.members.size() < 5 || !fit(split.model, points, split.members))
+        if (split.members.size() < 5 ||
+            !fit(split.model, points, split.members, split.cut()))
           continue;
         updateExtent(split, points);
         if (extend(split, low, high))

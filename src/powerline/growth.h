@@ -27,6 +27,13 @@ struct Piece {
   {
     return std::max(usual_cut, 2 * thickness);
   }
+
+  /** \brief Largest distance of a point that belongs to it. */
+  double
+  tolerance() const
+  {
+    return std::max(model.tolerance, thickness);
+  }
 };
 
 /** \brief What stands around one bin of a wire. */
@@ -36,8 +43,9 @@ struct Bin {
   std::size_t ring = 0;       ///< points from the tolerance to \ref ring_radius
 };
 
-constexpr double bin_length = 2; ///< meters
-constexpr double growth_gap = 8; ///< meters, bridged while growing
+constexpr double bin_length = 2;     ///< meters
+constexpr double widest_wire = 0.25; ///< meters, tolerance of a single wire at most
+constexpr double growth_gap = 8;     ///< meters, bridged while growing
 constexpr double ring_radius =
     0.8; ///< meters, of the surroundings a bin is compared with
 
@@ -52,6 +60,11 @@ public:
    * Nothing is claimed. Empty where nothing grows. */
   std::vector<Piece>
   grow(const Seed& seed) const;
+
+  /** \brief The parts of \a piece between supports that it passes, each collected,
+   * fitted and extended by itself. */
+  std::vector<Piece>
+  betweenSupports(Piece piece) const;
 
   /** \brief Extends \a piece at both ends, not beyond \a low and \a high.
    * \param[in] lock shift it to the strongest of the wires around once it is long
@@ -105,6 +118,10 @@ private:
   const PowerLineSettings& settings_;
   std::vector<int> owner_;
 };
+
+/** \brief Lets the model of \a piece begin and end where its members do. */
+void
+updateExtent(Piece& piece, const Points& points);
 
 /** \brief Where \a piece hangs on a support on its way: the heights are explained much
  * better by two parabolas that meet in a downward kink. Ascending. */

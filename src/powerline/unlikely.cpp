@@ -166,11 +166,11 @@ addEvidence(Family& family,
   family.clean += evidence.clean;
   family.occupied += evidence.occupied;
   family.bins += evidence.bins;
-  family.clear =
-      family.clear || (m.length() >= lone_length && evidence.slope <= steep &&
-                       evidence.clean >= lone_clean * evidence.occupied &&
-                       evidence.occupied >= lone_cover * evidence.bins &&
-                       openBelow(m, underside) >= lone_open);
+  family.clear = family.clear || (m.length() >= lone_length &&
+                                  evidence.slope + evidence.chord <= steep &&
+                                  evidence.clean >= lone_clean * evidence.occupied &&
+                                  evidence.occupied >= lone_cover * evidence.bins &&
+                                  openBelow(m, underside) >= lone_open);
 }
 
 // Weighs a wire as if its points were not yet its own.

@@ -194,6 +194,25 @@ TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
       EXPECT_GT(wire.vegetation.distance, 2) << "wire " << wire.id;
 }
 
+// Four conductors 0.45 m apart with one point a meter each look like no line anywhere.
+TEST(ExtractPowerLines, FollowsThinBundlesOfFour)
+{
+  SceneBuilder scene(41);
+  scene.ground(0, 0, 300, 40, 3);
+  for (const double y : {-0.225, 0.225})
+    for (const double z : {-0.225, 0.225})
+      scene.wire({0, 20 + y, 30 + z}, {300, 20 + y, 30 + z}, 1500, 1, 0.03);
+  const PowerLineNetwork n = extractPowerLines(scene.points);
+  ASSERT_FALSE(n.wires.empty());
+  double longest = 0;
+  for (const Wire& wire : n.wires) {
+    longest = std::max(longest, wire.length);
+    for (const Point& p : polyline(wire))
+      EXPECT_NEAR(p.y(), 20, 0.32);
+  }
+  EXPECT_GT(longest, 290);
+}
+
 TEST(ExtractPowerLines, FindsNothingWhereNothingIs)
 {
   const auto expectNone = [](const Points& points, const char* what) {

@@ -103,6 +103,36 @@ TEST(FindGround, SeesThroughHousesTreesAndPits)
   EXPECT_LT(std::sqrt(squares / count), 0.15);
 }
 
+TEST(FindGround, WiresOverWaterAreNoTerrain)
+{
+  // Banks at height 0, water without a return from 100 to 400, six wires 25 m above.
+  SceneBuilder scene(29);
+  scene.ground(0, 0, 100, 100, 3);
+  scene.ground(400, 0, 500, 100, 3);
+  for (int wire = 0; wire < 6; ++wire)
+    for (double x = 0; x < 500; x += 0.25)
+      scene.points.emplace_back(x, 30 + 8 * wire, 25 + scene.normal(0.03));
+  const Ground ground = findGround(scene.points, {}, false);
+  for (double x = 10; x < 490; x += 10)
+    for (double y = 10; y < 95; y += 5)
+      EXPECT_NEAR(ground.heightAt(x, y), 0, 1) << x << ' ' << y;
+}
+
+TEST(FindGround, KeepsRidgesOfMountains)
+{
+  // A roof-shaped ridge of 40 degrees, 60 m high.
+  SceneBuilder scene(31);
+  Points points;
+  const auto height = [](double x) { return 60 - std::tan(0.7) * std::abs(x - 75); };
+  for (int i = 0; i < 60000; ++i) {
+    const double x = scene.uniform(0, 150), y = scene.uniform(0, 150);
+    points.emplace_back(x, y, height(x) + scene.normal(0.03));
+  }
+  const Ground ground = findGround(points, {}, false);
+  for (double x = 5; x < 145; x += 5)
+    EXPECT_NEAR(ground.heightAt(x, 75), height(x), 2) << x;
+}
+
 TEST(FindGround, TakesClassTwoWhenAsked)
 {
   SceneBuilder scene(19);
