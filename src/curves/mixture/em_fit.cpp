@@ -33,21 +33,26 @@ spacingOf(const MixtureState& mixture, const EmSettings& settings)
                   settings.least_spacing * mixture.noise.deviation * std::exp(least));
 }
 
-/** \brief See EmFit::kurtosis. */
-double
-kurtosisOf(const MixtureState& mixture, const EdgePairs& pairs)
-{
+/** \brief Sums over the points of the curves, of powers of their distances from them.
+ */
+struct DistanceMoments {
   double count = 0, square = 0, fourth = 0;
+};
+
+DistanceMoments
+distanceMoments(const MixtureState& mixture, const EdgePairs& pairs)
+{
+  DistanceMoments sums;
   for (const MixtureEdge& edge : mixture.edges)
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
       const Point v = Point(pairs.at[0][k], pairs.at[1][k], pairs.at[2][k]) - edge.from;
       const double z = v.dot(edge.direction);
       const double off = std::max(0.0, v.squaredNorm() - z * z);
-      count += pairs.density[k];
-      square += pairs.density[k] * off;
-      fourth += pairs.density[k] * off * off;
+      sums.count += pairs.density[k];
+      sums.square += pairs.density[k] * off;
+      sums.fourth += pairs.density[k] * off * off;
     }
-  return square > 0 ? count * fourth / (square * square) : 0;
+  return sums;
 }
 
 } // namespace
@@ -139,7 +144,12 @@ EmFitter::result() const
   EmFit fit = scored();
   fit.noise = mixture_.noise.deviation;
   fit.fixed_radius = mixture_.noise.fixed_radius;
-  fit.kurtosis = kurtosisOf(mixture_, pairs_);
+  const DistanceMoments sums = distanceMoments(mixture_, pairs_);
+  if (sums.square > 0) {
+    fit.kurtosis = sums.count * sums.fourth / (sums.square * sums.square);
+    fit.spread =
+        std::sqrt(sums.square / (sums.count * (mixture_.frame.dimensions - 1)));
+  }
   const double background = mixture_.outlier_share / mixture_.frame.volume;
   fit.outlier.resize(mixture_.points);
   for (std::size_t sorted_index = 0; sorted_index < grid_.size(); ++sorted_index)

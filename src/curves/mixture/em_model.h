@@ -37,6 +37,9 @@ struct EmFit {
   /// Fourth moment of the distances of the points from the curves over the square of
   /// the second: 2 for normal noise (3 in a plane), 1.2 for fixed-radius noise.
   double kurtosis = 0;
+  /// Root mean square of the distances of the points from the curves, per coordinate
+  /// across them: as measured, where the noise above is not let fall below a least one.
+  double spread = 0;
   double outlier_share = 0;  ///< of the points
   double log_likelihood = 0; ///< of the points under the mixture
   double freedom = 0;        ///< effective parameters of the curves' geometry

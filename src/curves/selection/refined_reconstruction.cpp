@@ -171,7 +171,7 @@ componentCurves(const Points& points,
     for (std::size_t c = 0; c < fit.curves.size(); ++c) {
       ModelCurve& curve = fit.curves[c];
       curve.counts = std::move(fit.counts[c]);
-      curve.noise = fit.deviation();
+      curve.noise = fit.spread;
       curve.evidence = fit.evidence *
                        std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0) /
                        total;

@@ -188,7 +188,7 @@ private:
     for (std::size_t c = 0; c < fit.fit.curves.size(); ++c) {
       ModelCurve& curve = fit.fit.curves[c];
       curve.counts = std::move(fit.fit.counts[c]);
-      curve.noise = fit.fit.noise;
+      curve.noise = fit.fit.spread;
       const double own = std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0);
       curve.evidence = track.evidence * own / std::max(count, 1.0);
       curves_.push_back(std::move(curve));
