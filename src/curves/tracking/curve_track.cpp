@@ -193,7 +193,6 @@ followCurve(const TrackedScene& scene,
   Track track;
   track.members = std::move(third.members);
   track.path = std::move(third.path);
-  track.dispersion = third.dispersion;
   track.evidence = third.evidence / third.dispersion; // quasi-likelihood
   track.density = third.density;
   track.noise = third.noise;

@@ -13,7 +13,7 @@ namespace linelet {
 
 /** \brief Where a curve may be followed from. */
 struct TrackSeed {
-  Index index = 0;    ///< a point of it, or beside it
+  Index index = 0;    ///< a point of it
   Point at;           ///< a place of it
   Point direction;    ///< its tangent there, either way
   double radius = 0;  ///< over which it looks straight
@@ -37,7 +37,6 @@ struct Track {
   std::vector<Member> members; ///< along the curve
   Points path;                 ///< where the filter went, at the members
   double evidence = 0;         ///< log-likelihood ratio of curve to background
-  double dispersion = 1;       ///< of the background
   double density = 0;          ///< points per length where it is visible
   double noise = 0;            ///< standard deviation about the curve, per coordinate
 };
@@ -48,7 +47,8 @@ struct Track {
  * Points of the curve are a Poisson process of some density along it, scattered about
  * it by normal noise, over a background that is measured around every stretch;
  * stretches may be hidden, as by what stands above them (a hidden Markov chain). The
- * evidence is the log-likelihood ratio of this to the background alone; the curve ends
+ * evidence is the log-likelihood ratio of this to the background alone, divided by the
+ * dispersion of the background (quasi-likelihood); the curve ends
  * where going on has lost more than \a patience of it, cut back to where the evidence
  * was greatest.
  * \param[in] most_points the curve ends after so many each way; 0: no limit

@@ -16,7 +16,7 @@ namespace linelet {
 struct TrackedScene {
   Points points;
   UniformGrid grid;          ///< of all points
-  std::vector<char> surface; ///< per point, whether it is one of a surface or volume
+  std::vector<char> surface; ///< per point, whether a surface runs through it
   std::vector<int> owner;    ///< per point the curve that explains it, or -1
   double unit = 0;           ///< D
 };
@@ -37,7 +37,7 @@ struct Surroundings {
 /** \brief Looks along the next \a length of a curve.
  * \param[in] gate points within this distance of the expected curve may be its own
  * \param[in] ring those beyond, up to this distance, tell the background: points per
- * volume, or those of a surface that runs through the gate, whichever promises more */
+ * volume, and those of a surface that runs through the gate */
 void
 lookAhead(const TrackedScene& scene,
           const TrackState& state,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 
 #include <linelet/features/multi_scale.h>
 #include <linelet/support/threads.h>
@@ -30,8 +31,8 @@ constexpr double least_growth = 1.2, most_growth = 3;
 /** \brief What the graph of a point says of a surface through it. */
 struct PlanarScales {
   bool any = false;
-  double radius = 0;   ///< the largest scale at which the neighborhood is a surface
-  bool linear = false; ///< whether it is linear again beyond
+  double radius = 0;   ///< the smallest scale at which the neighborhood is one
+  bool linear = false; ///< whether a smaller or a larger scale is linear
 };
 
 PlanarScales
@@ -66,8 +67,9 @@ planarScales(const ShapeGraph& graph, const std::vector<double>& radii)
   return result;
 }
 
-/** \brief Whether the points around \a p within \a radius fill a disc, rather than a
- * few lines side by side. */
+/** \brief Whether the points around \a p fill a disc, rather than a few lines side by
+ * side.
+ * \param[in] radius at which the neighborhood becomes planar; the disc is larger */
 bool
 fillsDisc(const Points& points, const UniformGrid& grid, const Point& p, double radius)
 {
@@ -158,10 +160,19 @@ measureScene(const Points& points,
       scene.seeds.push_back(seedAt(i, points[i], graph[coarsest], radii[coarsest]));
   };
   multiScaleShapes(points, points, settings, sink, monitor);
+  std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
   for (std::size_t k = 0; k < doubtful.size(); ++k)
-    scene.surface[doubtful[k].index] =
-        fillsDisc(points, grid, points[doubtful[k].index], doubtful[k].radius);
+    try {
+      scene.surface[doubtful[k].index] =
+          fillsDisc(points, grid, points[doubtful[k].index], doubtful[k].radius);
+    }
+    catch (...) {
+#pragma omp critical(linelet_scene_failure)
+      failure = std::current_exception();
+    }
+  if (failure)
+    std::rethrow_exception(failure);
   scene.seeds.erase(std::remove_if(scene.seeds.begin(),
                                    scene.seeds.end(),
                                    [&](const TrackSeed& seed) {

@@ -8,8 +8,8 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
-#include "curves/ridges/scale_field.h"
 #include "curves/ridges/connected_components.h"
+#include "curves/ridges/scale_field.h"
 
 using namespace linelet;
 
