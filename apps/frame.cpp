@@ -247,6 +247,25 @@ Frame::checkOutputs(const std::vector<std::string>& outputs) const
     check(json_file_);
 }
 
+std::vector<std::pair<std::string, std::string>>
+Frame::settings() const
+{
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->nonpositional() || option->get_group() == common_options)
+      continue;
+    std::string value;
+    for (const std::string& part : option->results())
+      value += (value.empty() ? "" : ",") + part;
+    if (option->count() == 0)
+      value = option->get_type_size() == 0 && option->get_default_str().empty()
+                  ? "false"
+                  : option->get_default_str();
+    all.emplace_back(option->get_name(false, false), value);
+  }
+  return all;
+}
+
 void
 Frame::warn(const std::string& sentence)
 {

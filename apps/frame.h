@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -94,6 +95,11 @@ public:
    * outputs. \throws io::FileError */
   void
   checkOutputs(const std::vector<std::string>& outputs) const;
+
+  /** \brief Name and value of every option of the command, given or not, in the order
+   * of its help; known after \ref parse. */
+  std::vector<std::pair<std::string, std::string>>
+  settings() const;
 
   /** \brief One sentence about something lost or odd, to stderr and into the summary.
    */

@@ -13,6 +13,8 @@
 #include "commands.h"
 #include "frame.h"
 #include "options.h"
+#include "run_date.h"
+#include "version.h"
 
 namespace linelet::apps {
 
@@ -158,6 +160,8 @@ runPowerlines(const std::vector<std::string>& arguments)
 
   io::Cloud cloud = input.read();
   output.source = std::filesystem::path(input.path()).filename().string();
+  output.provenance = {
+      "linelet " LINELET_VERSION, runDate(), input.files(), frame.settings()};
   refuseOtherResults(folder, cloud, output.source, overwrite);
   powerline::makeOutputFolder(folder, output.compress);
   const io::Units units = io::unitsOf(cloud.wkt);

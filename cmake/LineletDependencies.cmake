@@ -26,6 +26,8 @@ endif()
 if(LINELET_BUILD_IO)
   find_package(GDAL REQUIRED)
   find_package(Ceres REQUIRED)
+  # Headers that only our sources include.
+  find_path(MUSTACHE_INCLUDE_DIR kainjow/mustache.hpp REQUIRED)
 endif()
 if(LINELET_BUILD_IO OR LINELET_BUILD_APPS)
   find_package(nlohmann_json 3.9 REQUIRED)

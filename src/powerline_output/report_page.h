@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include <linelet/io/usable_points.h>
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline_output/output_files.h>
@@ -124,16 +126,12 @@ addProfile(Markup& page,
            const Span& span,
            const Indices& points);
 
-/** \brief Table of the wires of a span. */
-void
-addWireTable(Markup& page, const Content& content, const Span& span);
+/** \brief Table of the wires of a span (see report_table.h). */
+nlohmann::ordered_json
+wireTable(const Content& content, const Span& span);
 
 /** \brief Table of all spans. */
-void
-addSpanTable(Markup& page, const Content& content);
-
-/** \brief List of everything below the clearance limit, the closest first. */
-void
-addHazards(Markup& page, const Content& content);
+nlohmann::ordered_json
+spanTable(const Content& content);
 
 } // namespace linelet::powerline::report

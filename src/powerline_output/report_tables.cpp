@@ -6,34 +6,23 @@
 #include <string>
 
 #include "report_page.h"
+#include "report_sections.h"
+#include "report_table.h"
 
 namespace linelet::powerline::report {
 
 namespace {
 
-void
-cell(Markup& page, const std::string& text, bool bad = false)
-{
-  page << (bad ? "<td class=\"bad\">" : "<td>") << text << "</td>";
-}
-
-void
-head(Markup& page,
-     std::initializer_list<const char*> names,
-     const char* open = "<table>")
-{
-  page << open << "\n<thead><tr>";
-  for (const std::string name : names)
-    // Words stand to the left, figures to the right.
-    page << (name == "to" || name == "confidence" ? "<th class=\"text\">" : "<th>")
-         << name << "</th>";
-  page << "</tr></thead>\n<tbody>\n";
-}
-
 std::string
 percent(double confidence)
 {
-  return number(100 * confidence, 0) + "&#160;%";
+  return number(100 * confidence, 0) + "\u00a0%";
+}
+
+std::string
+placeOf(int span)
+{
+  return "#span" + std::to_string(span);
 }
 
 /** Lowest of a clearance over the wires of a span. */
@@ -52,64 +41,62 @@ lowest(const Content& content, const Span& span, Get get)
 
 } // namespace
 
-void
-addWireTable(Markup& page, const Content& content, const Span& span)
+nlohmann::ordered_json
+wireTable(const Content& content, const Span& span)
 {
   const double limit = content.options.clearance;
-  head(page,
-       {"wire",
-        "cond.",
-        "length m",
-        "sag m",
-        "catenary a m",
-        "from height m",
-        "to height m",
-        "to ground m",
-        "to objects m",
-        "points",
-        "rms m",
-        "gap m",
-        "confidence"});
+  Table table({{"wire"},
+               {"cond."},
+               {"length m"},
+               {"sag m"},
+               {"catenary a m"},
+               {"from height m"},
+               {"to height m"},
+               {"to ground m"},
+               {"to objects m"},
+               {"points"},
+               {"rms m"},
+               {"gap m"},
+               {"confidence", true}});
   for (const int id : span.wires) {
     const Wire& wire = content.wire(id);
-    page << "<tr><td><i style=\"background:" << wireColor(wire.number) << "\"></i>"
-         << wire.number << "</td>";
-    cell(page, std::to_string(wire.conductors));
-    cell(page, number(wire.length, 2));
-    cell(page, number(wire.sag, 2));
-    cell(page, number(wire.curve.a, 0));
-    cell(page, number(content.metric.metersAbove(wire.front.z()), 2));
-    cell(page, number(content.metric.metersAbove(wire.back.z()), 2));
-    cell(page, number(wire.ground.distance, 2), wire.ground.distance < limit);
-    cell(page, number(wire.vegetation.distance, 2), wire.vegetation.distance < limit);
-    cell(page, std::to_string(wire.points));
-    cell(page, number(wire.rms, 3));
-    cell(page, number(wire.largest_gap, 1));
-    page << "<td class=\"text\">" << percent(wire.confidence);
-    if (!wire.reason.empty())
-      page << " <em>" << escaped(wire.reason) << "</em>";
-    page << "</td></tr>\n";
+    table.row({{std::to_string(wire.number),
+                false,
+                "",
+                "",
+                std::string(wireColor(wire.number))},
+               {std::to_string(wire.conductors)},
+               {number(wire.length, 2)},
+               {number(wire.sag, 2)},
+               {number(wire.curve.a, 0)},
+               {number(content.metric.metersAbove(wire.front.z()), 2)},
+               {number(content.metric.metersAbove(wire.back.z()), 2)},
+               {number(wire.ground.distance, 2), wire.ground.distance < limit},
+               {number(wire.vegetation.distance, 2), wire.vegetation.distance < limit},
+               {std::to_string(wire.points)},
+               {number(wire.rms, 3)},
+               {number(wire.largest_gap, 1)},
+               {percent(wire.confidence), false, "", wire.reason}});
   }
-  page << "</tbody>\n</table>\n";
+  return table.json();
 }
 
-void
-addSpanTable(Markup& page, const Content& content)
+nlohmann::ordered_json
+spanTable(const Content& content)
 {
   const double limit = content.options.clearance;
-  head(page,
-       {"span",
-        "line",
-        "no.",
-        "pylons",
-        "length m",
-        "azimuth °",
-        "wires",
-        "wire length m",
-        "largest sag m",
-        "to ground m",
-        "to objects m",
-        "lowest confidence"});
+  Table table({{"span"},
+               {"line"},
+               {"no."},
+               {"pylons"},
+               {"length m"},
+               {"azimuth °"},
+               {"wires"},
+               {"wire length m"},
+               {"largest sag m"},
+               {"to ground m"},
+               {"to objects m"},
+               {"lowest confidence"}});
   for (const Span& span : content.network.spans) {
     double total = 0, sag = 0, confidence = 1;
     for (const int id : span.wires) {
@@ -122,67 +109,65 @@ addSpanTable(Markup& page, const Content& content)
         lowest(content, span, [](const Wire& wire) { return wire.ground; });
     const double objects =
         lowest(content, span, [](const Wire& wire) { return wire.vegetation; });
-    page << "<tr><td><a href=\"#span" << span.id << "\">" << span.id << "</a></td>";
-    cell(page, std::to_string(span.circuit));
-    cell(page, std::to_string(span.number));
-    cell(page,
-         content.supportName(span.from_support) + " – " +
-             content.supportName(span.to_support));
-    cell(page, number(span.length, 1));
-    cell(page, number(span.azimuth, 1));
-    cell(page, std::to_string(span.wires.size()));
-    cell(page, number(total, 1));
-    cell(page, number(sag, 2));
-    cell(page, number(ground, 2), ground < limit);
-    cell(page, number(objects, 2), objects < limit);
-    cell(page, percent(confidence));
-    page << "</tr>\n";
+    table.row({{std::to_string(span.id), false, placeOf(span.id)},
+               {std::to_string(span.circuit)},
+               {std::to_string(span.number)},
+               {content.supportName(span.from_support) + " – " +
+                content.supportName(span.to_support)},
+               {number(span.length, 1)},
+               {number(span.azimuth, 1)},
+               {std::to_string(span.wires.size())},
+               {number(total, 1)},
+               {number(sag, 2)},
+               {number(ground, 2), ground < limit},
+               {number(objects, 2), objects < limit},
+               {percent(confidence)}});
   }
-  page << "</tbody>\n</table>\n";
+  return table.json();
 }
 
-void
-addHazards(Markup& page, const Content& content)
+Section
+clearancesSection(const Content& content)
 {
   struct Hazard {
     const Wire* wire;
     const Clearance* found;
     const char* what;
   };
+  const double limit = content.options.clearance;
   std::vector<Hazard> hazards;
   for (const Wire& wire : content.network.wires) {
-    if (wire.ground.distance < content.options.clearance)
+    if (wire.ground.distance < limit)
       hazards.push_back({&wire, &wire.ground, "ground"});
-    if (wire.vegetation.distance < content.options.clearance)
+    if (wire.vegetation.distance < limit)
       hazards.push_back({&wire, &wire.vegetation, "object (tree, bush, building)"});
   }
   std::stable_sort(
       hazards.begin(), hazards.end(), [](const Hazard& a, const Hazard& b) {
         return a.found->distance < b.found->distance;
       });
-  const std::string limit = number(content.options.clearance, 1);
-  if (hazards.empty()) {
-    page << "<p>No wire comes closer than " << limit
-         << " m to the ground or to an object.</p>\n";
-    return;
-  }
-  head(page,
-       {"distance m", "span", "wire", "to", "x of the wire", "y", "z"},
-       "<table class=\"narrow\">");
+  Table table({{"distance m"},
+               {"span"},
+               {"wire"},
+               {"to", true},
+               {"x of the wire"},
+               {"y"},
+               {"z"}},
+              "narrow");
   for (const Hazard& hazard : hazards) {
     const Point at = content.metric.world(hazard.found->wire);
-    page << "<tr>";
-    cell(page, number(hazard.found->distance, 2), true);
-    page << "<td><a href=\"#span" << hazard.wire->span << "\">" << hazard.wire->span
-         << "</a></td>";
-    cell(page, std::to_string(hazard.wire->number));
-    page << "<td class=\"text\">" << hazard.what << "</td>";
-    cell(page, number(at.x(), 2));
-    cell(page, number(at.y(), 2));
-    cell(page, number(at.z(), 2));
-    page << "</tr>\n";
+    table.row({{number(hazard.found->distance, 2), true},
+               {std::to_string(hazard.wire->span), false, placeOf(hazard.wire->span)},
+               {std::to_string(hazard.wire->number)},
+               {hazard.what},
+               {number(at.x(), 2)},
+               {number(at.y(), 2)},
+               {number(at.z(), 2)}});
   }
-  page << "</tbody>\n</table>\n";
+  return {"clearances",
+          "Clearances below " + number(limit, 1) + " m",
+          {{"limit", number(limit, 1)},
+           {"table", hazards.empty() ? nlohmann::ordered_json() : table.json()}}};
 }
 
 } // namespace linelet::powerline::report

@@ -66,7 +66,7 @@ protected:
 
   PowerLineNetwork network_;
   io::Cloud cloud_;
-  OutputOptions options_{"by_hand.las", 5, {}, {}};
+  OutputOptions options_{"by_hand.las", 5, {}, {}, false, {}};
 };
 
 TEST_F(Report, IsWellFormedAndStandsAlone)
@@ -129,6 +129,23 @@ TEST_F(Report, EscapesNames)
   const std::string text = page();
   EXPECT_EQ(nestingError(text), "");
   EXPECT_NE(text.find("a&lt;b&gt;&amp;&quot;c&quot;.las"), std::string::npos);
+}
+
+// Nobody can get the same results again from a page that does not say how.
+TEST_F(Report, SaysWithWhatItWasMade)
+{
+  EXPECT_EQ(page().find("id=\"settings\""), std::string::npos);
+  options_.provenance = {"linelet 1.2.3",
+                         "2026-11-22 09:46 UTC",
+                         {"/data/tile_1.laz", "/data/tile_2.laz"},
+                         {{"--max-gap", "50"}, {"--ignore-classes", "<7>"}}};
+  const std::string text = page();
+  EXPECT_EQ(nestingError(text), "");
+  for (const char* said : {"linelet 1.2.3 · 2026-11-22 09:46 UTC",
+                           "/data/tile_2.laz",
+                           "<td class=\"text\">--max-gap</td>",
+                           "&lt;7&gt;"})
+    EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 
 TEST_F(Report, WithoutWiresIsAFriendlyPage)

@@ -50,6 +50,14 @@ describe(ClassScheme& s, Visit&& visit)
 void
 check(const ClassScheme& scheme);
 
+/** \brief Where results come from: what a reader needs to get them again. */
+struct Provenance {
+  std::string program;             ///< name and version; may be empty
+  std::string date;                ///< of the run, as it is to be read; may be empty
+  std::vector<std::string> inputs; ///< files
+  std::vector<std::pair<std::string, std::string>> settings; ///< name and value
+};
+
 /** \brief What the outputs say beside the network itself. */
 struct OutputOptions {
   std::string source;   ///< name of the input, for headings; may be empty
@@ -57,6 +65,7 @@ struct OutputOptions {
   ClassScheme classes;
   io::ClassFilter points; ///< which of the cloud took part
   bool compress = false;  ///< classified.laz instead of classified.las
+  Provenance provenance;  ///< for the report
 };
 
 /** \brief Whether a clearance of \a wire, to the ground or to vegetation, is known and

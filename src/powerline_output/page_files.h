@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace linelet::powerline::report {
+
+/** \brief A file of the folder page/, put into the program when it is built. */
+struct EmbeddedText {
+  const char* name; ///< null: the end of the table
+  const char* text;
+};
+
+extern const EmbeddedText page_files[];
+
+} // namespace linelet::powerline::report
