@@ -64,7 +64,8 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
   bench::CorridorSettings settings;
   std::string truth;
   CloudOutput output(frame);
-  OptionAdder(frame.app)("truth", truth, "file for the true wires, a polyline a span");
+  OptionAdder(frame.app)(
+      "truth", truth, "file for the true wires, one polyline per span");
   frame.writes(truth);
   addOptions(frame.app, settings);
   frame.parse(arguments);

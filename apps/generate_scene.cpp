@@ -78,7 +78,7 @@ runGenerateScene(const std::vector<std::string>& arguments)
   const OptionAdder add(frame.app);
   add.argument("NAME", settings.kind, "the scene" + names);
   CloudOutput output(frame);
-  add("truth", truth, "file for the true wires, a polyline a span; bundles as one");
+  add("truth", truth, "file for the true wires, one polyline per span; bundles as one");
   add("structures", structures, "file for what else is long and thin, piece by piece");
   frame.writes(truth);
   frame.writes(structures);

@@ -208,7 +208,7 @@ print(const ordered_json& info)
         info["bounds"]["maximum"][static_cast<std::size_t>(axis)].get<double>());
   printNumber(
       "scale unit D", info["scale_unit"], "(median distance to the 6th neighbor)");
-  printNumber("density", info["density"], "points a square unit");
+  printNumber("density", info["density"], "points per square unit");
   printNumber("spacing", info["spacing"], "units, of the ground plan");
   for (const auto& [name, count] : info["flags"].items())
     if (count > 0)

@@ -24,9 +24,9 @@ struct ShapeProfile {
   std::vector<double> chosen;     ///< optimal radius of each column, NaN: none
 };
 
-/** \brief Multi-scale feature image: a column a position, a row a radius (small at the
- * bottom), colored by shape; the optimal radius as a dotted line. White where there is
- * no shape. */
+/** \brief Multi-scale feature image: one column per position, one row per radius (small
+ * at the bottom), colored by shape; the optimal radius as a dotted line. White where
+ * there is no shape. */
 Canvas
 drawShapeProfile(const ShapeProfile& profile,
                  ShapeColors colors,

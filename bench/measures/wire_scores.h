@@ -38,7 +38,7 @@ struct WireScores {
   operator+=(const WireScores& other);
 };
 
-/** \brief Compares extracted wires, one polyline a wire and span, with the truth. One
+/** \brief Compares extracted wires, one polyline per wire and span, with the truth. One
  * vector in the middle of a twin bundle is as right as two.
  * \param[in] truth in the frame of \a found */
 WireScores

@@ -6,7 +6,7 @@
 //
 //   benchmark_wires [--thin N [SEED]] TILE.las ...
 //
-// One line a tile: precision, recall and F1 of wire points, their F1 farther than 6 m
+// One line per tile: precision, recall and F1 of wire points, their F1 farther than 6 m
 // (in plan) from pylon points, F1 of pylon points, vectors, supports, seconds, and how
 // many vectors are false: most of their points are neither wire nor pylon. --thin takes
 // one point of N, drawn by SEED (1).

@@ -142,7 +142,7 @@ TEST_F(OpenCL, AdversarialCloudsGiveWhatTheReferenceGives)
           withRadius(10));
   }
   {
-    SCOPED_TRACE("one point a cell, and a far outlier");
+    SCOPED_TRACE("one point per cell, and a far outlier");
     Points points = box(300, Point(1000, 1000, 1000), 7);
     points.emplace_back(5e8, -5e8, 5e8);
     check(points, points, withRadius(40));
@@ -322,7 +322,7 @@ TEST_F(OpenCL, CellsTooManyForAKeyOnlyMeanMoreSlabs)
 
 TEST_F(OpenCL, TheTableOfCellsCountsAsMemory)
 {
-  // One point a cell: 117 places in the table for every point, many times the rest.
+  // One point per cell: 117 places in the table for every point, many times the rest.
   const Points points = box(3000, Point(900, 900, 900), 13);
   const TensorSettings settings = withRadius(10);
   engine->setMemoryLimit(1000000);

@@ -18,9 +18,9 @@ namespace LINELET_PUBLIC linelet {
  * vectors of candidates, on the best instruction set found at run time. Sums are in
  * float relative to the query's surroundings and in double beyond them; numbers of
  * neighbors are exactly those of the other engines, shape factors agree to 1e-4
- * (median and step: exactly). Memory beside input and output is 30 to 40 bytes a point,
- * and for every thread some 20 bytes a candidate: much only where a ball holds a large
- * part of the cloud.
+ * (median and step: exactly). Memory beside input and output is 30 to 40 bytes per
+ * point, and for every thread some 20 bytes per candidate: much only where a ball holds
+ * a large part of the cloud.
  *
  * Settings and sizes are those of \ref estimateTensors with a radius, or one a query.
  * \throws std::invalid_argument, Canceled as there */

@@ -78,8 +78,8 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Hears of the progress of compute, which throws \ref Canceled where it asks
-   * for that. Null (default): nobody listens. It must outlive compute. */
+  /** \brief Hears of the progress of compute, which throws linelet::Canceled where it
+   * asks for that. Null (default): nobody listens. It must outlive compute. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {

@@ -149,6 +149,8 @@ TEST(MultiScaleEngines, AgreeBeyondTheDiagonal)
       expectSameShapes(cloud, {Point(1000, 0, 0), Point(0, 3000, 0)}, settings));
 }
 
+// Processor time of one run beside another: a hundred times as much where every query
+// is worked on by itself.
 TEST(MultiScaleEngines, CostNoMoreBeyondTheDiagonal)
 {
   const Points cloud = randomPoints(3000, 17, {10, 4, 0.5});
@@ -165,7 +167,7 @@ TEST(MultiScaleEngines, CostNoMoreBeyondTheDiagonal)
   for (const Kernel kernel : {Kernel::Const, Kernel::FermiDirac1}) {
     SCOPED_TRACE(nameOf(kernel));
     const double at_diagonal = processorTime(kernel, 11);
-    EXPECT_LT(processorTime(kernel, 1e5), 4 * at_diagonal + CLOCKS_PER_SEC / 50);
+    EXPECT_LT(processorTime(kernel, 1e5), 25 * at_diagonal + CLOCKS_PER_SEC / 10);
   }
 }
 

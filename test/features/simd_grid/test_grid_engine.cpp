@@ -5,10 +5,11 @@
 
 #include <cstring>
 #include <limits>
-#include <random>
 
 #include <linelet/search/kd_tree.h>
 #include <linelet/tensor/weighting.h>
+
+#include "random_seed.h"
 
 using namespace linelet;
 using namespace linelet::test;
@@ -95,7 +96,8 @@ TEST(GridEngine, AgreesBeyondTheDiagonal)
   EXPECT_EQ(records[1].neighbors, 0u);
 }
 
-// It took a hundred times as long, query by query in double.
+// It took a hundred times as long, query by query in double. Processor time of one run
+// beside another, with room for whatever else a machine does.
 TEST(GridEngine, CostsNoMoreBeyondTheDiagonal)
 {
   const Points points = uniformPoints(6000, {10, 10, 1}, 3);
@@ -111,13 +113,13 @@ TEST(GridEngine, CostsNoMoreBeyondTheDiagonal)
   for (const Kernel kernel : {Kernel::Const, Kernel::FermiDirac1, Kernel::Quadratic}) {
     SCOPED_TRACE(nameOf(kernel));
     const double at_diagonal = processorTime(kernel, 14.2);
-    EXPECT_LT(processorTime(kernel, 1e5), 4 * at_diagonal + CLOCKS_PER_SEC / 50);
+    EXPECT_LT(processorTime(kernel, 1e5), 25 * at_diagonal + CLOCKS_PER_SEC / 10);
   }
 }
 
 TEST(GridEngine, AgreesOnRandomClouds)
 {
-  const unsigned first_seed = std::random_device()();
+  const unsigned first_seed = randomSeed();
   for (unsigned i = 0; i < 60; ++i) {
     const unsigned seed = first_seed + i;
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -163,7 +165,7 @@ TEST(GridEngine, AgreesOnAdversarialClouds)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::pair<std::string, Points>> clouds;
   clouds.emplace_back("all in one cell", uniformPoints(1200, {0.5, 0.5, 0.5}, 1));
-  clouds.emplace_back("one point a cell", uniformPoints(1200, {60, 60, 60}, 2));
+  clouds.emplace_back("one point per cell", uniformPoints(1200, {60, 60, 60}, 2));
   Points border;
   for (int i = 0; i < 1200; ++i)
     border.emplace_back(0.01 * i, 1.0, 2.0);

@@ -73,7 +73,7 @@ private:
  * The points of a block are cut in two across the longest side of their box, these
  * parts again, down to \ref leaf points: see \ref half.
  *
- * 28 bytes a point, and 16 a block that holds any. */
+ * 28 bytes per point, and 16 per block that holds any. */
 class BlockOrder {
 public:
   /** \brief Most points of a part that is not cut any more. */

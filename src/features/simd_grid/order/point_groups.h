@@ -22,7 +22,7 @@ struct PointGroup {
 };
 
 /** \brief The points of a BlockOrder in groups, as it has cut them: what is known of a
- * group need not be looked up point by point. 8 bytes a point. */
+ * group need not be looked up point by point. 8 bytes per point. */
 class PointGroups {
 public:
   /** \brief Most points of a group. */
