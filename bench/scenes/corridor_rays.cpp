@@ -40,9 +40,7 @@ RayCaster::RayCaster(const Scene& scene, double beam) : scene_(scene), beam_(bea
   low_ -= Point::Constant(3 * margin);
   high_ += Point::Constant(3 * margin);
   top_ = high_.z();
-  columns_ = static_cast<std::size_t>(std::max(1.0, (high_.x() - low_.x()) / cell + 1));
-  rows_ = static_cast<std::size_t>(std::max(1.0, (high_.y() - low_.y()) / cell + 1));
-  cells_.resize(columns_ * rows_);
+  cells_ = PlanCells(low_, high_, cell);
 
   std::uint32_t id = 0;
   for (const Member& m : scene.members) {
@@ -56,23 +54,10 @@ RayCaster::RayCaster(const Scene& scene, double beam) : scene_(scene), beam_(bea
   seen_.assign(id, 0);
 }
 
-std::size_t
-RayCaster::cellOf(double x, double y) const
-{
-  const auto column = static_cast<std::size_t>((x - low_.x()) / cell);
-  const auto row = static_cast<std::size_t>((y - low_.y()) / cell);
-  return row * columns_ + column;
-}
-
 void
-RayCaster::insert(std::uint32_t id, Point low, Point high)
+RayCaster::insert(std::uint32_t id, const Point& low, const Point& high)
 {
-  low -= Point::Constant(margin);
-  high += Point::Constant(margin);
-  const std::size_t first = cellOf(low.x(), low.y()), last = cellOf(high.x(), high.y());
-  for (std::size_t row = first / columns_; row <= last / columns_; ++row)
-    for (std::size_t column = first % columns_; column <= last % columns_; ++column)
-      cells_[row * columns_ + column].push_back(id);
+  cells_.insert(id, low - Point::Constant(margin), high + Point::Constant(margin));
 }
 
 const std::vector<Hit>&
@@ -89,7 +74,7 @@ RayCaster::cast(const Ray& ray, Random& random)
     if (p.x() < low_.x() || p.y() < low_.y() || p.x() >= high_.x() ||
         p.y() >= high_.y())
       continue;
-    for (const std::uint32_t id : cells_[cellOf(p.x(), p.y())])
+    for (const std::uint32_t id : cells_.at(p.x(), p.y()))
       if (seen_[id] != ray_) {
         seen_[id] = ray_;
         meet(id, ray, random);
@@ -145,18 +130,8 @@ RayCaster::meetMember(const Member& member, const Ray& ray)
 void
 RayCaster::meetPanel(const Panel& panel, const Ray& ray)
 {
-  const Point e1 = panel.b - panel.a, e2 = panel.c - panel.a;
-  const Point p = ray.direction.cross(e2);
-  const double det = e1.dot(p);
-  if (std::abs(det) < 1e-9)
-    return;
-  const Point s = ray.origin - panel.a;
-  const double u = s.dot(p) / det;
-  const Point q = s.cross(e1);
-  const double v = ray.direction.dot(q) / det;
-  if (u < 0 || v < 0 || u + v > 1)
-    return;
-  hits_.push_back({e2.dot(q) / det, panel.classification, panel.reflectivity, 1, -1});
+  if (const auto t = meetTriangle(ray.origin, ray.direction, panel.a, panel.b, panel.c))
+    hits_.push_back({*t, panel.classification, panel.reflectivity, 1, -1});
 }
 
 void

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "corridor_scene.h"
+#include "plan_cells.h"
 
 namespace linelet::bench::corridor {
 
@@ -49,7 +50,7 @@ public:
 
 private:
   void
-  insert(std::uint32_t id, Point low, Point high);
+  insert(std::uint32_t id, const Point& low, const Point& high);
   void
   meet(std::uint32_t id, const Ray& ray, Random& random);
   void
@@ -60,14 +61,11 @@ private:
   meetCrown(const Crown& crown, const Ray& ray, Random& random);
   double
   terrainAlong(const Ray& ray) const;
-  std::size_t
-  cellOf(double x, double y) const;
 
   const Scene& scene_;
   double beam_, top_ = 0;
   Point low_, high_; ///< bounds of all things, in plan
-  std::size_t columns_ = 1, rows_ = 1;
-  std::vector<std::vector<std::uint32_t>> cells_;
+  PlanCells cells_;
   std::vector<std::uint32_t> seen_; ///< number of the ray that met a thing last
   std::uint32_t ray_ = 0;
   std::vector<Hit> hits_;

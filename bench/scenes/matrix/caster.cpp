@@ -40,9 +40,7 @@ Caster::Caster(const World& world, std::uint32_t seed) : world_(world), seed_(se
   }
   low_ -= Point::Constant(4 * margin);
   high_ += Point::Constant(4 * margin);
-  columns_ = static_cast<std::size_t>((high_.x() - low_.x()) / cell) + 1;
-  rows_ = static_cast<std::size_t>((high_.y() - low_.y()) / cell) + 1;
-  cells_.resize(columns_ * rows_);
+  cells_ = PlanCells(low_, high_, cell);
   std::uint32_t id = 0;
   for (const Rod& rod : world.rods) {
     const Point thick = Point::Constant(rod.reach);
@@ -55,26 +53,10 @@ Caster::Caster(const World& world, std::uint32_t seed) : world_(world), seed_(se
   seen_.assign(id, 0);
 }
 
-std::size_t
-Caster::cellOf(double x, double y) const
-{
-  const auto place = [](double from, double at, std::size_t count) {
-    const double index = std::floor((at - from) / cell);
-    return static_cast<std::size_t>(
-        std::clamp(index, 0.0, static_cast<double>(count - 1)));
-  };
-  return place(low_.y(), y, rows_) * columns_ + place(low_.x(), x, columns_);
-}
-
 void
-Caster::insert(std::uint32_t id, Point low, Point high)
+Caster::insert(std::uint32_t id, const Point& low, const Point& high)
 {
-  low -= Point::Constant(margin);
-  high += Point::Constant(margin);
-  const std::size_t first = cellOf(low.x(), low.y()), last = cellOf(high.x(), high.y());
-  for (std::size_t row = first / columns_; row <= last / columns_; ++row)
-    for (std::size_t column = first % columns_; column <= last % columns_; ++column)
-      cells_[row * columns_ + column].push_back(id);
+  cells_.insert(id, low - Point::Constant(margin), high + Point::Constant(margin));
 }
 
 const std::vector<Hit>&
@@ -91,7 +73,7 @@ Caster::cast(const Pulse& pulse, Random& random)
     if ((p.head<2>().array() < low_.head<2>().array()).any() ||
         (p.head<2>().array() > high_.head<2>().array()).any())
       continue;
-    for (const std::uint32_t id : cells_[cellOf(p.x(), p.y())]) {
+    for (const std::uint32_t id : cells_.at(p.x(), p.y())) {
       if (seen_[id] == pulse_)
         continue;
       seen_[id] = pulse_;
@@ -143,19 +125,9 @@ Caster::meetRod(const Rod& rod, const Pulse& pulse, Random& random)
 void
 Caster::meetFacet(const Facet& facet, const Pulse& pulse)
 {
-  const Point e1 = facet.b - facet.a, e2 = facet.c - facet.a;
-  const Point p = pulse.direction.cross(e2);
-  const double det = e1.dot(p);
-  if (std::abs(det) < 1e-9)
-    return;
-  const Point s = pulse.origin - facet.a;
-  const double u = s.dot(p) / det;
-  const Point q = s.cross(e1);
-  const double v = pulse.direction.dot(q) / det;
-  if (u < 0 || v < 0 || u + v > 1)
-    return;
-  const double t = e2.dot(q) / det;
-  hits_.push_back({t, pulse.at(t), 1, BuildingClass, -1});
+  if (const auto t =
+          meetTriangle(pulse.origin, pulse.direction, facet.a, facet.b, facet.c))
+    hits_.push_back({*t, pulse.at(*t), 1, BuildingClass, -1});
 }
 
 void

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <bench/scenes/plan_cells.h>
+
 #include "world.h"
 
 namespace linelet::bench::scenes {
@@ -49,21 +51,18 @@ public:
 
 private:
   void
-  insert(std::uint32_t id, Point low, Point high);
+  insert(std::uint32_t id, const Point& low, const Point& high);
   void
   meetRod(const Rod& rod, const Pulse& pulse, Random& random);
   void
   meetFacet(const Facet& facet, const Pulse& pulse);
   void
   meetCrown(const Crown& crown, const Pulse& pulse, Random& random);
-  std::size_t
-  cellOf(double x, double y) const;
 
   const World& world_;
   std::uint32_t seed_;
   Point low_, high_; ///< bounds of all things
-  std::size_t columns_ = 1, rows_ = 1;
-  std::vector<std::vector<std::uint32_t>> cells_;
+  PlanCells cells_;
   std::vector<std::uint32_t> seen_; ///< number of the pulse that met a thing last
   std::uint32_t pulse_ = 0;
   std::vector<Hit> hits_;
