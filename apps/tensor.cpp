@@ -17,6 +17,7 @@
 #include "frame.h"
 #include "options.h"
 #include "scale_cost.h"
+#include "search_choice.h"
 
 namespace linelet::apps {
 
@@ -108,18 +109,48 @@ chooseRadius(double scale_unit, const std::string& file)
   return radiusFor(scale_unit);
 }
 
+/** \brief Who finds the neighbors, as asked for and then as it ran. */
+struct Finder {
+  EngineOption engine = EngineOption::Auto;
+  SearchOption search = SearchOption::Auto;
+  std::string device;
+
+  /** \brief The engine, or the search of PCL that stood in its place. */
+  std::string
+  name() const
+  {
+    return std::string(isOfPcl(search) ? nameOf(search) : nameOf(engine));
+  }
+};
+
+/** \brief Makes of --search what it says about the engine. */
+void
+settle(Finder& finder)
+{
+  if (finder.search == SearchOption::Auto)
+    return;
+  if (finder.engine != EngineOption::Auto)
+    throw std::runtime_error("--search " + std::string(nameOf(finder.search)) +
+                             " and --engine " + std::string(nameOf(finder.engine)) +
+                             " both say who finds the neighbors; give one of them");
+  finder.engine =
+      finder.search == SearchOption::Grid ? EngineOption::Grid : EngineOption::Tree;
+}
+
 Records
 run(const Points& points,
     const Points& queries,
     TensorSettings settings,
-    EngineOption engine,
+    const Finder& finder,
     const NeighborhoodSizes& sizes,
-    const std::string& device,
     Frame& frame)
 {
-  settings.engine = engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
-  return engine == EngineOption::OpenCL
-             ? estimateOnDevice(device, points, queries, settings, sizes, frame)
+  if (isOfPcl(finder.search))
+    return estimateWithPcl(
+        finder.search, points, queries, settings, sizes, &frame.monitor);
+  settings.engine = finder.engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
+  return finder.engine == EngineOption::OpenCL
+             ? estimateOnDevice(finder.device, points, queries, settings, sizes, frame)
              : estimateTensors(points, queries, settings, sizes, &frame.monitor);
 }
 
@@ -128,16 +159,15 @@ run(const Points& points,
 void
 announceTensors(const Points& points,
                 const TensorSettings& settings,
-                EngineOption engine,
+                const Finder& finder,
                 const NeighborhoodSizes& sizes,
-                const std::string& device,
                 Frame& frame)
 {
   constexpr double most_pairs = 1e9;
   const EngineWork work = engineWork(points, points, settings, sizes);
   if (work.neighbors * static_cast<double>(work.queries) < most_pairs)
     return;
-  const bool grid = engine != EngineOption::Tree && !work.nearest;
+  const bool grid = finder.engine != EngineOption::Tree && !work.nearest;
   const ScaleCost cost =
       measuredCost(points, grid ? 3200 : 160, [&](const Indices& chosen) {
         Points queries;
@@ -150,8 +180,7 @@ announceTensors(const Points& points,
             some.counts.push_back(sizes.counts[i]);
         }
         double neighbors = 0;
-        for (const auto& record :
-             run(points, queries, settings, engine, some, device, frame))
+        for (const auto& record : run(points, queries, settings, finder, some, frame))
           neighbors += record.neighbors;
         return neighbors;
       });
@@ -164,23 +193,24 @@ announceTensors(const Points& points,
 Records
 estimate(const Points& points,
          TensorSettings& settings,
-         EngineOption& engine,
+         Finder& finder,
          const NeighborhoodSizes& sizes,
-         const std::string& device,
          Frame& frame)
 {
   // Sizes that make no sense are refused before anything is made of them.
   validate(settings, sizes, points.size());
+  EngineOption& engine = finder.engine;
   const bool automatic = engine == EngineOption::Auto;
   if (automatic) {
     const EngineWork work = engineWork(points, points, settings, sizes);
-    engine = gpuIsCheapest(device, work, settings.centroid) ? EngineOption::OpenCL
-             : cheapestEngine(work) == Engine::Grid         ? EngineOption::Grid
-                                                            : EngineOption::Tree;
+    engine = gpuIsCheapest(finder.device, work, settings.centroid)
+                 ? EngineOption::OpenCL
+             : cheapestEngine(work) == Engine::Grid ? EngineOption::Grid
+                                                    : EngineOption::Tree;
   }
   try {
-    announceTensors(points, settings, engine, sizes, device, frame);
-    return run(points, points, settings, engine, sizes, device, frame);
+    announceTensors(points, settings, finder, sizes, frame);
+    return run(points, points, settings, finder, sizes, frame);
   }
   catch (const Canceled&) {
     throw;
@@ -191,7 +221,7 @@ estimate(const Points& points,
     frame.warn(std::string(error.what()) + "; the engine grid runs instead");
   }
   engine = EngineOption::Grid;
-  return run(points, points, settings, engine, sizes, device, frame);
+  return run(points, points, settings, finder, sizes, frame);
 }
 
 /** \brief The records of the points of file \a number, whose neighbors may be in other
@@ -202,19 +232,18 @@ estimateWithBorder(CloudInput& input,
                    const io::Cloud& cloud,
                    const io::UsablePoints& usable,
                    TensorSettings& settings,
-                   EngineOption& engine,
+                   Finder& finder,
                    const NeighborhoodSizes& sizes,
-                   const std::string& device,
                    Frame& frame)
 {
   if (input.files().size() == 1)
-    return estimate(usable.points(), settings, engine, sizes, device, frame);
+    return estimate(usable.points(), settings, finder, sizes, frame);
   const CloudInput::Border border = input.border(number, cloud, settings.radius);
   // In the order of all files together, so that sums are those of the merged cloud.
   Points points = border.before;
   points.insert(points.end(), usable.points().begin(), usable.points().end());
   points.insert(points.end(), border.after.begin(), border.after.end());
-  const Records records = estimate(points, settings, engine, sizes, device, frame);
+  const Records records = estimate(points, settings, finder, sizes, frame);
   const auto first =
       records.begin() + static_cast<std::ptrdiff_t>(border.before.size());
   return {first, first + static_cast<std::ptrdiff_t>(cloud.points.size())};
@@ -295,7 +324,7 @@ void
 summarize(nlohmann::ordered_json& summary,
           const Tally& tally,
           const TensorSettings& settings,
-          EngineOption engine,
+          const Finder& finder,
           const SizeFields& fields)
 {
   summary["points"] = tally.points;
@@ -309,7 +338,7 @@ summarize(nlohmann::ordered_json& summary,
     summary["knn_field"] = fields.knn;
   summary["weight"] = settings.weighting.name();
   summary["centroid"] = nameOf(settings.centroid);
-  summary["engine"] = nameOf(engine);
+  summary["engine"] = finder.name();
   summary["mean_neighbors"] = tally.mean_neighbors;
   summary["unknown"] = tally.unknown;
 }
@@ -327,16 +356,15 @@ runTensor(const std::vector<std::string>& arguments)
       "or a field the radius is chosen: three times the scale unit D. Points flagged "
       "as withheld take no part and have no shape.");
   TensorSettings settings;
-  auto engine = EngineOption::Auto;
+  Finder finder;
   SizeFields fields;
-  std::string device;
   CloudInput input(frame);
   CloudOutput output(frame);
   const OptionAdder add(frame.app);
   // The tool knows one engine more than the settings do.
   describe(settings, [&](const char* name, auto& value, const char* help) {
     if constexpr (std::is_same_v<decltype(value), Engine&>)
-      add(name, engine, help);
+      add(name, finder.engine, help);
     else
       add(name, value, help);
   });
@@ -344,11 +372,17 @@ runTensor(const std::vector<std::string>& arguments)
   add("knn-field",
       fields.knn,
       "attribute that holds the number of nearest points of every point");
+  add("search",
+      finder.search,
+      "search that finds the neighbors, instead of --engine: linelet's kd-tree or "
+      "grid, "
+      "or PCL's searches; all find the same");
   add("device",
-      device,
+      finder.device,
       "OpenCL device by number or part of its name; linelet devices lists them");
   frame.parse(arguments);
   settings.threads = frame.threads;
+  settle(finder);
   output.check(input);
   if (input.several() &&
       (settings.k > 0 || !fields.radius.empty() || !fields.knn.empty()))
@@ -368,26 +402,27 @@ runTensor(const std::vector<std::string>& arguments)
       frame.summary["scale_unit"] = scale_unit;
       settings.radius = chooseRadius(scale_unit, input.files()[i]);
     }
-    const Records records = estimateWithBorder(
-        input, i, cloud, usable, settings, engine, sizes, device, frame);
+    const Records records =
+        estimateWithBorder(input, i, cloud, usable, settings, finder, sizes, frame);
     frame.lap("tensor");
     addColumns(cloud, records);
     const std::string path = output.pathFor(input, i);
     output.write(cloud, path);
 
     const Tally tally = tallyOf(records, usable.leftOut());
-    std::printf("%s: %zu points, %s, %.1f neighbors on average, engine %s\n",
+    std::printf("%s: %zu points, %s, %.1f neighbors on average, %s %s\n",
                 path.c_str(),
                 tally.points,
                 describeSize(settings, fields).c_str(),
                 tally.mean_neighbors,
-                std::string(nameOf(engine)).c_str());
+                isOfPcl(finder.search) ? "search" : "engine",
+                finder.name().c_str());
     printUnknown(tally, scale_unit, usable.points());
     total.add(tally);
     withheld += usable.withheld();
     ignored += usable.ignored();
   }
-  summarize(frame.summary, total, settings, engine, fields);
+  summarize(frame.summary, total, settings, finder, fields);
   frame.summary["withheld"] = withheld;
   frame.summary["ignored"] = ignored;
   return frame.finish();

@@ -8,20 +8,44 @@
 
 namespace linelet {
 
+namespace {
+
 CurveNetwork
-reconstructCurves(const Points& points,
-                  const ReconstructionSettings& settings,
-                  ProgressMonitor* monitor)
+reconstruct(const NeighborSearch* search,
+            const Points& points,
+            const ReconstructionSettings& settings,
+            ProgressMonitor* monitor)
 {
   validate(settings);
   if (settings.preset == Preset::Published)
-    return reconstructPublished(points, settings, monitor);
+    return search != nullptr ? reconstructPublished(*search, points, settings, monitor)
+                             : reconstructPublished(points, settings, monitor);
   RefinedSettings refined;
   refined.start_points = settings.start_points;
   refined.max_iterations = settings.max_iterations;
   refined.distance_cutoff = settings.distance_cutoff;
   refined.threads = settings.threads;
-  return reconstructRefined(points, refined, monitor);
+  return search != nullptr ? reconstructRefined(*search, points, refined, monitor)
+                           : reconstructRefined(points, refined, monitor);
+}
+
+} // namespace
+
+CurveNetwork
+reconstructCurves(const Points& points,
+                  const ReconstructionSettings& settings,
+                  ProgressMonitor* monitor)
+{
+  return reconstruct(nullptr, points, settings, monitor);
+}
+
+CurveNetwork
+reconstructCurves(const NeighborSearch& search,
+                  const Points& points,
+                  const ReconstructionSettings& settings,
+                  ProgressMonitor* monitor)
+{
+  return reconstruct(&search, points, settings, monitor);
 }
 
 } // namespace linelet

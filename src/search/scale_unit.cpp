@@ -21,6 +21,8 @@ namespace linelet {
 
 namespace {
 
+constexpr std::size_t neighbors = 6;
+
 /** \brief Moves \a count random elements to the front (Fisher and Yates, cut short). */
 void
 chooseRandomly(Indices& indices, std::size_t count, unsigned seed)
@@ -51,23 +53,67 @@ rowSize(const Points& points, const Indices& finite)
   return size > 0 && std::isfinite(size) ? size : 1;
 }
 
+Indices
+finiteOnes(const Points& points)
+{
+  Indices finite;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      finite.push_back(static_cast<Index>(i));
+  return finite;
+}
+
+/** \brief Leaves a random \a sample of \a chosen. */
+void
+drawSample(Indices& chosen, std::size_t sample, unsigned seed)
+{
+  if (sample == 0 || sample >= chosen.size())
+    return;
+  chooseRandomly(chosen, sample, seed);
+  chosen.resize(sample);
+}
+
+/** \brief The lower of the middle values. */
+double
+median(std::vector<double>& values)
+{
+  const auto middle =
+      values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 } // namespace
+
+double
+scaleUnit(const NeighborSearch& search,
+          const Points& points,
+          std::size_t sample,
+          unsigned seed,
+          unsigned threads)
+{
+  Indices chosen = finiteOnes(points);
+  if (chosen.size() < 2)
+    return std::numeric_limits<double>::quiet_NaN();
+  drawSample(chosen, sample, seed);
+  std::vector<double> distances(chosen.size());
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threadCount(threads))
+  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(chosen.size()); ++k) {
+    thread_local Indices found;
+    const auto place = static_cast<std::size_t>(k);
+    distances[place] = search.nearest(points[chosen[place]], neighbors + 1, found);
+  }
+  return median(distances);
+}
 
 double
 scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned threads)
 {
-  constexpr std::size_t neighbors = 6;
-  Indices chosen;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      chosen.push_back(static_cast<Index>(i));
+  Indices chosen = finiteOnes(points);
   if (chosen.size() < 2)
     return std::numeric_limits<double>::quiet_NaN();
   const UniformGrid grid(points, rowSize(points, chosen));
-  if (sample != 0 && sample < chosen.size()) {
-    chooseRandomly(chosen, sample, seed);
-    chosen.resize(sample);
-  }
+  drawSample(chosen, sample, seed);
 
   constexpr std::size_t block = 256; // of one thread
   std::vector<double> squares;
@@ -89,10 +135,7 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
 #pragma omp critical(linelet_scale_unit)
     squares.insert(squares.end(), own.begin(), own.end());
   }
-  const auto middle =
-      squares.begin() + static_cast<std::ptrdiff_t>((squares.size() - 1) / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  return std::sqrt(*middle);
+  return std::sqrt(median(squares));
 }
 
 } // namespace linelet

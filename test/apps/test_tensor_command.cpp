@@ -132,6 +132,38 @@ TEST_F(TensorCommand, TakesSizesFromFieldsAndCounts)
                 estimateTensors(cloud.points, cloud.points, nine));
 }
 
+TEST_F(TensorCommand, EverySearchGivesTheSame)
+{
+  const std::string input = path("in.las"), output = path("out.las");
+  writeScene(input);
+  const io::Cloud cloud = io::readCloud(input);
+  for (const char* size : {" --radius 1.5", " --knn 9", " --radius-field size"}) {
+    TensorSettings settings;
+    NeighborhoodSizes sizes;
+    if (size == std::string(" --knn 9"))
+      settings.k = 9;
+    else if (size == std::string(" --radius 1.5"))
+      settings.radius = 1.5;
+    else
+      for (std::size_t i = 0; i < cloud.points.size(); ++i)
+        sizes.radii.push_back(io::valueAt(*cloud.find("size"), i));
+    const auto expected = estimateTensors(cloud.points, cloud.points, settings, sizes);
+    for (const std::string search : {"flann", "octree", "builtin", "grid"}) {
+      SCOPED_TRACE(search + size);
+      const Outcome run = tensor(input + " " + output + size + " --search " + search +
+                                 " --json " + path("summary.json"));
+      ASSERT_EQ(run.code, 0) << run.error;
+      expectRecords(io::readCloud(output), expected);
+      EXPECT_EQ(json(path("summary.json"))["engine"],
+                search == "builtin" ? "tree" : search);
+    }
+  }
+  const Outcome both =
+      tensor(input + " " + output + " --radius 1 --search octree --engine grid");
+  EXPECT_EQ(both.code, 1);
+  EXPECT_THAT(both.error, HasSubstr("give one of them"));
+}
+
 TEST_F(TensorCommand, ChoosesARadiusAndTellsAboutIt)
 {
   const std::string input = path("in.csv"), output = path("out.csv");

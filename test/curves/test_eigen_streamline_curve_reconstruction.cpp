@@ -11,6 +11,10 @@
 #include <bench/geometries/test_cloud.h>
 #include <bench/measures/measures.h>
 #include <linelet/curves/eigen_streamline_curve_reconstruction.h>
+#include <linelet/search/kd_tree.h>
+#include <linelet/search/pcl_search.h>
+
+#include "features/pdt_fixture.h"
 
 using namespace linelet;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -142,6 +146,59 @@ TEST_P(CurveReconstructionInPcl, ParametersOutOfRangeGiveAnEmptyResult)
   reconstruction.setInputCloud(cloudOf(bench::Geometry::Line));
   reconstruction.setDistanceCutoff(-1);
   EXPECT_TRUE(reconstruction.reconstruct().curves.empty());
+}
+
+TEST_P(CurveReconstructionInPcl, NeighborsComeFromTheSearchThatWasGiven)
+{
+  const auto image = test::depthImage(); // organized, with holes
+  const auto helix = cloudOf(bench::Geometry::Helix);
+  ReconstructionSettings settings = reconstruction.getSettings();
+  for (const auto& cloud : {image, helix}) {
+    const Points points = pointsOf(*cloud);
+    const CurveNetwork expected = reconstructCurves(KdTree(points), points, settings);
+    ASSERT_FALSE(expected.curves.empty());
+    EXPECT_NEAR(length(reconstructCurves(points, settings)),
+                length(expected),
+                0.02 * length(expected))
+        << "with the search built in, up to the order of sums";
+    for (const auto& [name, search] : test::searches(cloud->isOrganized())) {
+      if (!search)
+        continue;
+      SCOPED_TRACE(name);
+      reconstruction.setInputCloud(cloud);
+      reconstruction.setSearchMethod(search);
+      const CurveNetwork curves = reconstruction.reconstruct();
+      EXPECT_EQ(search->getInputCloud(), cloud) << "the search was never asked";
+      ASSERT_EQ(curves.curves.size(), expected.curves.size());
+      for (std::size_t i = 0; i < curves.curves.size(); ++i)
+        EXPECT_EQ(curves.curves[i].points, expected.curves[i].points);
+    }
+  }
+}
+
+TEST_P(CurveReconstructionInPcl, AGivenSearchServesIndicesAndMovedPointsToo)
+{
+  const auto cloud = cloudOf(bench::Geometry::Helix);
+  for (std::size_t i = 0; i < 256; ++i)
+    cloud->emplace_back(0, 0, 50 + 0.01F * static_cast<float>(i));
+  Points half;
+  auto indices = pcl::make_shared<pcl::Indices>();
+  for (int i = 0; i < 256; ++i) {
+    indices->push_back(i);
+    half.push_back(
+        cloud->at(static_cast<std::size_t>(i)).getVector3fMap().cast<double>());
+  }
+  ReconstructionSettings settings = reconstruction.getSettings();
+  settings.prefilter_radius = 0.2;
+  reconstruction.setSettings(settings);
+  reconstruction.setInputCloud(cloud);
+  reconstruction.setIndices(indices);
+  reconstruction.setSearchMethod(
+      pcl::make_shared<pcl::search::Octree<pcl::PointXYZ>>(0.5));
+  const CurveNetwork curves = reconstruction.reconstruct();
+  const CurveNetwork expected = reconstructCurves(half, settings);
+  ASSERT_FALSE(curves.curves.empty());
+  EXPECT_NEAR(length(curves), length(expected), 1e-3 * length(expected));
 }
 
 TEST(CurveReconstructionSetters, SetWhatTheyName)

@@ -17,7 +17,10 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/search/kdtree.h>
 
+#include <linelet/search/kd_tree.h>
 #include <linelet/search/pcl_search.h>
+
+#include "pdt_fixture.h"
 
 using namespace linelet;
 
@@ -297,3 +300,66 @@ TEST_F(MultiScaleShapeFeatureTest, RecordsAreAPointTypeOfPcl)
 }
 
 } // namespace
+
+TEST_F(MultiScaleShapeFeatureTest, NeighborsComeFromTheSearchThatWasGiven)
+{
+  const auto cloud = test::depthImage();
+  const Points points = pointsOf(*cloud);
+  // The same neighbors in the same order: equal to the last bit.
+  const MultiScaleShapes expected = multiScaleShapes(KdTree(points), points, points);
+  const auto built_in = multiScaleShapes(points, points);
+  for (const auto& [name, search] : test::searches(true)) {
+    if (!search)
+      continue;
+    SCOPED_TRACE(name);
+    MultiScaleShapeFeature<pcl::PointXYZ> feature;
+    feature.setInputCloud(cloud);
+    feature.setSearchMethod(search);
+    Records out;
+    feature.compute(out);
+    EXPECT_EQ(search->getInputCloud(), cloud) << "the search was never asked";
+    EXPECT_EQ(feature.getScaleUnit(), expected.scale_unit);
+    EXPECT_EQ(feature.getRadii(), expected.radii);
+    ASSERT_EQ(out.size(), points.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      ASSERT_TRUE(same(out[i], expected.shapes[i])) << "point " << i;
+      ASSERT_EQ(out[i].first_neighbors, built_in.shapes[i].first_neighbors);
+      if (!std::isnan(out[i].linearity_sum)) {
+        ASSERT_NEAR(out[i].linearity_sum, built_in.shapes[i].linearity_sum, 2e-3);
+      }
+    }
+  }
+}
+
+TEST_F(MultiScaleShapeFeatureTest, AnEngineOfItsOwnLeavesTheSearchAside)
+{
+  const auto search = pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
+  MultiScaleShapeFeature<pcl::PointXYZ> feature;
+  feature.setInputCloud(wire<pcl::PointXYZ>());
+  MultiScaleSettings settings;
+  settings.engine = ScaleEngine::Sweep;
+  feature.setSettings(settings);
+  Records without, with;
+  feature.compute(without);
+  feature.setSearchMethod(search);
+  feature.compute(with);
+  for (std::size_t i = 0; i < with.size(); ++i)
+    EXPECT_TRUE(same(with[i], without[i]));
+}
+
+TEST_F(MultiScaleShapeFeatureTest, TheStopRuleAsksTheGivenSearchToo)
+{
+  const auto cloud = wire<pcl::PointXYZ>();
+  MultiScaleSettings settings;
+  settings.centroid = Centroid::Mean;
+  settings.stop_change = 0.02;
+  MultiScaleShapeFeature<pcl::PointXYZ> feature;
+  feature.setInputCloud(cloud);
+  feature.setSettings(settings);
+  Records out;
+  feature.compute(out);
+  const std::vector<double> expected = feature.getRadii();
+  feature.setSearchMethod(pcl::make_shared<pcl::search::Octree<pcl::PointXYZ>>(0.3));
+  feature.compute(out);
+  EXPECT_EQ(feature.getRadii(), expected);
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 
 #include <linelet/search/grid_search.h>
 #include <linelet/search/kd_tree.h>
+#include <linelet/search/subset_search.h>
 
 using namespace linelet;
 
@@ -165,4 +167,45 @@ TEST(NeighborSearch, AnswersForDegenerateSets)
       EXPECT_TRUE(found.empty());
     }
   }
+}
+
+TEST(SubsetSearch, FindsWhatASearchOverTheSubsetFinds)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Points points = lattice(400, seed);
+    points[3] = Point(std::nan(""), 0, 0);
+    Random random(seed);
+    boost::random::uniform_int_distribution<Index> any(0, 399);
+    for (const std::size_t size : {0u, 1u, 7u, 150u, 500u}) {
+      Indices chosen; // with repetition
+      Points subset;
+      for (std::size_t i = 0; i < size; ++i) {
+        chosen.push_back(i == 5 ? 3 : any(random));
+        subset.push_back(points[chosen.back()]);
+      }
+      const KdTree whole(points), own(subset);
+      const SubsetSearch search(whole, points, chosen);
+      for (const Point& query : lattice(20, seed + 50)) {
+        Indices found, expected;
+        for (const double radius : {0.0, 0.15, 0.5}) {
+          search.within(query, radius, found);
+          own.within(query, radius, expected);
+          EXPECT_EQ(found, expected);
+        }
+        for (const std::size_t count : {1u, 6u, 40u, 1000u}) {
+          const double distance = search.nearest(query, count, found);
+          EXPECT_EQ(distance, own.nearest(query, count, expected));
+          EXPECT_EQ(found, expected);
+        }
+      }
+    }
+  }
+}
+
+TEST(SubsetSearch, RefusesAnIndexBeyondThePoints)
+{
+  const Points points = lattice(10, 1);
+  const KdTree whole(points);
+  EXPECT_THROW(SubsetSearch(whole, points, {2, 10}), std::invalid_argument);
 }

@@ -11,6 +11,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
+#include <linelet/search/kd_tree.h>
 #include <linelet/search/scale_unit.h>
 
 using namespace linelet;
@@ -97,4 +98,20 @@ TEST(ScaleUnit, OfFewCoincidentOrUnknownPoints)
   const double clean = scaleUnit(points, 0);
   points.resize(400, Point(nan, nan, nan));
   EXPECT_EQ(scaleUnit(points, 0), clean);
+}
+
+TEST(ScaleUnit, IsTheSameWithAnySearch)
+{
+  boost::random::mt19937 random(8);
+  boost::random::uniform_real_distribution<double> unit(-1, 1);
+  Points points;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = unit(random), y = unit(random);
+    points.emplace_back(x, y, i % 3 == 0 ? 0 : unit(random));
+  }
+  points[5].x() = std::numeric_limits<double>::quiet_NaN();
+  for (const std::size_t sample : {0u, 1024u})
+    EXPECT_EQ(scaleUnit(KdTree(points), points, sample), scaleUnit(points, sample));
+  const Points one = {Point(1, 2, 3)};
+  EXPECT_TRUE(std::isnan(scaleUnit(KdTree(one), one)));
 }

@@ -30,7 +30,12 @@ namespace LINELET_PUBLIC linelet {
  * Points that are not finite are left out. Without input, with an index beyond the
  * cloud or a parameter out of range the result is empty, with a message through
  * PCL_ERROR; a cloud without a curve gives an empty result without a message.
- * Neighbors are found in a grid of its own: setSearchMethod has no effect.
+ * Neighbors come from the search given by setSearchMethod (any of them; PCL hands a
+ * cloud to its search only when the pointer changes, so never alter a cloud in place),
+ * else from a grid of its own; the curves are the same up to rounding. All neighbors of
+ * Preset::Published do, save those of points that a pre-filter has moved; of
+ * Preset::Refined those by which the spacing of the points is measured, as it has no
+ * others: see \ref reconstructRefined.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
  * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own
@@ -141,6 +146,7 @@ protected:
   using Base::indices_;
   using Base::initCompute;
   using Base::input_;
+  using Base::tree_;
 
   std::string
   getClassName() const override
@@ -159,7 +165,9 @@ private:
   bool
   refuse(const char* reason) const;
   bool
-  chosenPoints(Points& points);
+  chosenPoints(Points& points, Indices& indices);
+  CurveNetwork
+  reconstruct(const Points& points, const Indices& indices);
 
   ReconstructionSettings settings_;
   ProgressMonitor* monitor_ = nullptr;

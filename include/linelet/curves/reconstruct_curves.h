@@ -9,6 +9,7 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/curves/streamline_settings.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
@@ -51,6 +52,14 @@ describe(ReconstructionSettings& settings, Visit&& visit)
  * \throws std::invalid_argument for a parameter out of range, Canceled */
 CurveNetwork
 reconstructCurves(const Points& points,
+                  const ReconstructionSettings& settings = {},
+                  ProgressMonitor* monitor = nullptr);
+
+/** \brief The same, with neighbors from \a search over \a points, as far as the method
+ * asks for any. */
+CurveNetwork
+reconstructCurves(const NeighborSearch& search,
+                  const Points& points,
                   const ReconstructionSettings& settings = {},
                   ProgressMonitor* monitor = nullptr);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <linelet/curves/curve_network.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
@@ -40,6 +41,15 @@ struct RefinedSettings {
  * \throws Canceled when \a monitor says so */
 CurveNetwork
 reconstructRefined(const Points& points,
+                   const RefinedSettings& settings = {},
+                   ProgressMonitor* monitor = nullptr);
+
+/** \brief The same, with the spacing of the points (D, and how it varies along the
+ * curves) from \a search over \a points. The densities and distances that curves are
+ * fitted by are sums over points in the order of a grid, which no search could give. */
+CurveNetwork
+reconstructRefined(const NeighborSearch& search,
+                   const Points& points,
                    const RefinedSettings& settings = {},
                    ProgressMonitor* monitor = nullptr);
 

@@ -5,6 +5,7 @@
 
 #include <linelet/curves/curve_network.h>
 #include <linelet/curves/streamline_settings.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
@@ -24,6 +25,13 @@ namespace LINELET_PUBLIC linelet {
  * \throws std::invalid_argument for a parameter out of range, Canceled */
 CurveNetwork
 reconstructPublished(const Points& points,
+                     const StreamlineSettings& settings = {},
+                     ProgressMonitor* monitor = nullptr);
+
+/** \brief The same, with neighbors from \a search over \a points. */
+CurveNetwork
+reconstructPublished(const NeighborSearch& search,
+                     const Points& points,
                      const StreamlineSettings& settings = {},
                      ProgressMonitor* monitor = nullptr);
 

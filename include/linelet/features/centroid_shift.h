@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
@@ -29,6 +30,13 @@ struct CentroidShiftSettings {
  * \throws std::invalid_argument unless the radius is positive and finite; Canceled */
 Points
 shiftToCentroids(const Points& points,
+                 const CentroidShiftSettings& settings,
+                 ProgressMonitor* monitor = nullptr);
+
+/** \brief The same, with neighbors from \a search over \a points. */
+Points
+shiftToCentroids(const NeighborSearch& search,
+                 const Points& points,
                  const CentroidShiftSettings& settings,
                  ProgressMonitor* monitor = nullptr);
 

@@ -13,6 +13,7 @@
 #include <linelet/features/linearity_graph.h>
 #include <linelet/features/multi_scale_radii.h>
 #include <linelet/features/multi_scale_types.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
@@ -102,6 +103,13 @@ multiScaleRadii(const Points& surface,
                 const MultiScaleSettings& settings,
                 ProgressMonitor* monitor = nullptr);
 
+/** \brief The same, with neighbors from \a search over \a surface. */
+MultiScaleShapes
+multiScaleRadii(const NeighborSearch& search,
+                const Points& surface,
+                const MultiScaleSettings& settings,
+                ProgressMonitor* monitor = nullptr);
+
 /** \brief The engine that \ref multiScaleShapes runs: what ScaleEngine::Auto stands
  * for, judged by the numbers of points and queries and the neighbors that a sample of
  * the queries has within the largest radius. */
@@ -127,6 +135,16 @@ chosenScaleEngine(const Points& surface,
  * \throws std::invalid_argument as \ref multiScaleRadii; Canceled */
 MultiScaleShapes
 multiScaleShapes(const Points& surface,
+                 const Points& queries,
+                 const MultiScaleSettings& settings = {},
+                 const ShapeGraphSink& sink = {},
+                 ProgressMonitor* monitor = nullptr);
+
+/** \brief The same, with neighbors from \a search over \a surface; the engine of \a
+ * settings has no say. */
+MultiScaleShapes
+multiScaleShapes(const NeighborSearch& search,
+                 const Points& surface,
                  const Points& queries,
                  const MultiScaleSettings& settings = {},
                  const ShapeGraphSink& sink = {},

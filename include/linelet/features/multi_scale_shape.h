@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,10 @@ namespace LINELET_PUBLIC linelet {
  *
  * Nothing has to be set: the radii follow from the scale unit D of the surface.
  * setRadiusSearch, which other features need, gives the largest radius here, as \ref
- * setMaxRadius does; setKSearch is refused. A search given by setSearchMethod is left
- * aside, as one built-in grid over the largest radius serves all scales; it would find
- * the same neighbors.
+ * setMaxRadius does; setKSearch is refused. Neighbors come from the search given by
+ * setSearchMethod (any of them), else from a built-in grid, which is faster: one query
+ * at the largest radius serves all scales. All find the same neighbors. An engine set
+ * to sweep or grid leaves the search aside.
  *
  * Output has one record a query, in order. Where nothing can be known the floats of a
  * record are NaN and is_dense is false; as everywhere in PCL only the header of the
@@ -175,6 +177,7 @@ protected:
   using Base::search_radius_;
   using Base::settings_;
   using Base::surface_;
+  using Base::tree_;
 
   bool
   initCompute() override;
@@ -188,6 +191,10 @@ private:
 
   void
   forget();
+
+  /** \brief The search that was given, where it has a say; else null. */
+  std::unique_ptr<NeighborSearch>
+  givenSearch() const;
 
   bool keep_graphs_ = true;
   ShapeGraphSink sink_;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include <linelet/search/neighbor_search.h>
 #include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
 
@@ -23,6 +24,14 @@ namespace LINELET_PUBLIC linelet {
  * in the very same place; NaN for fewer than 2 points */
 double
 scaleUnit(const Points& points,
+          std::size_t sample = 1024,
+          unsigned seed = 1,
+          unsigned threads = 0);
+
+/** \brief The same, with neighbors from \a search over \a points. */
+double
+scaleUnit(const NeighborSearch& search,
+          const Points& points,
           std::size_t sample = 1024,
           unsigned seed = 1,
           unsigned threads = 0);

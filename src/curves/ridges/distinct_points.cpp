@@ -13,20 +13,19 @@ namespace {
 
 constexpr std::size_t most_in_cell = 100;
 
+} // namespace
+
 Points
-at(const Points& points, Indices& chosen)
+pointsAt(const Points& points, const Indices& indices)
 {
-  std::sort(chosen.begin(), chosen.end());
   Points result;
-  result.reserve(chosen.size());
-  for (const Index i : chosen)
+  result.reserve(indices.size());
+  for (const Index i : indices)
     result.push_back(points[i]);
   return result;
 }
 
-} // namespace
-
-Points
+Indices
 distinct(const Points& points)
 {
   Indices chosen;
@@ -44,10 +43,11 @@ distinct(const Points& points)
                            chosen.end(),
                            [&](Index i, Index j) { return points[i] == points[j]; }),
                chosen.end());
-  return at(points, chosen);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
-Points
+Indices
 thinned(const Points& points, double size)
 {
   const OccupiedCells cells = occupiedCells(points, size);
@@ -58,7 +58,8 @@ thinned(const Points& points, double size)
     for (std::size_t k = 0; k < most; ++k)
       chosen.push_back(cells.indices[begin + k * count / most]);
   }
-  return at(points, chosen);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 Points
@@ -78,7 +79,8 @@ onePerCell(const Points& points, double size)
         nearest = cells.indices[k];
     chosen.push_back(nearest);
   }
-  return at(points, chosen);
+  std::sort(chosen.begin(), chosen.end());
+  return pointsAt(points, chosen);
 }
 
 } // namespace linelet

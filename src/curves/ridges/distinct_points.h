@@ -7,15 +7,21 @@
 
 namespace linelet {
 
-/** \brief The finite points of \a points, each place once, in the order of the input: a
- * copy says nothing new, yet would count twice and shrink the spacing. */
+/** \brief The points of \a indices, in their order. */
 Points
+pointsAt(const Points& points, const Indices& indices);
+
+/** \brief The finite ones of \a points, each place once, in the order of the input: a
+ * copy says nothing new, yet would count twice and shrink the spacing.
+ * \return indices, ascending */
+Indices
 distinct(const Points& points);
 
 /** \brief At most 100 of \a points in every cubic cell of side \a size (the unit of the
  * points), spread over the order of the input. Points crowded far beyond the spacing of
- * the others would otherwise each look at all of the crowd. */
-Points
+ * the others would otherwise each look at all of the crowd.
+ * \return indices, ascending */
+Indices
 thinned(const Points& points, double size);
 
 /** \brief The point nearest to the middle of all in each cell of side \a size, in

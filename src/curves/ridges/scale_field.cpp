@@ -22,28 +22,56 @@ constexpr std::size_t smoothing_neighbors = 12;
 constexpr double least_linearity = 0.6;
 constexpr double least_linear = 0.3;
 
+using Neighbors = std::vector<UniformGrid::Neighbor>;
+
+/** \brief Calls visit(index, neighbors) for the nearest neighbors of every point, near
+ * to far, equals by index. */
+template <class Visit>
+void
+forEachNearest(const NeighborSearch* search,
+               const Points& points,
+               double scale_unit,
+               const Visit& visit)
+{
+  if (search == nullptr) {
+    const UniformGrid grid(points, scale_unit);
+    NearestWalk walk(points, grid, smoothing_neighbors + 1);
+    const Indices& all = grid.inputIndices();
+    walk(all.data(), all.data() + all.size(), visit);
+    return;
+  }
+  Indices found;
+  Neighbors nearest;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    search->nearest(points[i], smoothing_neighbors + 1, found);
+    nearest.clear();
+    for (const Index j : found)
+      nearest.emplace_back((points[j] - points[i]).squaredNorm(), j);
+    std::sort(nearest.begin(), nearest.end());
+    visit(static_cast<Index>(i), nearest);
+  }
+}
+
 } // namespace
 
-ScaleField::ScaleField(const Points& points, double scale_unit, double least_spread)
+ScaleField::ScaleField(const Points& points,
+                       double scale_unit,
+                       double least_spread,
+                       const NeighborSearch* search)
     : unit_(scale_unit)
 {
   std::vector<double> logarithms(points.size());
   std::vector<Indices> near(points.size());
-  const UniformGrid grid(points, scale_unit);
-  NearestWalk walk(points, grid, smoothing_neighbors + 1);
-  const Indices& all = grid.inputIndices();
-  walk(all.data(),
-       all.data() + all.size(),
-       [&](Index i, const std::vector<UniformGrid::Neighbor>& nearest) {
-         // The point itself, or one in its place, is the nearest of all.
-         const std::size_t sixth = std::min(spacing_neighbors, nearest.size() - 1);
-         const double spacing = std::sqrt(nearest[sixth].first) / scale_unit;
-         logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
-         near[i].reserve(nearest.size());
-         for (const auto& [squared, j] : nearest)
-           near[i].push_back(j);
-         sortIndices(near[i]);
-       });
+  forEachNearest(search, points, scale_unit, [&](Index i, const Neighbors& nearest) {
+    // The point itself, or one in its place, is the nearest of all.
+    const std::size_t sixth = std::min(spacing_neighbors, nearest.size() - 1);
+    const double spacing = std::sqrt(nearest[sixth].first) / scale_unit;
+    logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
+    near[i].reserve(nearest.size());
+    for (const auto& [squared, j] : nearest)
+      near[i].push_back(j);
+    sortIndices(near[i]);
+  });
   std::vector<double> linear;
   auto values = std::make_shared<std::vector<double>>();
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -24,8 +24,12 @@ public:
    * neighborhood, beside \a scale_unit; between 1/8 and 8.
    * \param[in] points finite points
    * \param[in] least_spread where the \ref spread is less, the field stays without
-   * points */
-  ScaleField(const Points& points, double scale_unit, double least_spread = 1);
+   * points
+   * \param[in] search over \a points; null: a grid of its own */
+  ScaleField(const Points& points,
+             double scale_unit,
+             double least_spread = 1,
+             const NeighborSearch* search = nullptr);
 
   /** \brief This field for coordinates that count from \a origin; it shares memory. */
   ScaleField

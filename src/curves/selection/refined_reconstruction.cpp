@@ -8,11 +8,13 @@
 #include <cmath>
 #include <exception>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <linelet/search/scale_unit.h>
+#include <linelet/search/subset_search.h>
 #include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 
@@ -148,9 +150,11 @@ explainedBy(const ModelCurves& curves)
 }
 
 /** \brief Curves of a cloud of hardly anything else, each connected component by
- * itself. */
+ * itself.
+ * \param[in] search over \a points, or null */
 ModelCurves
 componentCurves(const Points& points,
+                const NeighborSearch* search,
                 double scale_unit,
                 const RefinedSettings& settings,
                 ProgressMonitor* monitor)
@@ -159,7 +163,7 @@ componentCurves(const Points& points,
                                                    : link_distance * scale_unit;
   ScaleField field;
   if (points.size() <= most_varied)
-    field = ScaleField(points, scale_unit, uneven);
+    field = ScaleField(points, scale_unit, uneven, search);
   const ScaleField* scales = field.spread() > uneven ? &field : nullptr;
   const std::vector<Indices> components =
       connectedComponents(points, link, least_component, scales);
@@ -182,19 +186,24 @@ componentCurves(const Points& points,
       curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit);
 }
 
-} // namespace
-
 CurveNetwork
-reconstructRefined(const Points& all,
-                   const RefinedSettings& settings,
-                   ProgressMonitor* monitor)
+reconstruct(const Points& all,
+            const NeighborSearch* search,
+            const RefinedSettings& settings,
+            ProgressMonitor* monitor)
 {
   if (!(settings.distance_cutoff >= 0))
     throw std::invalid_argument(
         "distance cutoff " + textOf(settings.distance_cutoff) +
         " is negative or not a number; 0 lets the method choose");
-  const Points points = distinct(all);
-  const double scale_unit = scaleUnit(points, 1024, 1, settings.threads);
+  const Indices different = distinct(all);
+  const Points points = pointsAt(all, different);
+  std::optional<SubsetSearch> subset;
+  if (search != nullptr && points.size() < all.size())
+    search = &subset.emplace(*search, all, different);
+  const double scale_unit = search != nullptr
+                                ? scaleUnit(*search, points, 1024, 1, settings.threads)
+                                : scaleUnit(points, 1024, 1, settings.threads);
   if (!(scale_unit > 0) || !std::isfinite(scale_unit))
     return {};
   // In a small cloud both ways are tried; a large one is looked at first.
@@ -204,9 +213,14 @@ reconstructRefined(const Points& all,
   if (linear < curves_alone)
     curves = mixedCurves(points, scale_unit, settings, monitor);
   // Curves too noisy to be followed may be most of a cloud still.
-  if (curves.empty() && linear >= least_explained)
+  if (curves.empty() && linear >= least_explained) {
+    const Indices kept = thinned(points, scale_unit);
+    std::optional<SubsetSearch> thin;
+    if (search != nullptr && kept.size() < points.size())
+      search = &thin.emplace(*search, points, kept);
     curves =
-        componentCurves(thinned(points, scale_unit), scale_unit, settings, monitor);
+        componentCurves(pointsAt(points, kept), search, scale_unit, settings, monitor);
+  }
   const double explained = explainedBy(curves);
   if (small && explained < least_explained * static_cast<double>(points.size())) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
@@ -214,6 +228,25 @@ reconstructRefined(const Points& all,
       curves = std::move(mixed);
   }
   return networkOf(curves);
+}
+
+} // namespace
+
+CurveNetwork
+reconstructRefined(const Points& points,
+                   const RefinedSettings& settings,
+                   ProgressMonitor* monitor)
+{
+  return reconstruct(points, nullptr, settings, monitor);
+}
+
+CurveNetwork
+reconstructRefined(const NeighborSearch& search,
+                   const Points& points,
+                   const RefinedSettings& settings,
+                   ProgressMonitor* monitor)
+{
+  return reconstruct(points, &search, settings, monitor);
 }
 
 } // namespace linelet

@@ -31,6 +31,7 @@ toward(const Point& direction, const Point& last)
 
 std::vector<SymmetricTensor>
 optimalTensors(const Points& points,
+               const NeighborSearch* search,
                const std::vector<LocalScale>& scales,
                const StreamlineSettings& settings)
 {
@@ -42,9 +43,11 @@ optimalTensors(const Points& points,
   NeighborhoodSizes sizes;
   for (const LocalScale& scale : scales)
     sizes.radii.push_back(scale.radius);
+  const auto records = search != nullptr
+                           ? estimateTensors(*search, points, points, tensor, sizes)
+                           : estimateTensors(points, points, tensor, sizes);
   std::vector<SymmetricTensor> result;
-  for (const PointDistributionTensor& record :
-       estimateTensors(points, points, tensor, sizes)) {
+  for (const PointDistributionTensor& record : records) {
     SymmetricTensor t{record.xx, record.xy, record.xz, record.yy, record.yz, record.zz};
     const double trace = t.trace();
     // Of trace 1, so that points with large neighborhoods do not outvote the others.
@@ -58,9 +61,12 @@ optimalTensors(const Points& points,
 
 DirectionField::DirectionField(const Points& points,
                                const MultiScaleShapes& shapes,
-                               const UniformGrid& grid,
+                               const CloudNeighbors& neighbors,
                                const StreamlineSettings& settings)
-    : points_(points), grid_(grid), settings_(settings), scale_unit_(shapes.scale_unit)
+    : points_(points),
+      neighbors_(neighbors),
+      settings_(settings),
+      scale_unit_(shapes.scale_unit)
 {
   for (const MultiScaleShape& shape : shapes.shapes) {
     eigenvectors_.emplace_back(shape.major_x, shape.major_y, shape.major_z);
@@ -70,14 +76,14 @@ DirectionField::DirectionField(const Points& points,
   }
   if (settings.direction == DirectionMode::Tensor ||
       settings.direction == DirectionMode::TensorDeflection)
-    tensors_ = optimalTensors(points, scales_, settings);
+    tensors_ = optimalTensors(points, neighbors.search(), scales_, settings);
 }
 
 LocalScale
 DirectionField::scaleAt(const Point& position, const LocalScale& last) const
 {
-  const Index i = grid_.nearest(position, settings_.search_radius * scale_unit_);
-  if (i == UniformGrid::none || scales_[i].radius == 0)
+  const Index i = neighbors_.nearest(position, settings_.search_radius * scale_unit_);
+  if (i == CloudNeighbors::none || scales_[i].radius == 0)
     return last;
   LocalScale scale = scales_[i];
   if (settings_.interpolation_radius > 0)
@@ -127,7 +133,7 @@ DirectionField::interpolatedEigenvector(const Point& position,
                                         double radius) const
 {
   Point sum = Point::Zero();
-  grid_.forEachWithin(position, radius, [&](Index i, double squared) {
+  neighbors_.forEachWithin(position, radius, [&](Index i, double squared) {
     const Point& e3 = eigenvectors_[i];
     if (scales_[i].radius > 0)
       sum += settings_.interpolation_weighting(std::sqrt(squared) / radius) *
@@ -144,7 +150,7 @@ DirectionField::angular(const Point& position,
 {
   Point sum = Point::Zero();
   double weights = 0;
-  grid_.forEachWithin(position, radius, [&](Index i, double squared) {
+  neighbors_.forEachWithin(position, radius, [&](Index i, double squared) {
     if (squared == 0)
       return;
     const double distance = std::sqrt(squared);
@@ -162,7 +168,7 @@ Eigen::Matrix3d
 DirectionField::interpolatedTensor(const Point& position, double radius) const
 {
   SymmetricTensor sum;
-  grid_.forEachWithin(position, radius, [&](Index i, double squared) {
+  neighbors_.forEachWithin(position, radius, [&](Index i, double squared) {
     SymmetricTensor t = tensors_[i];
     t *= settings_.interpolation_weighting(std::sqrt(squared) / radius);
     sum += t;

@@ -9,9 +9,10 @@
 
 #include <linelet/curves/streamline_settings.h>
 #include <linelet/features/multi_scale.h>
-#include <linelet/search/uniform_grid.h>
 #include <linelet/support/points.h>
 #include <linelet/tensor/neighborhood_tensor.h>
+
+#include "cloud_neighbors.h"
 
 namespace linelet {
 
@@ -25,12 +26,12 @@ struct LocalScale {
  * Schiffner, Harders 2021, equations 4, 5 and 8). Queries are thread-safe. */
 class DirectionField {
 public:
-  /** \param[in] points with finite coordinates; kept by reference, like \a grid
+  /** \param[in] points with finite coordinates; kept by reference, like \a neighbors
    * \param[in] shapes their multi-scale features
-   * \param[in] grid over the same points */
+   * \param[in] neighbors among the same points */
   DirectionField(const Points& points,
                  const MultiScaleShapes& shapes,
-                 const UniformGrid& grid,
+                 const CloudNeighbors& neighbors,
                  const StreamlineSettings& settings);
 
   /** \brief Radius and blend of the point nearest to \a position; \a last where none is
@@ -70,7 +71,7 @@ private:
   interpolatedTensor(const Point& position, double radius) const;
 
   const Points& points_;
-  const UniformGrid& grid_;
+  const CloudNeighbors& neighbors_;
   const StreamlineSettings& settings_;
   double scale_unit_;
   Points eigenvectors_;                  // NaN: none

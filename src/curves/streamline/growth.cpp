@@ -37,7 +37,7 @@ void
 propose(GrowingEnd& growing,
         const LineLets& lets,
         const DirectionField& field,
-        const UniformGrid& grid,
+        const CloudNeighbors& neighbors,
         const GrowthLimits& limits,
         const ButcherTable& table)
 {
@@ -48,8 +48,8 @@ propose(GrowingEnd& growing,
     return field.at(x, end.direction, growing.scale);
   });
   growing.position = from + step;
-  growing.near_points =
-      grid.nearest(growing.position, limits.distance_cutoff) != UniformGrid::none;
+  growing.near_points = neighbors.nearest(growing.position, limits.distance_cutoff) !=
+                        CloudNeighbors::none;
 }
 
 /** \brief Takes the step of \a growing. \return whether the end goes on growing */
@@ -94,7 +94,7 @@ advance(const GrowingEnd& growing, LineLets& lets, GrowthLimits& limits)
 void
 grow(LineLets& lets,
      const DirectionField& field,
-     const UniformGrid& grid,
+     const CloudNeighbors& neighbors,
      GrowthLimits& limits,
      const StreamlineSettings& settings,
      ProgressMonitor* monitor)
@@ -126,7 +126,7 @@ grow(LineLets& lets,
 #pragma omp parallel for schedule(dynamic, 8)                                          \
     num_threads(threadCount(settings.threads)) if (count > 32)
     for (std::ptrdiff_t i = 0; i < count; ++i)
-      propose(ends[static_cast<std::size_t>(i)], lets, field, grid, limits, table);
+      propose(ends[static_cast<std::size_t>(i)], lets, field, neighbors, limits, table);
     std::vector<GrowingEnd> still;
     for (const GrowingEnd& end : ends)
       if (advance(end, lets, limits))

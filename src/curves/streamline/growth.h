@@ -35,7 +35,7 @@ struct GrowthLimits {
 void
 grow(LineLets& lets,
      const DirectionField& field,
-     const UniformGrid& grid,
+     const CloudNeighbors& neighbors,
      GrowthLimits& limits,
      const StreamlineSettings& settings,
      ProgressMonitor* monitor = nullptr);

@@ -8,7 +8,7 @@
 namespace linelet {
 
 void
-pruneOpenEnds(LineLets& lets, const UniformGrid& grid, double distance)
+pruneOpenEnds(LineLets& lets, const CloudNeighbors& neighbors, double distance)
 {
   std::vector<bool> pinned(lets.vertices.size(), false);
   for (const auto* pairs : {&lets.united, &lets.links})
@@ -21,7 +21,7 @@ pruneOpenEnds(LineLets& lets, const UniformGrid& grid, double distance)
       while (!end.closed && end.vertex != LineLetVertex::none && !pinned[end.vertex]) {
         LineLetVertex& vertex = lets.vertices[end.vertex];
         if (vertex.dropped || // the other end was cut back to here
-            grid.nearest(vertex.position, distance) != UniformGrid::none)
+            neighbors.nearest(vertex.position, distance) != CloudNeighbors::none)
           break;
         vertex.dropped = true;
         end.vertex = side == front_side ? vertex.previous : vertex.next;

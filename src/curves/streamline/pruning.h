@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <linelet/search/uniform_grid.h>
+#include "cloud_neighbors.h"
 
 #include "line_lets.h"
 
@@ -12,6 +12,6 @@ namespace linelet {
 /** \brief Cuts open ends back to where a point is within \a distance. Vertices at which
  * line-lets are joined stay. */
 void
-pruneOpenEnds(LineLets& lets, const UniformGrid& grid, double distance);
+pruneOpenEnds(LineLets& lets, const CloudNeighbors& neighbors, double distance);
 
 } // namespace linelet

@@ -7,11 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include <linelet/features/centroid_shift.h>
 #include <linelet/search/scale_unit.h>
+#include <linelet/search/subset_search.h>
 #include <linelet/search/uniform_grid.h>
 
+#include "cloud_neighbors.h"
 #include "direction_field.h"
 #include "growth.h"
 #include "joining.h"
@@ -28,58 +32,107 @@ constexpr unsigned first_starts = 8;  // where their number is left open
 constexpr unsigned cover_rounds = 20; // of further ones
 constexpr double most_pairs = 3e8;    // point and neighbor, in the features
 
-/** \brief The finite points of \a points; without repetition where more than half of
- * them lie upon others, so that they have a scale. */
-Points
-usable(const Points& points, double& scale_unit, const StreamlineSettings& settings)
+Indices
+finiteOnes(const Points& points)
 {
-  Points finite;
-  for (const Point& p : points)
-    if (p.allFinite())
-      finite.push_back(p);
-  const auto measure = [&] {
-    return settings.shape.scale_unit > 0 ? settings.shape.scale_unit
-                                         : scaleUnit(finite,
-                                                     settings.shape.scale_unit_sample,
-                                                     settings.shape.scale_unit_seed,
-                                                     settings.threads);
-  };
-  scale_unit = measure();
-  if (scale_unit == 0) {
-    const auto before = [](const Point& a, const Point& b) {
-      return std::lexicographical_compare(
-          a.data(), a.data() + 3, b.data(), b.data() + 3);
-    };
-    std::sort(finite.begin(), finite.end(), before);
-    finite.erase(std::unique(finite.begin(), finite.end()), finite.end());
-    scale_unit = measure();
-  }
+  Indices finite;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      finite.push_back(static_cast<Index>(i));
   return finite;
 }
 
-/** \brief Every point moved to the mean of those within \a radius. */
-Points
-smoothed(const Points& points, double radius)
+/** \brief \a chosen without those that lie upon others, by place. */
+Indices
+withoutRepetition(const Points& points, Indices chosen)
 {
-  const UniformGrid grid(points, radius);
-  Points result;
-  for (const Point& p : points) {
-    Point sum = Point::Zero();
-    std::size_t count = 0;
-    grid.forEachWithin(p, radius, [&](Index i, double) {
-      sum += points[i] - p;
-      ++count;
-    });
-    result.push_back(p + sum / static_cast<double>(count));
-  }
-  return result;
+  std::sort(chosen.begin(), chosen.end(), [&](Index i, Index j) {
+    const Point &a = points[i], &b = points[j];
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  const auto same = [&](Index i, Index j) { return points[i] == points[j]; };
+  chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
+  return chosen;
 }
+
+/** \brief The points that line-lets follow, how they are found, and their scale. */
+class StreamlinePoints {
+public:
+  /** \brief The finite points of \a all; without repetition where more than half of
+   * them lie upon others, so that they have a scale.
+   * \param[in] search over \a all, or null */
+  StreamlinePoints(const Points& all,
+                   const NeighborSearch* search,
+                   const StreamlineSettings& settings)
+      : search_(search)
+  {
+    choose(all, finiteOnes(all));
+    measure(settings);
+    if (scale_unit == 0) {
+      subset_.reset();
+      search_ = search;
+      choose(all, withoutRepetition(all, finiteOnes(all)));
+      measure(settings);
+    }
+    if (!(scale_unit > 0))
+      return;
+    if (settings.prefilter_radius > 0) {
+      CentroidShiftSettings shift;
+      shift.radius = settings.prefilter_radius;
+      shift.threads = settings.threads;
+      points = search_ != nullptr ? shiftToCentroids(*search_, points, shift)
+                                  : shiftToCentroids(points, shift);
+      search_ = nullptr; // it knows nothing of the moved points
+    }
+    neighbors.emplace(points, 2.5 * scale_unit, search_);
+  }
+  StreamlinePoints(const StreamlinePoints&) = delete;
+  StreamlinePoints&
+  operator=(const StreamlinePoints&) = delete;
+
+  Points points;
+  double scale_unit = 0; ///< D; where it is not positive, there are no neighbors
+  std::optional<CloudNeighbors> neighbors;
+
+private:
+  void
+  choose(const Points& all, const Indices& chosen)
+  {
+    points.clear();
+    for (const Index i : chosen)
+      points.push_back(all[i]);
+    if (search_ == nullptr || chosen.size() == all.size())
+      return;
+    subset_.emplace(*search_, all, chosen);
+    search_ = &*subset_;
+  }
+
+  void
+  measure(const StreamlineSettings& settings)
+  {
+    const MultiScaleSettings& shape = settings.shape;
+    if (shape.scale_unit > 0)
+      scale_unit = shape.scale_unit;
+    else if (search_ != nullptr)
+      scale_unit = scaleUnit(*search_,
+                             points,
+                             shape.scale_unit_sample,
+                             shape.scale_unit_seed,
+                             settings.threads);
+    else
+      scale_unit = scaleUnit(
+          points, shape.scale_unit_sample, shape.scale_unit_seed, settings.threads);
+  }
+
+  const NeighborSearch* search_;
+  std::optional<SubsetSearch> subset_;
+};
 
 /** \brief The radius up to \a wanted, not below a few \a scale_unit, whose
  * neighborhoods are small enough that the features of all points stay affordable. */
 double
 affordableRadius(const Points& points,
-                 const UniformGrid& grid,
+                 const CloudNeighbors& neighbors,
                  double wanted,
                  double scale_unit)
 {
@@ -88,7 +141,7 @@ affordableRadius(const Points& points,
   for (;; wanted /= 1.5) {
     double pairs = 0;
     for (std::size_t i = 0; i < points.size() && pairs <= most_pairs; i += stride)
-      pairs += static_cast<double>(grid.countWithin(points[i], wanted)) *
+      pairs += static_cast<double>(neighbors.countWithin(points[i], wanted)) *
                static_cast<double>(stride);
     if (pairs <= most_pairs || wanted <= 4 * scale_unit)
       return wanted;
@@ -138,34 +191,38 @@ coverPoints(std::vector<bool>& covered,
       covered[i] = grid.nearest(points[i], distance) != UniformGrid::none;
 }
 
-} // namespace
-
 CurveNetwork
-reconstructPublished(const Points& input,
-                     const StreamlineSettings& settings,
-                     ProgressMonitor* monitor)
+reconstruct(const Points& input,
+            const NeighborSearch* search,
+            const StreamlineSettings& settings,
+            ProgressMonitor* monitor)
 {
   validate(settings);
-  double scale_unit = 0;
-  Points points = usable(input, scale_unit, settings);
+  const StreamlinePoints cloud(input, search, settings);
+  const double scale_unit = cloud.scale_unit;
   if (!(scale_unit > 0))
     return {};
-  if (settings.prefilter_radius > 0)
-    points = smoothed(points, settings.prefilter_radius);
+  const Points& points = cloud.points;
+  const CloudNeighbors& neighbors = *cloud.neighbors;
 
-  const UniformGrid grid(points, 2.5 * scale_unit);
   MultiScaleSettings shape_settings = settings.shape;
   shape_settings.scale_unit = scale_unit;
   shape_settings.threads = settings.threads;
   if (shape_settings.max_radius == 0 && shape_settings.radii.empty())
-    shape_settings.max_radius = affordableRadius(
-        points, grid, std::max(settings.largest_radius, 1.0) * scale_unit, scale_unit);
+    shape_settings.max_radius =
+        affordableRadius(points,
+                         neighbors,
+                         std::max(settings.largest_radius, 1.0) * scale_unit,
+                         scale_unit);
   const MultiScaleShapes shapes =
-      multiScaleShapes(points, points, shape_settings, {}, monitor);
+      neighbors.search() != nullptr
+          ? multiScaleShapes(
+                *neighbors.search(), points, points, shape_settings, {}, monitor)
+          : multiScaleShapes(points, points, shape_settings, {}, monitor);
 
   if (monitor != nullptr)
     monitor->begin("curves", 0);
-  const DirectionField field(points, shapes, grid, settings);
+  const DirectionField field(points, shapes, neighbors, settings);
   StartPoints starts(points,
                      shapes.shapes,
                      settings.min_start_neighbors,
@@ -182,7 +239,7 @@ reconstructPublished(const Points& input,
       break;
     begin(start);
   }
-  grow(lets, field, grid, limits, settings, monitor);
+  grow(lets, field, neighbors, limits, settings, monitor);
 
   const double cover = settings.cover_distance * scale_unit;
   std::vector<bool> covered(points.size(), false);
@@ -196,10 +253,29 @@ reconstructPublished(const Points& input,
       break;
     for (const Index i : more)
       begin(i);
-    grow(lets, field, grid, limits, settings, monitor);
+    grow(lets, field, neighbors, limits, settings, monitor);
   }
-  pruneOpenEnds(lets, grid, settings.prune_distance * limits.step);
+  pruneOpenEnds(lets, neighbors, settings.prune_distance * limits.step);
   return join(lets, settings.stump_length * limits.step);
+}
+
+} // namespace
+
+CurveNetwork
+reconstructPublished(const Points& points,
+                     const StreamlineSettings& settings,
+                     ProgressMonitor* monitor)
+{
+  return reconstruct(points, nullptr, settings, monitor);
+}
+
+CurveNetwork
+reconstructPublished(const NeighborSearch& search,
+                     const Points& points,
+                     const StreamlineSettings& settings,
+                     ProgressMonitor* monitor)
+{
+  return reconstruct(points, &search, settings, monitor);
 }
 
 } // namespace linelet

@@ -68,12 +68,12 @@ recordOf(const ShapeGraph& graph, const ScaleSweep& sweep, ShapeSummary& summary
   return record;
 }
 
-} // namespace
-
+/// As the functions of the same names in the header; \a search may be null.
 MultiScaleShapes
-multiScaleRadii(const Points& surface,
-                const MultiScaleSettings& settings,
-                ProgressMonitor* monitor)
+radiiFor(const NeighborSearch* search,
+         const Points& surface,
+         const MultiScaleSettings& settings,
+         ProgressMonitor* monitor)
 {
   if (!std::isfinite(settings.stop_change) || settings.stop_change < 0)
     throw std::invalid_argument("stop change " + textOf(settings.stop_change) +
@@ -88,11 +88,19 @@ multiScaleRadii(const Points& surface,
                                 " is not a finite number from 0 on");
 
   MultiScaleShapes result;
-  result.scale_unit = settings.scale_unit > 0 ? settings.scale_unit
-                                              : scaleUnit(surface,
-                                                          settings.scale_unit_sample,
-                                                          settings.scale_unit_seed,
-                                                          settings.threads);
+  if (settings.scale_unit > 0)
+    result.scale_unit = settings.scale_unit;
+  else if (search != nullptr)
+    result.scale_unit = scaleUnit(*search,
+                                  surface,
+                                  settings.scale_unit_sample,
+                                  settings.scale_unit_seed,
+                                  settings.threads);
+  else
+    result.scale_unit = scaleUnit(surface,
+                                  settings.scale_unit_sample,
+                                  settings.scale_unit_seed,
+                                  settings.threads);
   if (!settings.radii.empty()) {
     checkRadii(settings.radii);
     result.radii = settings.radii;
@@ -106,24 +114,26 @@ multiScaleRadii(const Points& surface,
         radiusSequence(settings.growth, result.scale_unit, settings.max_radius);
   }
   if (settings.stop_change > 0)
-    applyStopRule(surface, settings, result.radii, monitor);
+    applyStopRule(search, surface, settings, result.radii, monitor);
   return result;
 }
 
 MultiScaleShapes
-multiScaleShapes(const Points& surface,
-                 const Points& queries,
-                 const MultiScaleSettings& settings,
-                 const ShapeGraphSink& sink,
-                 ProgressMonitor* monitor)
+shapesOf(const NeighborSearch* search,
+         const Points& surface,
+         const Points& queries,
+         const MultiScaleSettings& settings,
+         const ShapeGraphSink& sink,
+         ProgressMonitor* monitor)
 {
-  MultiScaleShapes result = multiScaleRadii(surface, settings, monitor);
-  if (chosenScaleEngine(surface, queries, result.radii.back(), settings) ==
+  MultiScaleShapes result = radiiFor(search, surface, settings, monitor);
+  if (search == nullptr &&
+      chosenScaleEngine(surface, queries, result.radii.back(), settings) ==
           ScaleEngine::Grid &&
       multiScaleShapesOnGrid(surface, queries, settings, sink, monitor, result))
     return result;
   result.shapes.resize(queries.size());
-  const UniformGrid grid = gridFor(surface, result.radii.back());
+  const SweepNeighbors neighbors(surface, result.radii.back(), search);
   if (monitor != nullptr)
     monitor->begin("multi-scale", queries.size());
   const std::size_t block =
@@ -131,7 +141,7 @@ multiScaleShapes(const Points& surface,
   std::vector<ShapeGraph> graphs(sink ? std::min(block, queries.size()) : 0);
   for (std::size_t begin = 0; begin < queries.size(); begin += block) {
     const std::size_t end = std::min(begin + block, queries.size());
-    sweepQueries(grid, queries, begin, end, result.radii, settings, monitor, [&] {
+    sweepQueries(neighbors, queries, begin, end, result.radii, settings, monitor, [&] {
       return [&, summary = ShapeSummary(result.radii, settings.graph)](
                  std::size_t query, const ScaleSweep& sweep) mutable {
         ShapeGraph graph = graphOf(sweep);
@@ -145,6 +155,46 @@ multiScaleShapes(const Points& surface,
         sink(query, graphs[query - begin]);
   }
   return result;
+}
+
+} // namespace
+
+MultiScaleShapes
+multiScaleRadii(const Points& surface,
+                const MultiScaleSettings& settings,
+                ProgressMonitor* monitor)
+{
+  return radiiFor(nullptr, surface, settings, monitor);
+}
+
+MultiScaleShapes
+multiScaleRadii(const NeighborSearch& search,
+                const Points& surface,
+                const MultiScaleSettings& settings,
+                ProgressMonitor* monitor)
+{
+  return radiiFor(&search, surface, settings, monitor);
+}
+
+MultiScaleShapes
+multiScaleShapes(const Points& surface,
+                 const Points& queries,
+                 const MultiScaleSettings& settings,
+                 const ShapeGraphSink& sink,
+                 ProgressMonitor* monitor)
+{
+  return shapesOf(nullptr, surface, queries, settings, sink, monitor);
+}
+
+MultiScaleShapes
+multiScaleShapes(const NeighborSearch& search,
+                 const Points& surface,
+                 const Points& queries,
+                 const MultiScaleSettings& settings,
+                 const ShapeGraphSink& sink,
+                 ProgressMonitor* monitor)
+{
+  return shapesOf(&search, surface, queries, settings, sink, monitor);
 }
 
 std::vector<FourthOrderTensor>
@@ -164,7 +214,7 @@ fourthOrderTensors(const Points& surface,
   tensors.resize(queries.size());
   if (monitor != nullptr)
     monitor->begin("fourth order", queries.size());
-  sweepQueries(gridFor(surface, radii.back()),
+  sweepQueries(SweepNeighbors(surface, radii.back()),
                queries,
                0,
                queries.size(),

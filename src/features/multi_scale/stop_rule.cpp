@@ -128,14 +128,15 @@ changesOnGrid(const Points& surface,
 }
 
 void
-changesInDouble(const Points& surface,
+changesInDouble(const NeighborSearch* search,
+                const Points& surface,
                 const std::vector<double>& radii,
                 const MultiScaleSettings& settings,
                 ProgressMonitor* monitor,
                 std::vector<ShapeFactors>& last,
                 Changes& changes)
 {
-  sweepQueries(gridFor(surface, radii.back()),
+  sweepQueries(SweepNeighbors(surface, radii.back(), search),
                surface,
                0,
                surface.size(),
@@ -156,7 +157,8 @@ changesInDouble(const Points& surface,
 } // namespace
 
 void
-applyStopRule(const Points& surface,
+applyStopRule(const NeighborSearch* search,
+              const Points& surface,
               const MultiScaleSettings& settings,
               std::vector<double>& radii,
               ProgressMonitor* monitor)
@@ -171,8 +173,9 @@ applyStopRule(const Points& surface,
     if (monitor != nullptr)
       monitor->begin("largest radius", surface.size());
     Changes changes(some.size());
-    if (!changesOnGrid(surface, some, settings, monitor, last, changes))
-      changesInDouble(surface, some, settings, monitor, last, changes);
+    if (search != nullptr ||
+        !changesOnGrid(surface, some, settings, monitor, last, changes))
+      changesInDouble(search, surface, some, settings, monitor, last, changes);
     for (std::size_t k = 0; k < some.size(); ++k)
       if (changes[k].defined && changes[k].largest < settings.stop_change) {
         radii.resize(begin + k + 1);

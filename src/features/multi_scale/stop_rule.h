@@ -6,13 +6,16 @@
 #include <vector>
 
 #include <linelet/features/multi_scale.h>
+#include <linelet/search/neighbor_search.h>
 
 namespace linelet {
 
 /** \brief Drops the radii behind the first at which the factors of all points have
- * converged, as MultiScaleSettings::stop_change asks for. */
+ * converged, as MultiScaleSettings::stop_change asks for.
+ * \param[in] search over \a surface; null: an engine of linelet */
 void
-applyStopRule(const Points& surface,
+applyStopRule(const NeighborSearch* search,
+              const Points& surface,
               const MultiScaleSettings& settings,
               std::vector<double>& radii,
               ProgressMonitor* monitor);

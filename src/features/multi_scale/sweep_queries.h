@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <features/multi_scale/scale_sweep.h>
+#include <linelet/search/neighbor_search.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
 
@@ -21,11 +23,48 @@ gridFor(const Points& surface, double largest_radius)
   return UniformGrid(surface, largest_radius / 4);
 }
 
+/** \brief The neighbors of a sweep: those of a grid, or of any search. */
+class SweepNeighbors {
+public:
+  /** \param[in] search over \a surface; null: a grid is made. Both are kept by
+   * reference */
+  SweepNeighbors(const Points& surface,
+                 double largest_radius,
+                 const NeighborSearch* search = nullptr)
+      : surface_(surface), search_(search)
+  {
+    if (search == nullptr)
+      grid_.emplace(gridFor(surface, largest_radius));
+  }
+
+  /** \brief Calls visit(offset, squared distance) for each within \a radius. */
+  template <class Visit>
+  void
+  forEachOffset(const Point& query, double radius, Visit&& visit) const
+  {
+    if (grid_) {
+      grid_->forEachOffsetWithin(query, radius, visit);
+      return;
+    }
+    thread_local Indices found;
+    search_->within(query, radius, found);
+    for (const Index i : found) {
+      const Point offset = surface_[i] - query;
+      visit(offset, offset.squaredNorm());
+    }
+  }
+
+private:
+  const Points& surface_;
+  const NeighborSearch* search_;
+  std::optional<UniformGrid> grid_;
+};
+
 /** \brief Runs the sweep for queries \a begin to \a end; every thread makes itself a
  * visitor of (query, sweep). */
 template <class Visit>
 void
-sweepQueries(const UniformGrid& grid,
+sweepQueries(const SweepNeighbors& neighbors,
              const Points& queries,
              std::size_t begin,
              std::size_t end,
@@ -57,7 +96,7 @@ sweepQueries(const UniformGrid& grid,
         continue;
       const auto query = static_cast<std::size_t>(place);
       sweep.clear();
-      grid.forEachOffsetWithin(
+      neighbors.forEachOffset(
           queries[query], radii.back(), [&](const Point& offset, double squared) {
             sweep.add(offset, squared);
           });

@@ -15,15 +15,24 @@
 
 namespace linelet {
 
-Points
-shiftToCentroids(const Points& points,
-                 const CentroidShiftSettings& settings,
-                 ProgressMonitor* monitor)
+namespace {
+
+void
+check(const CentroidShiftSettings& settings)
 {
   if (!(settings.radius > 0) || !std::isfinite(settings.radius))
     throw std::invalid_argument("radius " + textOf(settings.radius) +
                                 " of the centroid shift is not positive and finite");
-  const UniformGrid grid(points, settings.radius);
+}
+
+/** \param[in] add_offsets (query, offsets) gathers the neighbors of a place */
+template <class AddOffsets>
+Points
+shifted(const Points& points,
+        const CentroidShiftSettings& settings,
+        ProgressMonitor* monitor,
+        const AddOffsets& add_offsets)
+{
   Points moved = points;
   if (monitor != nullptr)
     monitor->begin("centroid shift", points.size());
@@ -42,10 +51,7 @@ shiftToCentroids(const Points& points,
       if (canceled || !points[i].allFinite())
         continue;
       offsets.clear();
-      grid.forEachOffsetWithin(
-          points[i], settings.radius, [&](const Point& offset, double) {
-            offsets.push_back(offset);
-          });
+      add_offsets(points[i], offsets);
       moved[i] += centroid(settings.centroid,
                            offsets,
                            Point::Zero(),
@@ -61,6 +67,37 @@ shiftToCentroids(const Points& points,
   if (canceled)
     throw Canceled();
   return moved;
+}
+
+} // namespace
+
+Points
+shiftToCentroids(const Points& points,
+                 const CentroidShiftSettings& settings,
+                 ProgressMonitor* monitor)
+{
+  check(settings);
+  const UniformGrid grid(points, settings.radius);
+  return shifted(points, settings, monitor, [&](const Point& query, Points& offsets) {
+    grid.forEachOffsetWithin(query, settings.radius, [&](const Point& offset, double) {
+      offsets.push_back(offset);
+    });
+  });
+}
+
+Points
+shiftToCentroids(const NeighborSearch& search,
+                 const Points& points,
+                 const CentroidShiftSettings& settings,
+                 ProgressMonitor* monitor)
+{
+  check(settings);
+  return shifted(points, settings, monitor, [&](const Point& query, Points& offsets) {
+    thread_local Indices found;
+    search.within(query, settings.radius, found);
+    for (const Index i : found)
+      offsets.push_back(points[i] - query);
+  });
 }
 
 } // namespace linelet

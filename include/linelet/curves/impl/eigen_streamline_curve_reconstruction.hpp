@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -12,6 +13,8 @@
 #include <pcl/conversions.h>
 
 #include <linelet/curves/eigen_streamline_curve_reconstruction.h>
+#include <linelet/search/pcl_search.h>
+#include <linelet/search/subset_search.h>
 
 namespace linelet {
 
@@ -26,7 +29,8 @@ EigenStreamlineCurveReconstruction<PointInT>::refuse(const char* reason) const
 // Base::reconstruct would use the input before it looks whether there is one.
 template <typename PointInT>
 bool
-EigenStreamlineCurveReconstruction<PointInT>::chosenPoints(Points& points)
+EigenStreamlineCurveReconstruction<PointInT>::chosenPoints(Points& points,
+                                                           Indices& indices)
 {
   if (!input_)
     return refuse("there is no input cloud.");
@@ -39,6 +43,7 @@ EigenStreamlineCurveReconstruction<PointInT>::chosenPoints(Points& points)
     }
     const PointInT& point = (*input_)[static_cast<std::size_t>(index)];
     points.emplace_back(point.x, point.y, point.z);
+    indices.push_back(static_cast<Index>(index));
   }
   deinitCompute();
   return true;
@@ -46,13 +51,35 @@ EigenStreamlineCurveReconstruction<PointInT>::chosenPoints(Points& points)
 
 template <typename PointInT>
 CurveNetwork
+EigenStreamlineCurveReconstruction<PointInT>::reconstruct(const Points& points,
+                                                          const Indices& indices)
+{
+  const auto finite = [](const Point& point) { return point.allFinite(); };
+  if (!tree_ || std::none_of(points.begin(), points.end(), finite))
+    return reconstructCurves(points, settings_, monitor_);
+  if (tree_->getInputCloud() != input_)
+    tree_->setInputCloud(input_);
+  const Points all = pointsOf(*input_);
+  const PclSearch<PointInT> search(*tree_, all);
+  const bool whole =
+      indices.size() == all.size() && std::is_sorted(indices.begin(), indices.end()) &&
+      std::adjacent_find(indices.begin(), indices.end()) == indices.end();
+  if (whole)
+    return reconstructCurves(search, points, settings_, monitor_);
+  return reconstructCurves(
+      SubsetSearch(search, all, indices), points, settings_, monitor_);
+}
+
+template <typename PointInT>
+CurveNetwork
 EigenStreamlineCurveReconstruction<PointInT>::reconstruct()
 {
   Points points;
-  if (!chosenPoints(points))
+  Indices indices;
+  if (!chosenPoints(points, indices))
     return {};
   try {
-    return reconstructCurves(points, settings_, monitor_);
+    return reconstruct(points, indices);
   }
   catch (const std::invalid_argument& error) {
     refuse(error.what());

@@ -28,6 +28,15 @@ MultiScaleShapeFeature<PointInT>::forget()
 }
 
 template <typename PointInT>
+std::unique_ptr<NeighborSearch>
+MultiScaleShapeFeature<PointInT>::givenSearch() const
+{
+  if (!tree_ || settings_.engine != ScaleEngine::Auto)
+    return nullptr;
+  return std::make_unique<PclSearch<PointInT>>(*tree_, surface_points_);
+}
+
+template <typename PointInT>
 bool
 MultiScaleShapeFeature<PointInT>::initCompute()
 {
@@ -39,12 +48,16 @@ MultiScaleShapeFeature<PointInT>::initCompute()
   if (search_radius_ != 0 && settings_.max_radius != 0)
     return this->refuse("both a search radius and a largest radius are set.");
   surface_points_ = pointsOf(*surface_);
+  if (tree_ && tree_->getInputCloud() != surface_)
+    tree_->setInputCloud(surface_);
 
   MultiScaleSettings settings = settings_;
   if (search_radius_ != 0)
     settings.max_radius = search_radius_;
   try {
-    plan_ = multiScaleRadii(surface_points_, settings, this->monitor_);
+    const auto search = givenSearch();
+    plan_ = search ? multiScaleRadii(*search, surface_points_, settings, this->monitor_)
+                   : multiScaleRadii(surface_points_, settings, this->monitor_);
   }
   catch (const std::invalid_argument& error) {
     return this->refuse(error.what());
@@ -87,7 +100,12 @@ MultiScaleShapeFeature<PointInT>::computeFeature(PointCloudOut& output)
   }
   MultiScaleShapes result;
   try {
-    result = multiScaleShapes(surface_points_, queries, settings, sink, this->monitor_);
+    const auto search = givenSearch();
+    result =
+        search ? multiScaleShapes(
+                     *search, surface_points_, queries, settings, sink, this->monitor_)
+               : multiScaleShapes(
+                     surface_points_, queries, settings, sink, this->monitor_);
   }
   catch (const Canceled&) {
     this->deinitCompute(); // as PCL's compute would after this
