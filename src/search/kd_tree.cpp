@@ -19,7 +19,7 @@ namespace linelet {
 
 namespace {
 
-/** \brief What nanoflann asks of a set of points. */
+/** \brief nanoflann's interface to a set of points. */
 struct PointSet {
   Points points;
   Indices indices; // input index of each point
@@ -63,11 +63,11 @@ using Distance = nanoflann::L2_Simple_Adaptor<double, PointSet>;
 using Sorted = nanoflann::KDTreeSingleIndexAdaptor<Distance, PointSet, 3, std::size_t>;
 using Node = Sorted::Node;
 
-// More points a leaf than nanoflann's 10: testing one costs less than a node does.
+// More points per leaf than nanoflann's 10: testing a point costs less than a node.
 constexpr std::size_t leaf_size = 24;
 
-/** \brief What nanoflann asks of a set of results: the least distances, in a heap. Its
- * own set sorts by insertion, which takes minutes for thousands of neighbors. */
+/** \brief A result set for nanoflann that keeps the least distances in a heap. Its own
+ * sorts by insertion, which takes minutes for thousands of neighbors. */
 class LeastDistances {
 public:
   /** \param[in,out] heap memory to use; holds the squared distances in the end, the
@@ -94,7 +94,7 @@ public:
   addPoint(double squared, std::size_t /*sorted index*/)
   {
     if (full()) {
-      // What is offered was near enough before the last points of its leaf came in.
+      // The bound may have shrunk since the leaf was entered.
       if (squared >= heap_.front())
         return true;
       std::pop_heap(heap_.begin(), heap_.end());
@@ -117,7 +117,7 @@ private:
   std::size_t count_;
 };
 
-/** \brief Walks the tree for the leaves that one ball may reach. */
+/** \brief Visits the leaves that a ball may reach. */
 template <class Take>
 class BallWalk {
 public:
@@ -125,7 +125,7 @@ public:
    * last */
   BallWalk(const Sorted& tree, const Point& center, double squared_radius, Take take)
       : center_(center),
-        // Squares of boxes are summed in another order than those of points.
+        // Rounding: squares of boxes are summed in another order than those of points.
         reach_(squared_radius * (1 + 1e-12)),
         take_(std::move(take))
   {
@@ -139,7 +139,7 @@ public:
   }
 
 private:
-  /** \brief What an axis adds to the squared distance of the present box. */
+  /** \brief An axis' part of the squared distance of the current box. */
   double
   squaredGap(std::size_t axis) const
   {
@@ -188,7 +188,7 @@ struct KdTree::Tree {
       : set(finitePoints(points)),
         sorted(3, set, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size))
   {
-    // What lies in one leaf shall lie side by side in memory, too.
+    // Store the points of a leaf contiguously.
     PointSet by_leaf;
     by_leaf.points.reserve(set.points.size());
     by_leaf.indices.reserve(set.points.size());
@@ -227,8 +227,8 @@ KdTree::within(const Point& query, double radius, Indices& found) const
   std::size_t count = 0;
   BallWalk(
       tree_->sorted, query, squared_radius, [&](std::size_t begin, std::size_t end) {
-        // Every index is written, and stays where the point is a neighbor: a branch
-        // here would be guessed wrongly every other time.
+        // Write every index and advance only past neighbors: a branch here would be
+        // mispredicted every other time.
         if (found.size() < count + (end - begin))
           found.resize(2 * (count + end - begin));
         for (std::size_t sorted_index = begin; sorted_index < end; ++sorted_index) {
@@ -250,8 +250,8 @@ KdTree::nearest(const Point& query, std::size_t count, Indices& found) const
   thread_local std::vector<double> heap;
   LeastDistances least(heap, count);
   tree_->sorted.findNeighbors(least, query.data(), nanoflann::SearchParams());
-  // Which of several equally distant points come last is for the index to decide; and
-  // nanoflann's sums differ from ours in the last digit.
+  // Ties go to the lower index, and nanoflann's sums differ from ours in the last
+  // digit.
   const double reach = heap.front() * (1 + 1e-12);
   const PointSet& set = tree_->set;
   thread_local std::vector<std::pair<double, Index>> candidates;

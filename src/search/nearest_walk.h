@@ -12,9 +12,9 @@
 
 namespace linelet {
 
-/** \brief The nearest points of each of many points, which are walked from one to its
- * nearest: the distance of a neighbor grows by no more than the step, so that hardly
- * more points are looked at than are wanted. Make one a thread. */
+/** \brief The nearest points of each of many points, visited by walking from one to its
+ * nearest: a neighbor's distance grows by no more than the step, so that few points are
+ * tested in vain. Not thread-safe: use one per thread. */
 class NearestWalk {
 public:
   /** \param[in] points those of \a grid; both must outlive this
@@ -25,8 +25,8 @@ public:
   }
 
   /** \brief Calls visit(index, neighbors) for the points from \a begin to \a end, in
-   * an order of its own. The neighbors (fewer where there are fewer) come near to far,
-   * equals by index; the first is the point itself or one in its place. */
+   * any order. Neighbors (fewer if there are fewer) come near to far, ties by index;
+   * the first is the point itself or a coincident one. */
   template <class Visit>
   void
   operator()(const Index* begin, const Index* end, Visit&& visit)

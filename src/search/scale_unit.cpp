@@ -34,9 +34,9 @@ chooseRandomly(Indices& indices, std::size_t count, unsigned seed)
   }
 }
 
-/** \brief About three times the distance of neighbors on a surface that fills the two
- * longer sides of the box of some points, or on a line along the longest: what a row of
- * a grid is to be wide for few nearest points. */
+/** \brief A row width that suits searches for a few nearest points: about three times
+ * the spacing of points spread over the two longer sides of their box, or along the
+ * longest. */
 double
 rowSize(const Points& points, const Indices& finite)
 {

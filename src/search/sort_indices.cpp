@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_digit_bits = 10;
 
-// Fewer are sorted sooner by comparing them.
+// Fewer sort faster by comparison.
 constexpr std::size_t many = 96;
 
 } // namespace
@@ -31,7 +31,7 @@ sortIndices(Indices& indices)
   int bits = 0;
   while (bits < 32 && range >> bits != 0)
     ++bits;
-  // In as few passes as may be, and these with digits as short as may be.
+  // As few passes as possible, with the shortest digits that allow them.
   const int passes = (bits + most_digit_bits - 1) / most_digit_bits;
   thread_local Indices other;
   other.resize(indices.size());

@@ -7,8 +7,8 @@
 
 namespace linelet {
 
-/** \brief Sorts \a indices, ascending: by their digits where there are many, several
- * times as fast as by comparing them. */
+/** \brief Sorts \a indices in ascending order; long lists by digits (radix sort),
+ * several times as fast as by comparison. */
 void
 sortIndices(Indices& indices);
 

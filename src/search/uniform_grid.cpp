@@ -49,8 +49,8 @@ UniformGrid::sortIntoRows(const Points& points)
     }
   };
   const std::size_t count = indices_.size();
-  // First all of them along x, into bins of about one point: those of a row then come
-  // in order but for those of one bin.
+  // First sort all points along x into bins of about one point. Those of a row are then
+  // in order, up to the order within a bin.
   const double width = max_.x() - min_.x();
   const double per_point = width / static_cast<double>(count);
   const auto bin = [&](double x) {
@@ -99,8 +99,8 @@ UniformGrid::layRows(const Points& points)
   row_low_ = min_;
   Point extent = max_ - min_;
   if (rows(extent) > most_rows) {
-    // A few points far away must not make the rows of all others wide: what lies beyond
-    // the rows belongs to the outermost ones.
+    // A few outliers must not widen all rows: points beyond belong to the outermost
+    // ones.
     constexpr std::size_t sample = 4096;
     const std::size_t step = std::max<std::size_t>(1, indices_.size() / sample);
     for (int axis = 1; axis < 3; ++axis) {
@@ -115,7 +115,7 @@ UniformGrid::layRows(const Points& points)
       extent[axis] = std::min(max_[axis], high + margin) - row_low_[axis];
     }
   }
-  // Wider rows rather than a table that outgrows the points.
+  // Widen the rows before the table outgrows the points.
   while (rows(extent) > most_rows)
     row_size_ *= 2;
   for (int axis = 0; axis < 2; ++axis)
@@ -142,8 +142,7 @@ void
 UniformGrid::nearestInRow(std::size_t row, const Point& query, Nearest& best) const
 {
   const std::size_t begin = row_begin_[row], end = row_begin_[row + 1];
-  // The first sorted index that is not left of the query, in steps without branches to
-  // guess.
+  // The first sorted index that is not left of the query, by branchless bisection.
   std::size_t first = begin;
   for (std::size_t count = end - begin; count > 0;) {
     const std::size_t half = (count + 1) / 2;
@@ -172,8 +171,8 @@ UniformGrid::nearest(const Point& query, double max_distance) const
 {
   if (points_.empty() || !query.allFinite() || !(max_distance >= 0))
     return none;
-  // Rows around that of the query, ring by ring, but not those that begin farther away
-  // than what was found: all but rounding of their borders.
+  // Rows around that of the query, ring by ring, up to the distance of what was found
+  // (and a margin for rounding at their borders).
   const double slack =
       1e-6 * row_size_ +
       1e-15 * (query.cwiseAbs() + min_.cwiseAbs() + max_.cwiseAbs()).maxCoeff();
@@ -197,7 +196,7 @@ UniformGrid::nearest(const Point& query, double max_distance) const
       const double z_gap = distance(at_z, 2);
       if (z_gap * z_gap > best.squared)
         continue;
-      // Inside the ring only its first and its last row of this z.
+      // Inside the ring, only its first and last row at this z.
       const bool whole = at_z + ring == z || at_z == z + ring;
       for (std::size_t at_y = y - std::min(y, ring); at_y <= y_end; ++at_y) {
         if (!whole && at_y + ring != y && at_y != y + ring) {
@@ -258,8 +257,8 @@ UniformGrid::nearestK(const Point& query,
     const double high = query.x() + radius;
     forEachRow(query, radius, [&](std::size_t sorted_index, std::size_t end) {
       for (; sorted_index < end && points_[sorted_index].x() <= high; ++sorted_index) {
-        // Every point is written, and written over where it is not wanted: a branch
-        // here would be guessed wrongly every third time.
+        // Write every point and overwrite unwanted ones: a branch here would be
+        // mispredicted every third time.
         const double squared = (points_[sorted_index] - query).squaredNorm();
         found[held] = {squared, indices_[sorted_index]};
         held += squared <= wanted ? 1 : 0;

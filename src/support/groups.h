@@ -10,7 +10,7 @@
 
 namespace linelet {
 
-/** \brief Disjoint groups of things 0, 1, ...: each alone at first, until united. */
+/** \brief Union-find: disjoint groups of 0, 1, ..., each alone at first. */
 class Groups {
 public:
   explicit Groups(std::size_t count) : parent_(count)
@@ -18,7 +18,7 @@ public:
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  /** \brief The first member of the group of \a i, which stands for the group. */
+  /** \brief The representative of the group of \a i. */
   std::size_t
   root(std::size_t i)
   {
@@ -27,8 +27,8 @@ public:
     return i;
   }
 
-  /** \brief Makes one group of those of \a i and \a j.
-   * \return whether they were two */
+  /** \brief Unites the groups of \a i and \a j.
+   * \return whether they were distinct */
   bool
   unite(std::size_t i, std::size_t j)
   {

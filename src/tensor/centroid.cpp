@@ -19,8 +19,7 @@ mean(const Points& points)
   for (const Point& point : points)
     sum += point;
   const Point rough = sum / count;
-  // The rest that rounding left, so that coincident points have their own place as
-  // mean.
+  // Remove the rounding error, so that coincident points have their own place as mean.
   sum.setZero();
   for (const Point& point : points)
     sum += point - rough;

@@ -45,7 +45,7 @@ fillDistances(const Columns& points, double x, double y, double z)
   }
 }
 
-/** \brief Weights 0.01 / x^2 beyond x = 0.1, the default of weighted centroids. */
+/** \brief 0.01 / x^2 beyond x = 0.1, the default weights of centroids. */
 LINELET_ON_VECTORS void
 fillQuadraticInverse(const Columns& points, double inverse_radius)
 {
@@ -113,8 +113,7 @@ pullSums(const Columns& points, double x, double y, double z, PullSums& sums)
   sums = {sx, sy, sz, stiffness, xx, xy, xz, yy, yz, zz, total, sum, here, nearest};
 }
 
-/** \brief What the points do to a place x: terms of the steps of Weiszfeld and Newton.
- */
+/** \brief The terms of Weiszfeld's and Newton's steps at a place x. */
 struct Pull {
   Point resultant;           ///< sum of w_i u_i, u_i unit vectors to neighbors
   double stiffness;          ///< sum of w_i / d_i
@@ -125,7 +124,7 @@ struct Pull {
   double nearest;            ///< distance, other than 0
   std::size_t nearest_index;
 
-  /** \brief x is the median if what lies there outweighs all others (Vardi, Zhang). */
+  /** \brief x is the median if the points there outweigh all others (Vardi, Zhang). */
   bool
   isBalanced() const
   {
@@ -221,8 +220,7 @@ private:
   const Weighting* weighting_;
 };
 
-/** \brief Weiszfeld's step from x: always to a smaller sum, but creeping along wires.
- */
+/** \brief Weiszfeld's step from x: always descends, but creeps along wires. */
 Point
 weiszfeldStep(const Pull& pull)
 {
@@ -261,8 +259,8 @@ geometricMedian(const Points& points,
   if (size == 0)
     return x;
 
-  // With weights there may be several local minima; which one is found is for
-  // Weiszfeld's steps to say, Newton's only shorten the last bit of the way.
+  // With weights there may be several local minima. Weiszfeld's steps choose one,
+  // Newton's only finish the job.
   const bool convex = weighting == nullptr;
   const double newton_from = convex ? size : 1e-3 * size;
   const double longest = convex ? size : 1e-2 * size;
@@ -273,7 +271,7 @@ geometricMedian(const Points& points,
     const Pull pull = neighborhood.pullAt(x);
     if (pull.isBalanced())
       return x;
-    // The sum of distances has a kink at every neighbor, where no step arrives; ask
+    // The sum of distances has a kink at every neighbor, which steps never reach: test
     // whether the nearest one is the median.
     bool moved = false;
     if (pull.nearest_index != tried && pull.nearest < newton_from) {

@@ -13,7 +13,7 @@ namespace LINELET_PUBLIC linelet {
 class GridSearch : public NeighborSearch {
 public:
   /** \param[in] points copied
-   * \param[in] size best about the radius most asked for
+   * \param[in] size width of a cell, best near the most frequent radius
    * \throws std::invalid_argument unless \a size is positive and finite */
   GridSearch(const Points& points, double size) : points_(points), grid_(points, size)
   {

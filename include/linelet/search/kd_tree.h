@@ -10,11 +10,11 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief A kd-tree in double: for neighborhoods of very different size, k nearest
- * points above all. Where all have one radius, UniformGrid is faster. */
+/** \brief A kd-tree in double, for neighborhoods of very different size such as the k
+ * nearest points. UniformGrid is faster where all share one radius. */
 class KdTree : public NeighborSearch {
 public:
-  /** \brief Sorts \a points (copied) in n log n time. */
+  /** \brief Builds the tree of \a points (copied) in O(n log n). */
   explicit KdTree(const Points& points);
   ~KdTree() override;
   KdTree(KdTree&&) noexcept;

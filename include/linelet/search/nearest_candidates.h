@@ -12,8 +12,8 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Keeps of \a candidates, squared distance and index, the \a count nearest;
- * among equals the lower indices.
+/** \brief Keeps the \a count nearest of \a candidates (squared distance and index);
+ * ties go to the lower index.
  * \param[in,out] candidates left in any order
  * \param[out] found the indices kept, ascending
  * \return distance of the farthest of them; 0 where there are none */

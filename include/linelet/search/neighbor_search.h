@@ -12,16 +12,16 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief Finds the neighbors of a place in a fixed set of points.
  *
- * Whatever stands behind it (a kd-tree, a grid, a `pcl::search::Search`), the answer is
- * the same to the last point: squared distances are computed in double as
- * `(point - query).squaredNorm()`. Points with a coordinate that is not finite are
- * never found. Both functions are thread-safe. */
+ * All implementations (kd-tree, grid, `pcl::search::Search`) give exactly the same
+ * neighbors: squared distances are computed in double as `(point -
+ * query).squaredNorm()`. Points with non-finite coordinates are never found. Both
+ * functions are thread-safe. */
 class NeighborSearch {
 public:
   virtual ~NeighborSearch() = default;
 
   /** \brief The points with d <= \a radius, ascending by index.
-   * \param[in] query any place; nothing is found around one that is not finite
+   * \param[in] query any place; a non-finite one has no neighbors
    * \param[out] found replaced */
   virtual void
   within(const Point& query, double radius, Indices& found) const = 0;

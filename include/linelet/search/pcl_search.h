@@ -34,8 +34,8 @@ pointsOf(const pcl::PointCloud<PointT>& cloud)
 
 /** \brief Any `pcl::search::Search` as a NeighborSearch.
  *
- * PCL computes distances in float, each search in its own way. So it is only asked for
- * candidates, in a slightly larger radius; who is a neighbor is decided in double. */
+ * PCL's searches compute distances in float, each in its own way. They only supply
+ * candidates within a slightly larger radius; double precision decides. */
 template <typename PointT>
 class PclSearch : public NeighborSearch {
 public:

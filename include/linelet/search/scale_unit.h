@@ -11,17 +11,17 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief D, the unit in which linelet measures scales: the median, over all points or
- * a random subset, of the distance to the 6th nearest other point.
+/** \brief The scale unit D: the median, over all points or a random subset, of the
+ * distance to the 6th nearest other point.
  *
- * \param[in] points those with a coordinate that is not finite are left out
+ * \param[in] points those with non-finite coordinates are left out
  * \param[in] sample size of the subset; 0: all points
  * \param[in] seed of the subset, which depends on nothing else
  * \param[in] threads 0: all
- * \return D in the unit of the points; the lower of the two middle values where the
- * count is even. With 2 to 6 points the distance to the farthest other point takes the
- * place of the 6th nearest. 0 where more than half of the points asked have six others
- * in the very same place; NaN for fewer than 2 points */
+ * \return D in the unit of the points; for an even count the lower of the two middle
+ * values. With 2 to 6 points the farthest other point stands in for the 6th nearest. 0
+ * if more than half of the sampled points coincide with six others; NaN for fewer than
+ * 2 points */
 double
 scaleUnit(const Points& points,
           std::size_t sample = 1024,

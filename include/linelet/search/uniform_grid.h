@@ -17,11 +17,11 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief Neighbor search over a fixed set of points, sorted into rows of a grid.
  *
- * Space is cut into square columns along x (the rows); within a row the points lie
- * sorted by x, so that the neighbors of a query in one row are one run of memory. A
- * point belongs to the neighborhood of radius r when its squared distance, computed in
- * double, is at most r^2; every engine of linelet decides this case alike. Points with
- * a coordinate that is not finite are left out. Queries are thread-safe. */
+ * Space is cut into square columns along x (the rows). Points within a row are sorted
+ * by x, so that the neighbors of a query in one row are contiguous in memory. A point
+ * belongs to the neighborhood of radius r if its squared distance, computed in double,
+ * is at most r^2, as in every engine of linelet. Points with non-finite coordinates are
+ * left out. Queries are thread-safe. */
 class UniformGrid {
 public:
   /** \brief Returned where there is no such point. */
@@ -29,8 +29,8 @@ public:
 
   /** \brief Sorts \a points (copied; at most 2^32 - 2).
    * \param[in] points any points, in any order
-   * \param[in] row_size width of a row, best about the radius most asked for; widened
-   * where the rows would outnumber the points by far
+   * \param[in] row_size width of a row, best near the most frequent radius; widened if
+   * the rows would far outnumber the points
    * \throws std::invalid_argument unless \a row_size is positive and finite */
   UniformGrid(const Points& points, double row_size);
 
@@ -42,7 +42,7 @@ public:
   }
 
   /** \brief Calls visit(index, squared distance) for every point within \a radius of
-   * \a query (d <= radius), in an order that depends on the points alone. */
+   * \a query (d <= radius), in an order that depends only on the points. */
   template <class Visit>
   void
   forEachWithin(const Point& query, double radius, Visit&& visit) const
@@ -63,14 +63,14 @@ public:
     });
   }
 
-  /** \brief The points that can be found, in grid order: their place in it is their
+  /** \brief The points that can be found, in grid order. A point's place in it is its
    * sorted index. */
   const Points&
   sortedPoints() const
   {
     return points_;
   }
-  /** \brief The index that the point of each sorted index was given. */
+  /** \brief Input index of each sorted index. */
   const Indices&
   inputIndices() const
   {
@@ -106,8 +106,8 @@ public:
   using Neighbor = std::pair<double, Index>;
 
   /** \brief As above.
-   * \param[in] radius > 0 that is looked in first, then twice as far and so on: best a
-   * little more than the distance of the last one found
+   * \param[in] radius > 0 to search first, doubled until enough are found: best a
+   * little more than the distance of the last neighbor
    * \param[out] found near to far, equals by index */
   void
   nearestK(const Point& query,
@@ -140,8 +140,7 @@ private:
     Index index;
   };
 
-  /** \brief Looks for nearer points in a row, from the query's place in it to both
-   * sides. */
+  /** \brief Looks for nearer points in a row, to both sides of the query. */
   void
   nearestInRow(std::size_t row, const Point& query, Nearest& best) const;
 
@@ -161,7 +160,7 @@ private:
     return static_cast<std::size_t>(std::clamp(place, 0.0, last));
   }
 
-  /// So many points are looked at rather than cut down any more.
+  /// Shorter runs are scanned, not bisected further.
   static constexpr std::size_t few = 4;
 
   Points points_;                      // sorted by row, then x

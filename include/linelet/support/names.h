@@ -13,11 +13,10 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Names of an enumeration, as they stand on the command line and in files.
+/** \brief Names of an enumeration on the command line and in files.
  *
- * Specialize with `static constexpr std::string_view kind` (what the enumeration is,
- * for messages) and `static constexpr std::array<std::pair<E, std::string_view>, N>
- * table`. */
+ * Specialize with `static constexpr std::string_view kind` (a word for messages) and
+ * `static constexpr std::array<std::pair<E, std::string_view>, N> table`. */
 template <class E>
 struct Names;
 

@@ -11,11 +11,11 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Hears of the progress of long work and may ask it to stop.
+/** \brief Receives the progress of long work and may cancel it.
  *
- * Library functions that can take longer than a second accept a `ProgressMonitor*`
- * (null: nobody listens). \ref advance and \ref canceled are called from several
- * threads at once and must be safe for that; \ref begin is called from one. */
+ * Library functions that can take longer than a second accept a `ProgressMonitor*`,
+ * which may be null. \ref advance and \ref canceled are called from several threads at
+ * once and must be thread-safe; \ref begin is called from one. */
 class ProgressMonitor {
 public:
   virtual ~ProgressMonitor() = default;
@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /** \brief True once the work shall stop; it then throws \ref Canceled. */
+  /** \brief True once the work should stop; it then throws \ref Canceled. */
   virtual bool
   canceled() const
   {
@@ -40,7 +40,7 @@ public:
   }
 };
 
-/** \brief Thrown by work whose monitor asked it to stop. */
+/** \brief Thrown by work that its monitor canceled. */
 class Canceled : public std::runtime_error {
 public:
   Canceled() : std::runtime_error("canceled") {}

@@ -3,7 +3,7 @@
 
 #pragma once
 
-/** \brief What a shared library of linelet shows: all else in it is hidden. */
+/** \brief Exported from shared libraries; everything else in them is hidden. */
 #ifdef __GNUC__
 #define LINELET_PUBLIC [[gnu::visibility("default")]]
 #else

@@ -13,13 +13,13 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief The point of reference of a neighborhood tensor. */
+/** \brief The reference point of a neighborhood tensor. */
 enum class Centroid {
   QueryPoint,    ///< the query point itself: the point distribution tensor
   Mean,          ///< of the neighbors
   WeightedMean,  ///< weighted by the distance from the query point
   Median,        ///< geometric median: the least sum of distances
-  WeightedMedian ///< geometric median that far neighbors take less part in
+  WeightedMedian ///< geometric median that discounts far neighbors
 };
 
 template <>
@@ -36,18 +36,18 @@ struct Names<Centroid> {
 
 /** \brief The centroid of a neighborhood.
  *
- * Best called with coordinates relative to the query point (which is then zero): that
- * is what keeps the last digits of a cloud far from the origin.
+ * Pass coordinates relative to the query point (which is then zero) to keep full
+ * precision far from the origin.
  *
- * The medians are found from the mean on by Weiszfeld's steps with the treatment of
- * iterates that hit a neighbor of Vardi and Zhang (2000), helped by Newton's steps
- * where the former creep, as they do along a wire. For the weighted median the weights
- * w(|p_i - x| / radius) are those at the iterate x. For a weighting that falls with
- * distance this descends, step by step, to the nearest local minimum of sum_i rho(|p_i
- * - x|) with rho' = w: the global minimum of sum_i w |p_i - x| itself would lie at
- * infinity for the default weighting, where all weights vanish.
+ * The medians start at the mean and take Weiszfeld steps, corrected after Vardi and
+ * Zhang (2000) where an iterate hits a neighbor, and Newton steps where Weiszfeld's
+ * creep, as they do along a wire. The weights w(|p_i - x| / radius) of the weighted
+ * median are those at the iterate x. For a weighting that falls with distance this
+ * descends to the nearest local minimum of sum_i rho(|p_i - x|) with rho' = w. (The
+ * global minimum of sum_i w |p_i - x| lies at infinity for the default weighting, where
+ * all weights vanish.)
  *
- * \param[in] type which point of reference
+ * \param[in] type which reference point
  * \param[in] neighbors coordinates of the neighbors, finite
  * \param[in] query the point around which the neighbors were chosen
  * \param[in] radius of the neighborhood, 0 where all neighbors lie at the query point
@@ -61,9 +61,9 @@ centroid(Centroid type,
          double radius,
          const Weighting& weighting = Kernel::QuadraticInverse);
 
-/** \brief The geometric median, Centroid::Median, sought from \a start on: the same
- * place, sooner found where it is guessed well. (Where all neighbors lie on one line
- * and are even in number, any place between the middle two is a median.)
+/** \brief The geometric median (Centroid::Median), searched from \a start: the same
+ * result, sooner if the guess is good. (For an even number of collinear neighbors any
+ * place between the middle two is a median.)
  * \return NaN if there are no neighbors */
 Point
 medianFrom(const Points& neighbors, const Point& start);

@@ -32,11 +32,10 @@ struct EigenSystem {
 
 /** \brief The eigen-system of a positive semidefinite tensor.
  *
- * Iterative (QL), since the closed form loses the small eigenvalues of wire-like
- * tensors: relative error 6e-12 where the closed form has 3e-9 in double and more than
- * 100 % in float. Negative eigenvalues, which are rounding, are set to 0. The component
- * of largest magnitude of every eigenvector is positive, the first of equals counts:
- * equal tensors give equal vectors, whoever computes them.
+ * Iterative (QL), because the closed form loses the small eigenvalues of wire-like
+ * tensors: its relative error is 3e-9 in double and more than 100 % in float, against
+ * 6e-12 here. Negative eigenvalues are rounding and set to 0. Signs are canonical: the
+ * largest component of every eigenvector, the first one in a tie, is positive.
  * \return NaN throughout where the tensor is not finite */
 EigenSystem
 eigenAnalysis(const SymmetricTensor& tensor);

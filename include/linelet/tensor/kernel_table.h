@@ -7,10 +7,10 @@
 
 /** \brief The kernels of linelet::Weighting: enumerator, name, support, w(x).
  *
- * The weight is an expression in x, y = 1 - x, and the parameters first and second; of a
- * compact kernel for x in [0, 1), beyond which it is 0. Its forms on vectors are in
- * src/features/simd_grid/kernels/weights-inl.h, which does not compile without one, and
- * in src/opencl/kernels/weights.cl, without which it is NaN there. */
+ * The weight is an expression in x, y = 1 - x, and the parameters first and second. A
+ * compact kernel is evaluated on [0, 1) and 0 beyond. Its vector form is in
+ * src/features/simd_grid/kernels/weights-inl.h (which does not compile without one),
+ * its OpenCL form in src/opencl/kernels/weights.cl (without one it is NaN there). */
 #define LINELET_KERNELS(KERNEL) \
   KERNEL(Const, "const", Everywhere, 1)                                                        \
   KERNEL(Linear, "linear", Compact, y)                                                         \

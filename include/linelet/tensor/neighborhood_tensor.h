@@ -73,8 +73,8 @@ struct SymmetricTensor {
  * \param[in] centroid c, in the same coordinates
  * \param[in] radius r of the neighborhood; 0 where all neighbors lie at one place
  * \param[in] weighting w_T
- * \return NaN in every entry where the weights sum to 0 (no neighbors, or all of them
- * where a compact kernel is 0) */
+ * \return NaN in every entry if the weights sum to 0 (no neighbors, or all of them
+ * beyond the support of a compact kernel) */
 SymmetricTensor
 neighborhoodTensor(const Points& neighbors,
                    const Point& centroid,

@@ -20,10 +20,9 @@ struct ShapeFactors {
 
 /** \brief The shape factors of eigenvalues, L = l1 + l2 + l3.
  * \param[in] values l1 <= l2 <= l3, not negative
- * \param[in] extent distance of the farthest neighbor from the query point: where L is
- * no more than what rounding of such coordinates leaves, all neighbors lie at one
- * place
- * \return NaN where L is 0 or NaN, or rounding */
+ * \param[in] extent distance of the farthest neighbor from the query point: an L
+ * below the rounding error of such coordinates means that all neighbors coincide
+ * \return NaN if L is 0, NaN, or within rounding of 0 */
 inline ShapeFactors
 shapeFactors(const Eigen::Vector3d& values, double extent = 0)
 {

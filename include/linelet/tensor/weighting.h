@@ -15,11 +15,11 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief How much a neighbor counts, by its distance x from the centroid in units of
- * the radius. Kernels 12 to 19 are 1 minus the easing curve of that name, 20 to 29
- * compactly supported radial basis functions; the last two take parameters: FermiDirac,
- * 1 / (e^((x - m) / T) + 1) with m and T given, and Step, 1 up to S and 0 beyond. One
- * more is a row of kernel_table.h. */
+/** \brief The weight of a neighbor as a function of x, its distance from the centroid
+ * in units of the radius. The ease kernels are 1 minus the easing curve of that name,
+ * the cs-rbf kernels compactly supported radial basis functions. The last two take
+ * parameters: FermiDirac is 1 / (e^((x - m) / T) + 1), Step is 1 up to S and 0 beyond.
+ * A new kernel is a row in kernel_table.h. */
 enum class Kernel {
 #define LINELET_KERNEL(kernel, name, support, weight) kernel,
   LINELET_KERNELS(LINELET_KERNEL)
@@ -38,7 +38,7 @@ struct Names<Kernel> {
 #undef LINELET_KERNEL
 };
 
-/** \brief Where a kernel is not 0. */
+/** \brief Where a kernel is nonzero. */
 enum class KernelSupport {
   Compact,   ///< x < 1
   Everywhere ///< beyond 1 too
@@ -60,12 +60,12 @@ supportOf(Kernel kernel)
 /** \brief A weighting function w(x) of the neighborhood tensor, the centroids and the
  * direction field.
  *
- * Never negative: where a curve overshoots (elastic, bounce) it is clamped to 0.
- * Compact kernels are 0 from x = 1 on; const, the inverse kernels and Fermi-Dirac are
- * evaluated beyond 1 as they are. Small, cheap to copy and to call. */
+ * Never negative: overshooting curves (elastic, bounce) are clamped to 0. Compact
+ * kernels are 0 from x = 1 on; const, the inverse kernels and Fermi-Dirac extend beyond
+ * 1. Cheap to copy and to call. */
 class Weighting {
 public:
-  /** \brief fermi-dirac-1, the weighting of the tensor unless another is asked for. */
+  /** \brief fermi-dirac-1, the default weighting of the tensor. */
   Weighting() : Weighting(Kernel::FermiDirac1) {}
 
   /** \brief A kernel without parameters.
@@ -73,7 +73,7 @@ public:
    * parameters must be given: see \ref fermiDirac and \ref step */
   Weighting(Kernel kernel);
 
-  /** \brief By text: a name of Names<Kernel>, `fermi-dirac:M,T` or `step:S`.
+  /** \brief From text: a name of Names<Kernel>, `fermi-dirac:M,T` or `step:S`.
    * \throws std::invalid_argument naming the choices */
   Weighting(std::string_view text);
   Weighting(const char* text) : Weighting(std::string_view(text)) {}
@@ -81,13 +81,13 @@ public:
 
   /** \brief 1 / (e^((x - m) / temperature) + 1): falls from 1 to 0 around m, over a
    * width of a few \a temperature.
-   * \throws std::invalid_argument unless m is finite and temperature positive, finite
-   */
+   * \throws std::invalid_argument unless m is finite and temperature positive and
+   * finite */
   static Weighting
   fermiDirac(double m, double temperature);
 
   /** \brief 1 for x <= end, 0 beyond.
-   * \throws std::invalid_argument unless \a end is finite and not negative */
+   * \throws std::invalid_argument unless \a end is finite and nonnegative */
   static Weighting
   step(double end);
 
@@ -101,15 +101,15 @@ public:
     return kernel_;
   }
 
-  /** \brief m and T where \ref kernel is one of the Fermi-Dirac kernels (the numbered
-   * ones as well), S and 0 for Step, else zeros. */
+  /** \brief m and T of the Fermi-Dirac kernels (also the numbered ones), S and 0 of
+   * Step, otherwise zeros. */
   const std::array<double, 2>&
   parameters() const
   {
     return parameters_;
   }
 
-  /** \brief Text that makes this weighting again. */
+  /** \brief Text from which the constructor makes this weighting again. */
   std::string
   name() const;
 
