@@ -11,6 +11,7 @@
 #include <linelet/support/threads.h>
 
 #include "powerline/fit_catenary.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::powerline {
 
@@ -94,10 +95,7 @@ describeWires(const std::vector<WireWithEnds>& wires,
   const Points& points = growth.candidates().points;
   std::vector<Wire> result(wires.size());
   const auto count = static_cast<std::ptrdiff_t>(wires.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings.threads))
-  for (std::ptrdiff_t w = 0; w < count; ++w) {
-    const WireWithEnds& with_ends = wires[static_cast<std::size_t>(w)];
-    Wire& wire = result[static_cast<std::size_t>(w)];
+  const auto describe = [&](const WireWithEnds& with_ends, Wire& wire) {
     Points fixed;
     for (const End& end : with_ends.ends)
       if (end.fixed)
@@ -116,7 +114,14 @@ describeWires(const std::vector<WireWithEnds>& wires,
     wire.conductors =
         piece.thickness > 0 || !with_ends.strand.companions.empty() ? 2 : 1;
     measure(wire, with_ends, points);
-  }
+  };
+  ParallelFailure failure;
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings.threads))
+  for (std::ptrdiff_t w = 0; w < count; ++w)
+    failure.guard([&] {
+      describe(wires[static_cast<std::size_t>(w)], result[static_cast<std::size_t>(w)]);
+    });
+  failure.rethrow();
   PowerLineSettings any_length = settings; // the border of the data leaves short ones
   any_length.min_length = 0;
   for (std::size_t w = 0; w < wires.size(); ++w) {

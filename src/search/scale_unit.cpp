@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include <linelet/support/threads.h>
 
 #include "nearest_walk.h"
+#include "support/parallel_failure.h"
 
 namespace linelet {
 
@@ -118,23 +120,28 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
   constexpr std::size_t block = 256; // of one thread
   std::vector<double> squares;
   const auto blocks = static_cast<std::ptrdiff_t>((chosen.size() + block - 1) / block);
+  ParallelFailure failure;
 #pragma omp parallel num_threads(threadCount(threads))
   {
-    NearestWalk walk(points, grid, neighbors + 1);
+    std::optional<NearestWalk> walk;
     std::vector<double> own;
+    failure.guard([&] { walk.emplace(points, grid, neighbors + 1); });
 #pragma omp for schedule(dynamic)
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
       const std::size_t begin = static_cast<std::size_t>(b) * block;
       const std::size_t end = std::min(begin + block, chosen.size());
-      walk(chosen.data() + begin,
-           chosen.data() + end,
-           [&](Index, const std::vector<UniformGrid::Neighbor>& nearest) {
-             own.push_back(nearest.back().first);
-           });
+      failure.guard([&] {
+        (*walk)(chosen.data() + begin,
+                chosen.data() + end,
+                [&](Index, const std::vector<UniformGrid::Neighbor>& nearest) {
+                  own.push_back(nearest.back().first);
+                });
+      });
     }
 #pragma omp critical(linelet_scale_unit)
-    squares.insert(squares.end(), own.begin(), own.end());
+    failure.guard([&] { squares.insert(squares.end(), own.begin(), own.end()); });
   }
+  failure.rethrow();
   return std::sqrt(median(squares));
 }
 

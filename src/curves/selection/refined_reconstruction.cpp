@@ -25,6 +25,7 @@
 #include "curves/tracking/mixed_cloud.h"
 #include "curves/tracking/mixed_reconstruction.h"
 #include "refine_component.h"
+#include "support/parallel_failure.h"
 
 namespace linelet {
 
@@ -82,7 +83,7 @@ refineComponents(const Points& points,
   if (monitor)
     monitor->begin("curves", points.size());
   std::atomic<bool> stopped{false};
-  std::exception_ptr failure;
+  ParallelFailure failure;
   const auto stop = [&] {
     if (monitor && monitor->canceled())
       stopped = true;
@@ -103,20 +104,16 @@ refineComponents(const Points& points,
         told = now;
       }
     };
-    try {
+    failure.guard([&] {
       fits[p] =
           refineNearOrigin(points, components[p], settings, scales, stop, progress);
-    }
-    catch (...) {
-#pragma omp critical(linelet_refined_failure)
-      failure = std::current_exception();
+    });
+    if (failure.failed())
       stopped = true;
-    }
     if (monitor)
       monitor->advance(components[p].size() - told);
   }
-  if (failure)
-    std::rethrow_exception(failure);
+  failure.rethrow();
   if (stopped)
     throw Canceled();
   return fits;

@@ -13,6 +13,7 @@
 #include <linelet/search/neighbor_search.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
+#include <support/parallel_failure.h>
 
 namespace linelet {
 
@@ -80,12 +81,17 @@ sweepQueries(const SweepNeighbors& neighbors,
   const int threads = static_cast<int>(
       std::min((end - begin + chunk_size - 1) / chunk_size,
                static_cast<std::size_t>(threadCount(settings.threads))));
+  ParallelFailure failure;
 #ifdef _OPENMP
 #pragma omp parallel num_threads(std::max(1, threads))
 #endif
   {
-    ScaleSweep sweep(radii, settings);
-    auto visit = make_visitor();
+    std::optional<ScaleSweep> sweep;
+    std::optional<decltype(make_visitor())> visit;
+    failure.guard([&] {
+      sweep.emplace(radii, settings);
+      visit.emplace(make_visitor());
+    });
 #ifdef _OPENMP
 #pragma omp for schedule(dynamic, chunk_size)
 #endif
@@ -95,13 +101,15 @@ sweepQueries(const SweepNeighbors& neighbors,
       if (canceled)
         continue;
       const auto query = static_cast<std::size_t>(place);
-      sweep.clear();
-      neighbors.forEachOffset(
-          queries[query], radii.back(), [&](const Point& offset, double squared) {
-            sweep.add(offset, squared);
-          });
-      sweep.run();
-      visit(query, sweep);
+      failure.guard([&] {
+        sweep->clear();
+        neighbors.forEachOffset(
+            queries[query], radii.back(), [&](const Point& offset, double squared) {
+              sweep->add(offset, squared);
+            });
+        sweep->run();
+        (*visit)(query, *sweep);
+      });
       if (monitor != nullptr) {
         monitor->advance(1);
         if (monitor->canceled())
@@ -109,6 +117,7 @@ sweepQueries(const SweepNeighbors& neighbors,
       }
     }
   }
+  failure.rethrow();
   if (canceled)
     throw Canceled();
 }

@@ -13,6 +13,8 @@
 #include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 
+#include "support/parallel_failure.h"
+
 namespace linelet {
 
 namespace {
@@ -37,6 +39,7 @@ shifted(const Points& points,
   if (monitor != nullptr)
     monitor->begin("centroid shift", points.size());
   std::atomic<bool> canceled{false};
+  ParallelFailure failure;
 #ifdef _OPENMP
 #pragma omp parallel num_threads(threadCount(settings.threads))
 #endif
@@ -50,13 +53,15 @@ shifted(const Points& points,
       const auto i = static_cast<std::size_t>(place);
       if (canceled || !points[i].allFinite())
         continue;
-      offsets.clear();
-      add_offsets(points[i], offsets);
-      moved[i] += centroid(settings.centroid,
-                           offsets,
-                           Point::Zero(),
-                           settings.radius,
-                           settings.weighting);
+      failure.guard([&] {
+        offsets.clear();
+        add_offsets(points[i], offsets);
+        moved[i] += centroid(settings.centroid,
+                             offsets,
+                             Point::Zero(),
+                             settings.radius,
+                             settings.weighting);
+      });
       if (monitor != nullptr) {
         monitor->advance(1);
         if (monitor->canceled())
@@ -64,6 +69,7 @@ shifted(const Points& points,
       }
     }
   }
+  failure.rethrow();
   if (canceled)
     throw Canceled();
   return moved;

@@ -8,6 +8,8 @@
 
 #include <linelet/support/threads.h>
 
+#include "support/parallel_failure.h"
+
 namespace linelet {
 
 namespace {
@@ -77,6 +79,7 @@ estimateTensors(const NeighborSearch& search,
   constexpr std::size_t block = 512;
   const auto blocks = static_cast<std::ptrdiff_t>((queries.size() + block - 1) / block);
   std::atomic<bool> stop{false};
+  ParallelFailure failure;
 #pragma omp parallel num_threads(threadCount(settings.threads))
   {
     RecordMaker make(search, surface, settings, sizes);
@@ -86,11 +89,13 @@ estimateTensors(const NeighborSearch& search,
         continue;
       const std::size_t begin = static_cast<std::size_t>(b) * block;
       const std::size_t end = std::min(begin + block, queries.size());
-      for (std::size_t i = begin; i < end; ++i) {
-        records[i] = make(queries[i], i);
-        if (monitor != nullptr && monitor->canceled())
-          break; // neighborhoods may be the whole cloud
-      }
+      failure.guard([&] {
+        for (std::size_t i = begin; i < end; ++i) {
+          records[i] = make(queries[i], i);
+          if (monitor != nullptr && monitor->canceled())
+            break; // neighborhoods may be the whole cloud
+        }
+      });
       if (monitor != nullptr) {
         monitor->advance(end - begin);
         if (monitor->canceled())
@@ -98,6 +103,7 @@ estimateTensors(const NeighborSearch& search,
       }
     }
   }
+  failure.rethrow();
   if (stop)
     throw Canceled();
   return records;
