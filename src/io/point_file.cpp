@@ -74,6 +74,18 @@ declareReference(Cloud& cloud,
   cloud.wkt = wkt;
 }
 
+/** Makes \a shift that of \a cloud. */
+void
+moveShift(Cloud& cloud, const Point& shift)
+{
+  const Point step = cloud.shift - shift;
+  if (step == Point::Zero())
+    return;
+  for (Point& point : cloud.points)
+    point += step;
+  cloud.shift = shift;
+}
+
 } // namespace
 
 void
@@ -99,6 +111,8 @@ readCloud(const std::string& path,
   Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});
   if (format.read != readLas) {
     cloud.shift += readShift(path);
+    if (options.shift)
+      moveShift(cloud, *options.shift);
     crop(cloud, window);
   }
   if (!options.crs.empty())
