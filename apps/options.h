@@ -66,6 +66,8 @@ public:
       add(app_.add_option(option, value)->delimiter(',')->allow_extra_args(false),
           "X,...",
           help);
+    else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+      add(app_.add_option(option, value)->allow_extra_args(false), "TEXT", help);
     else if constexpr (std::is_same_v<T, io::ClassList>) {
       const auto set = [&value](const std::string& text) { value = T(text); };
       addNamed(option, set, help)->default_str(value.name())->type_name("N,...");
