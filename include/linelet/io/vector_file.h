@@ -62,7 +62,7 @@ writeLayers(const std::string& path,
             ProgressMonitor* monitor = nullptr);
 
 /** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
- * (lines), .csv, .geojson, .gpkg, .dxf.
+ * (lines), .csv, .geojson, .gpkg, .dxf, .h5 (with junctions, see hdf5_file.h).
  * \param[in] shift added to every vertex: the output is in world coordinates
  * \param[in] wkt see \ref writeLayers, as for \a warnings
  * \throws FileError, Canceled */
