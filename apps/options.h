@@ -15,6 +15,7 @@
 
 #include <linelet/io/usable_points.h>
 #include <linelet/support/names.h>
+#include <linelet/support/points.h>
 
 namespace linelet::apps {
 
@@ -68,6 +69,13 @@ public:
           help);
     else if constexpr (std::is_same_v<T, std::vector<std::string>>)
       add(app_.add_option(option, value)->allow_extra_args(false), "TEXT", help);
+    else if constexpr (std::is_same_v<T, Indices>)
+      add(app_.add_option(option, value)
+              ->delimiter(',')
+              ->allow_extra_args(false)
+              ->check(notNegative),
+          "N,...",
+          help);
     else if constexpr (std::is_same_v<T, io::ClassList>) {
       const auto set = [&value](const std::string& text) { value = T(text); };
       addNamed(option, set, help)->default_str(value.name())->type_name("N,...");
