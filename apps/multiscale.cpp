@@ -15,6 +15,7 @@
 
 #include "cloud_files.h"
 #include "commands.h"
+#include "fourth_order_columns.h"
 #include "frame.h"
 #include "options.h"
 #include "scale_cost.h"
@@ -99,8 +100,8 @@ measure(const Points& points,
   return shapes;
 }
 
-/** \brief The usable points of \a cloud, moved to the means of their neighbors where
- * \a shift has a radius, which moves them in \a cloud as well. */
+/** \brief The usable points of \a cloud, moved to the centroids of their neighbors
+ * where \a shift has a radius, which moves them in \a cloud as well. */
 Points
 shiftedPoints(io::Cloud& cloud,
               const io::UsablePoints& usable,
@@ -169,6 +170,7 @@ runOne(CloudInput& input,
        MultiScaleSettings& settings,
        const CentroidShiftSettings& shift,
        const std::string& graphs,
+       FourthOrderOption fourth_order,
        Frame& frame)
 {
   io::Cloud cloud = input.read();
@@ -186,6 +188,8 @@ runOne(CloudInput& input,
           : measure(points, aboutPoints(settings), {}, &frame.monitor);
   frame.lap("multiscale");
   addColumns(cloud, shapes);
+  if (fourth_order != FourthOrderOption::None)
+    addFourthOrder(cloud, points, settings, fourth_order, &frame.monitor);
   const std::string path = output.pathFor(input, 0);
   output.write(cloud, path);
 
@@ -281,29 +285,33 @@ runMultiscale(const std::vector<std::string>& arguments)
   MultiScaleSettings settings;
   CentroidShiftSettings shift;
   std::string graphs;
+  auto fourth_order = FourthOrderOption::None;
   CloudInput input(frame);
   CloudOutput output(frame);
   addOptions(frame.app, settings);
   const OptionAdder add(frame.app);
   add("graphs", graphs, "CSV file for the graphs of every point");
   frame.writes(graphs);
-  add("centroid-shift",
-      shift.radius,
-      "first move every point to the mean of its neighbors within this radius (the "
-      "output has the moved points); 0: do not");
+  add("fourth-order",
+      fourth_order,
+      "also write the fourth-order tensor over all radii, weighted by this factor, and "
+      "its major eigentensor");
+  describe(shift, "centroid-shift", "shift-", add);
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
   const bool several = input.files().size() > 1;
-  if (several && (!graphs.empty() || shift.radius != 0 || settings.stop_change > 0))
-    throw std::runtime_error("--graphs, --centroid-shift and --stop-change look at one "
-                             "cloud; give one input, or leave them out");
+  if (several && (!graphs.empty() || shift.radius != 0 || settings.stop_change > 0 ||
+                  fourth_order != FourthOrderOption::None))
+    throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
+                             "--stop-change look at one cloud; give one input, or "
+                             "leave them out");
   output.check(input);
   if (!graphs.empty())
     io::checkWritable(graphs);
   if (several)
     runSeveral(input, output, settings, frame);
   else
-    runOne(input, output, settings, shift, graphs, frame);
+    runOne(input, output, settings, shift, graphs, fourth_order, frame);
   return frame.finish();
 }
 
