@@ -56,10 +56,7 @@ if(TARGET linelet_pcl)
     LIBS pcl REQUIRES linelet-core pcl_common pcl_kdtree pcl_octree pcl_search)
 endif()
 if(TARGET linelet_io)
-  if(LINELET_HDF5_FOUND)
-    set(io_private PRIVATE_REQUIRES hdf5-serial)
-  endif()
-  linelet_component(io "Point files" LIBS io REQUIRES linelet-core ${io_private})
+  linelet_component(io "Point files" LIBS io REQUIRES linelet-core)
   linelet_component(vector "Vector files and reference systems"
     LIBS vector REQUIRES linelet-io PRIVATE_REQUIRES gdal)
   linelet_component(powerline "Power lines of point clouds"

@@ -13,13 +13,11 @@ namespace {
 CurveNetwork
 reconstruct(const NeighborSearch* search,
             const Points& points,
-            ReconstructionSettings settings,
+            const ReconstructionSettings& settings,
             ProgressMonitor* monitor)
 {
   validate(settings);
-  if (settings.preset == Preset::PublishedQuick && settings.largest_radius == 0)
-    settings.largest_radius = quick_largest_radius;
-  if (isPublished(settings.preset))
+  if (settings.preset == Preset::Published)
     return search != nullptr ? reconstructPublished(*search, points, settings, monitor)
                              : reconstructPublished(points, settings, monitor);
   RefinedSettings refined;

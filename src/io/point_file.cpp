@@ -26,12 +26,11 @@ struct Format {
   void (*write)(const Target& target, const Cloud& cloud);
 };
 
-constexpr std::array<Format, 10> formats = {
+constexpr std::array<Format, 9> formats = {
     {{".las", readLas, writeLas},
      {".laz", readLas, writeLaz},
      {".pcd", readPcd, writePcd},
      {".ply", readPly, writePly},
-     {".h5", readHdf5, writeHdf5},
      {".xyz", readText, writeText},
      {".txt", readText, writeText},
      {".csv", readText, writeText},
@@ -47,7 +46,7 @@ formatOf(const std::string& path)
       return format;
   throw FileError(
       path + ": the ending '" + ending +
-      "' names no format; use .las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv or .obj");
+      "' names no format; use .las, .laz, .pcd, .ply, .xyz, .txt, .csv or .obj");
 }
 
 const Format&
@@ -75,18 +74,6 @@ declareReference(Cloud& cloud,
   cloud.wkt = wkt;
 }
 
-/** Makes \a shift that of \a cloud. */
-void
-moveShift(Cloud& cloud, const Point& shift)
-{
-  const Point step = cloud.shift - shift;
-  if (step == Point::Zero())
-    return;
-  for (Point& point : cloud.points)
-    point += step;
-  cloud.shift = shift;
-}
-
 } // namespace
 
 void
@@ -112,8 +99,6 @@ readCloud(const std::string& path,
   Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});
   if (format.read != readLas) {
     cloud.shift += readShift(path);
-    if (options.shift)
-      moveShift(cloud, *options.shift);
     crop(cloud, window);
   }
   if (!options.crs.empty())
@@ -129,9 +114,8 @@ writeCloud(const std::string& path,
            ProgressMonitor* monitor)
 {
   const Format& format = writtenFormatOf(path);
-  if (options.shifted && (format.read == readLas || format.read == readHdf5))
-    throw FileError(path + ": " + (format.read == readLas ? "LAS" : "HDF5") +
-                    " carries a shift of its own; leave out --shifted");
+  if (options.shifted && format.read == readLas)
+    throw FileError(path + ": LAS carries a shift of its own; leave out --shifted");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
   const Target target = {path, warnings, monitor};

@@ -6,6 +6,7 @@
 
 #include "powerline/evidence.h"
 #include "powerline/joints.h"
+#include "powerline/line_priors.h"
 
 namespace linelet::powerline {
 
@@ -94,8 +95,9 @@ completeByCompany(std::vector<WireWithEnds>& wires,
         longer.model.length() > m.length()) {
       // Beside others a wire may be thinly covered, if nothing else is near it.
       const Evidence e = weigh(growth, longer, settings);
-      if (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&
-                         e.clean >= thin_clean * e.occupied))
+      if (e.likelihood >= LinePriors().in_company &&
+          (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&
+                          e.clean >= thin_clean * e.occupied)))
         piece = std::move(longer);
     }
     growth.claim(piece, 0);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "powerline/line_priors.h"
+
 namespace linelet::powerline {
 
 namespace {
@@ -28,6 +30,63 @@ constexpr double least_cover = 0.35; // of the bins
 constexpr double crowd = 0.35;       // guard ring points a tube point in a clean bin
 constexpr std::size_t least_points = 8;
 
+// Logarithm of the negative binomial distribution: counts whose rate is known from
+// \a seen others, in places that are \a larger times as large.
+double
+logBackground(double count, double seen, double larger)
+{
+  constexpr double vague = 0.5; // of the prior of Jeffreys
+  const double shape = seen + vague;
+  return std::lgamma(count + shape) - std::lgamma(shape) - std::lgamma(count + 1) +
+         shape * std::log(larger / (larger + 1)) - count * std::log(larger + 1);
+}
+
+/** Counts of a bin: in the tube, and of places around that are \a larger times it. */
+struct Counts {
+  double tube, around, larger;
+};
+
+// Logarithm of the likelihood that a wire of \a density points a bin, where it shows,
+// hangs there in addition, over that of the surroundings alone.
+double
+logWire(const Counts& c, double density)
+{
+  double sum = 0;
+  const double none = logBackground(c.tube, c.around, c.larger);
+  for (double own = 0; own <= c.tube; ++own)
+    sum += std::exp(own * std::log(density) - density - std::lgamma(own + 1) +
+                    logBackground(c.tube - own, c.around, c.larger) - none);
+  return std::log(sum);
+}
+
+// Evidence of a wire by the counts along it. It is hidden on a part of its way, which
+// is estimated with its density.
+double
+likelihoodOf(const std::vector<Counts>& bins)
+{
+  double total = 0, expected = 0;
+  for (const Counts& c : bins) {
+    total += c.tube;
+    expected += c.around / c.larger;
+  }
+  const auto n = static_cast<double>(bins.size());
+  double density = std::max(0.1, (total - expected) / n), shown = 0.8, result = 0;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    double visible = 0, points = 0;
+    result = 0;
+    for (const Counts& c : bins) {
+      const double wire = shown * std::exp(std::min(500.0, logWire(c, density)));
+      const double part = wire / (wire + 1 - shown);
+      visible += part;
+      points += part * std::max(0.0, c.tube - c.around / c.larger);
+      result += std::log(wire + 1 - shown);
+    }
+    shown = std::clamp((visible + 1) / (n + 2), 0.02, 0.98);
+    density = std::max(0.1, points / std::max(1.0, visible));
+  }
+  return result;
+}
+
 } // namespace
 
 Evidence
@@ -46,26 +105,40 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   const double n = static_cast<double>(piece.members.size());
   e.rms = std::sqrt(squares / n);
   e.height /= n;
-  e.chord = std::abs(SpanModel::slope(m.z, (m.begin + m.end) / 2));
+  e.chord = std::abs(m.rise((m.begin + m.end) / 2));
   e.slope = std::abs(m.z[2]) * m.length();
   e.sag = m.z[2] * m.length() * m.length() / 4;
   e.bins = static_cast<int>(std::ceil(m.length() / bin_length));
   const double step = m.length() / e.bins;
   const double tolerance = piece.tolerance();
+  const double reach = std::max(ring_radius, 2 * tolerance);
+  const double larger = reach * reach / (tolerance * tolerance) - 1;
+  std::vector<Counts> counts(static_cast<std::size_t>(e.bins));
   for (int k = 0; k < e.bins; ++k) {
     const Bin bin =
         growth.look(m, m.begin + k * step, m.begin + (k + 1) * step, tolerance);
+    counts[static_cast<std::size_t>(k)] = {
+        static_cast<double>(bin.tube), static_cast<double>(bin.ring), larger};
     if (bin.tube == 0)
       continue;
     ++e.occupied;
     if (static_cast<double>(bin.guard_ring) <= crowd * static_cast<double>(bin.tube))
       ++e.clean;
   }
+  std::vector<Counts> smooth = counts; // with the surroundings of the bins beside
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    for (const std::size_t other : {k - 1, k + 1})
+      if (other < counts.size()) {
+        smooth[k].around += counts[other].around;
+        smooth[k].larger += counts[other].larger;
+      }
+  e.likelihood = likelihoodOf(smooth);
   e.sound = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
             e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
             e.height >= least_height && e.clean >= clean_part * e.occupied &&
             e.clean * bin_length >= clean_length;
-  e.accepted = e.sound && e.occupied >= least_cover * e.bins;
+  e.accepted = e.sound && e.occupied >= least_cover * e.bins &&
+               e.likelihood >= LinePriors().in_company;
   return e;
 }
 

@@ -17,6 +17,8 @@ struct Evidence {
   double slope = 0; ///< at the ends, against the chord
   double chord = 0; ///< slope from end to end
   double height = 0;     ///< mean of the members above ground, meters
+  double likelihood = 0; ///< natural logarithm of how much better a wire explains the
+                         ///< points around it than what stands there anyway does
   bool sound = false;    ///< a wire, but perhaps too thinly covered with points
   bool accepted = false; ///< and not that
 };

@@ -130,7 +130,7 @@ findFences(const std::vector<WireWithEnds>& wires,
       const SpanModel& m = wires[w].model();
       const double s = m.along(p);
       const double off = std::abs(m.residual(p, s)[0]);
-      const double drop = SpanModel::value(m.z, s) - p.z();
+      const double drop = m.height(s) - p.z();
       if (s < m.begin || s > m.end || drop < grass || off > beside_to ||
           (off > fence_half && off < beside_from))
         continue;
@@ -177,7 +177,7 @@ isLedge(const Growth& growth, const Piece& piece)
       const Point& p = candidates.points[i];
       const double s = m.along(p);
       const double t = m.residual(p, s)[0];
-      const double rise = p.z() - SpanModel::value(m.z, s);
+      const double rise = p.z() - m.height(s);
       if (growth.owner(i) != Growth::nobody || s < from || s >= from + step ||
           std::abs(t) < ledge_from || std::abs(t) > ledge_to || rise < -ledge_low ||
           rise > ledge_high)

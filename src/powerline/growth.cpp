@@ -70,7 +70,7 @@ Growth::look(const SpanModel& model,
   const double reach = std::max(ring_radius, 2 * tolerance);
   const double half = (to - from) / 2;
   const Point center = model.at((from + to) / 2);
-  const double rise = half * std::abs(SpanModel::slope(model.z, (from + to) / 2));
+  const double rise = half * std::abs(model.rise((from + to) / 2));
   candidates_.grid.forEachWithin(
       center, std::sqrt(half * half + rise * rise) + reach, [&](Index i, double) {
         if (owner_[i] != nobody)

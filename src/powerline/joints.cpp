@@ -37,7 +37,7 @@ meet(const WireWithEnds& a,
     const double left = SpanModel::slope(m.t, at);
     return Point(m.direction.x() - left * m.direction.y(),
                  m.direction.y() + left * m.direction.x(),
-                 SpanModel::slope(m.z, at));
+                 m.rise(at));
   };
   // Gauss-Newton on the gap, the distance from the ends and from the crossarm.
   for (int iteration = 0; iteration < 8; ++iteration) {
@@ -85,7 +85,8 @@ matchEnds(std::vector<WireWithEnds>& wires)
       const Point at = wires[w].model().at(wires[w].edge(side));
       wires[w].ends[static_cast<std::size_t>(side)] = {};
       wires[w].ends[static_cast<std::size_t>(side)].place = at;
-      ends.push_back({at, static_cast<int>(w), side});
+      if (!wires[w].leaves[static_cast<std::size_t>(side)])
+        ends.push_back({at, static_cast<int>(w), side});
     }
   std::sort(ends.begin(), ends.end(), [](const Place& a, const Place& b) {
     return std::tuple(a.at.x(), a.wire, a.side) < std::tuple(b.at.x(), b.wire, b.side);

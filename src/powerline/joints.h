@@ -24,6 +24,7 @@ struct End {
 struct WireWithEnds {
   Strand strand;
   std::array<End, 2> ends;
+  std::array<bool, 2> leaves = {}; ///< another line there, as service drops do
 
   const SpanModel&
   model() const

@@ -27,7 +27,7 @@ findKinks(const Piece& piece, const Points& points)
   std::vector<std::pair<double, double>> samples; // s, height over the joint model
   for (const Index i : piece.members) {
     const double s = m.along(points[i]);
-    samples.emplace_back(s, points[i].z() - SpanModel::value(m.z, s));
+    samples.emplace_back(s, points[i].z() - m.height(s));
   }
   std::sort(samples.begin(), samples.end());
   if (m.length() < 2 * end_stretch || samples.size() < 12)

@@ -52,7 +52,7 @@ public:
     const double step = (tube.to - tube.from) / steps;
     for (int k = 0; k < steps; ++k) {
       const double begin = tube.from + k * step, end = begin + step;
-      const double rise = step * std::abs(SpanModel::slope(model.z, begin + step / 2));
+      const double rise = step * std::abs(model.rise(begin + step / 2));
       candidates_.grid.forEachWithin(
           model.at(begin + step / 2),
           std::hypot(step, rise) / 2 + 2 * tube.reach,

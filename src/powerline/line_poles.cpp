@@ -70,7 +70,7 @@ LinePoles::add(const Piece& wire, const Growth& growth)
   double begin = std::numeric_limits<double>::infinity(), end = -begin;
   for (const Index i : own) {
     const double s = axis_.along(points[i]);
-    samples.emplace_back(s, points[i].z() - SpanModel::value(m.z, m.along(points[i])));
+    samples.emplace_back(s, points[i].z() - m.height(m.along(points[i])));
     begin = std::min(begin, s);
     end = std::max(end, s);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "powerline/evidence.h"
+#include "powerline/line_priors.h"
 #include "powerline/merge.h"
 
 namespace linelet::powerline {
@@ -160,9 +161,11 @@ isParallelWire(const Growth& growth,
                const PowerLineSettings& settings)
 {
   const Evidence e = weigh(growth, piece, settings);
-  return e.accepted ||
-         (e.sound && piece.model.length() >= whole * source.length() &&
-          e.occupied >= thin_cover * e.bins && e.clean >= thin_clean * e.occupied);
+  constexpr LinePriors priors;
+  return e.likelihood >= priors.in_company &&
+         (e.accepted ||
+          (e.sound && piece.model.length() >= whole * source.length() &&
+          e.occupied >= thin_cover * e.bins && e.clean >= thin_clean * e.occupied));
 }
 
 } // namespace

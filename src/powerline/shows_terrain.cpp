@@ -4,6 +4,7 @@
 #include "powerline/shows_terrain.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,8 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double plan_cell = 8; // meters, of which the lowest point is looked at
+constexpr int parts = 4;        // of a cell, along each axis
+constexpr int covered = 12;     // parts with points, of 16, where a surface lies
 constexpr double reach = 1.5;   // meters around it
 constexpr double linear = 0.7;  // linearity of what belongs to a line
 constexpr std::size_t least_points = 5; // there, to tell a line from a surface
@@ -31,10 +34,12 @@ struct Place {
   Point sum = Point::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   std::size_t count = 0;
+  std::bitset<static_cast<std::size_t>(parts) * parts> occupied;
 
   void
-  add(const Point& p)
+  add(const Point& p, std::size_t part)
   {
+    occupied.set(part);
     const Point v = p - lowest;
     if (v.squaredNorm() > reach * reach)
       return;
@@ -43,9 +48,13 @@ struct Place {
     ++count;
   }
 
+  /** Whether a line lies lowest. A thin scan line is one too, but others lie beside it.
+   */
   bool
   isLinear() const
   {
+    if (occupied.count() >= covered)
+      return false;
     const double n = static_cast<double>(count);
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(squares / n - sum * sum.transpose() / (n * n),
@@ -67,10 +76,19 @@ surfaceLiesLowest(const Points& points)
   const auto columns =
       static_cast<std::size_t>((extent.high.x() - extent.low.x()) / cell) + 1;
   std::vector<Place> places(static_cast<std::size_t>(extent.cells(cell)));
+  const auto at = [&](const Point& p) {
+    return Eigen::Vector2d((p.head<2>() - extent.low) / cell);
+  };
   const auto placeOf = [&](const Point& p) -> Place& {
-    const Eigen::Vector2d at = (p.head<2>() - extent.low) / cell;
-    return places[static_cast<std::size_t>(at.y()) * columns +
-                  static_cast<std::size_t>(at.x())];
+    const Eigen::Vector2d place = at(p);
+    return places[static_cast<std::size_t>(place.y()) * columns +
+                  static_cast<std::size_t>(place.x())];
+  };
+  const auto partOf = [&](const Point& p) {
+    const Eigen::Vector2d place = at(p);
+    const Eigen::Array2d inside = parts * (place.array() - place.array().floor());
+    return static_cast<std::size_t>(inside.y()) * parts +
+           static_cast<std::size_t>(inside.x());
   };
   const auto takesPart = [&](const Point& p) {
     return p.allFinite() && extent.contains(p);
@@ -81,7 +99,7 @@ surfaceLiesLowest(const Points& points)
         place.lowest = p;
   for (const Point& p : points)
     if (takesPart(p))
-      placeOf(p).add(p);
+      placeOf(p).add(p, partOf(p));
   std::size_t lines = 0, others = 0;
   for (const Place& place : places)
     if (place.count >= least_points)

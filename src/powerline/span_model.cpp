@@ -39,7 +39,9 @@ SpanModel::reframed() const
   m.begin = (begin - middle) * stretch;
   m.end = (end - middle) * stretch;
   m.t = {0, 0, t[2] / (stretch * stretch * stretch)};
-  m.z = {value(z, middle), slope(z, middle) / stretch, z[2] / (stretch * stretch)};
+  const Eigen::Vector2d more = beyondParabola(z);
+  const double bend = z[2] + middle * (3 * more[0] + 6 * middle * more[1]);
+  m.z = {height(middle), rise(middle) / stretch, bend / (stretch * stretch)};
   return m;
 }
 
@@ -59,6 +61,7 @@ fit(SpanModel& model, const Points& points, const Indices& members, double cut)
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right_t = Eigen::Vector3d::Zero(), right_z = right_t;
     std::size_t used = 0;
+    const Eigen::Vector2d more = SpanModel::beyondParabola(model.z);
     for (std::size_t i = 0; i < n; ++i) {
       const double u = distance[i] / cut;
       if (u >= 1)
@@ -67,7 +70,8 @@ fit(SpanModel& model, const Points& points, const Indices& members, double cut)
       const Eigen::Vector3d x(1, s[i], s[i] * s[i]);
       normal += w * x * x.transpose();
       right_t += w * left[i] * x;
-      right_z += w * points[members[i]].z() * x;
+      const double beyond = s[i] * s[i] * s[i] * (more[0] + s[i] * more[1]);
+      right_z += w * (points[members[i]].z() - beyond) * x;
       ++used;
     }
     if (used < 3)

@@ -12,6 +12,7 @@
 #include <Eigen/Dense>
 
 #include "powerline/groups.h"
+#include "powerline/line_priors.h"
 
 namespace linelet::powerline {
 
@@ -47,12 +48,15 @@ clusterEnds(const std::vector<WireWithEnds>& wires)
   const auto place = [&](std::size_t e) -> const Point& {
     return wires[e / 2].ends[e % 2].place;
   };
+  const auto leavesAt = [&](std::size_t e) { return wires[e / 2].leaves[e % 2]; };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::tuple(place(a).x(), a) < std::tuple(place(b).x(), b);
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t a = order[i];
     const End& end = wires[a / 2].ends[a % 2];
+    if (leavesAt(a))
+      continue;
     if (end.partner >= 0)
       groups.unite(a,
                    2 * static_cast<std::size_t>(end.partner) +
@@ -63,7 +67,7 @@ clusterEnds(const std::vector<WireWithEnds>& wires)
          ++k) {
       const std::size_t b = order[k];
       const Eigen::Vector2d offset = (place(b) - place(a)).head<2>();
-      if (a / 2 != b / 2 && offset.norm() <= side_by_side &&
+      if (a / 2 != b / 2 && !leavesAt(b) && offset.norm() <= side_by_side &&
           std::abs(out.dot(offset)) <= level_with &&
           out.dot(wires[b / 2].outward(static_cast<int>(b % 2))) >= least_cosine)
         groups.unite(a, b);
@@ -72,6 +76,8 @@ clusterEnds(const std::vector<WireWithEnds>& wires)
   std::vector<Tower> towers;
   std::vector<int> tower_of(order.size(), -1);
   for (std::size_t e = 0; e < order.size(); ++e) {
+    if (leavesAt(e))
+      continue;
     int& tower = tower_of[groups.root(e)];
     if (tower < 0) {
       tower = static_cast<int>(towers.size());
@@ -197,6 +203,34 @@ settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
   }
 }
 
+// Carries what leaves a line on to the support it hangs from.
+void
+attachDrops(const std::vector<Tower>& towers, std::vector<WireWithEnds>& wires)
+{
+  constexpr LinePriors priors;
+  for (WireWithEnds& wire : wires)
+    for (int side = 0; side < 2; ++side) {
+      if (!wire.leaves[static_cast<std::size_t>(side)])
+        continue;
+      const SpanModel& m = wire.model();
+      End& end = wire.ends[static_cast<std::size_t>(side)];
+      double nearest = priors.drop_reach;
+      for (std::size_t t = 0; t < towers.size(); ++t) {
+        const Eigen::Vector2d& axis = towers[t].arm.center;
+        const double s = m.along({axis.x(), axis.y(), 0});
+        const double on = std::abs(s - wire.edge(side));
+        const Point place = m.at(s);
+        if (on > nearest || (place.head<2>() - axis).norm() > priors.drop_beside ||
+            place.z() > towers[t].top + 1 || place.z() < towers[t].base)
+          continue;
+        nearest = on;
+        end.place = place;
+        end.fixed = true;
+        end.support = static_cast<int>(t);
+      }
+    }
+}
+
 } // namespace
 
 std::vector<Tower>
@@ -242,6 +276,7 @@ buildTowers(std::vector<WireWithEnds>& wires,
     }
     kept.push_back(std::move(tower));
   }
+  attachDrops(kept, wires);
   return kept;
 }
 

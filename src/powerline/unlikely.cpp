@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "powerline/evidence.h"
 #include "powerline/false_positives.h"
 #include "powerline/groups.h"
 #include "powerline/joints.h"
+#include "powerline/line_priors.h"
 
 namespace linelet::powerline {
 
@@ -19,6 +21,7 @@ constexpr double company_part = 0.35; // of the length of the longer
 constexpr double steep = 0.12;        // slope between the ends
 constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
 constexpr double clear_bend = 2e-4;   // of a line so short that it hangs from poles
+constexpr LinePriors priors;
 constexpr double long_line = 60;      // meters, from which a line speaks for itself
 constexpr double short_line = 25;     // meters, the least inside the data
 constexpr std::size_t many = 4;       // wires of a family that prove each other
@@ -26,7 +29,6 @@ constexpr double clean_part = 0.75;   // of the length of short wires at the bor
 
 constexpr double lone_length = 18;    // meters of a lone wire in the clear
 constexpr double lone_clean = 0.8;    // of its bins
-constexpr double telling_length = 20; // meters of a wire whose sag says something
 constexpr double stray_length = 40;   // meters of a thinly covered wire that meets none
 constexpr double lone_cover = 0.5;    // of the bins of a line inside the data
 constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
@@ -44,7 +46,10 @@ struct Family {
   double single = 0;               ///< longest wire, meters
   double bend = 0, weight = 0;     ///< sums over the wires, weighted by length
   double bends = 0, precision = 0; ///< of the points alone, weighted by precision
+  double least = 0;                ///< that bends are at least, weighted alike
+  double open = 0, length = 0;     ///< with nothing but deep below; of all wires
   double clean = 0, occupied = 0, bins = 0; ///< sums of the evidence of short chains
+  bool drop = false; ///< a wire leaves another line
   bool border = false;                      ///< a wire leaves the data
   bool clear = false;  ///< a wire hangs by itself with the view free to the ground
   bool joined = false; ///< some wires meet
@@ -92,20 +97,21 @@ bool
 plausible(const Family& family)
 {
   const double bend = family.bend / family.weight;
-  if (family.precision > 0) {
-    const Bend joint = {family.bends / family.precision,
-                        1 / std::sqrt(family.precision)};
-    if (joint.rulesOut(flattest))
-      return false;
-  }
+  if (family.bends - family.least < -priors.spread * std::sqrt(family.precision) ||
+      family.open < priors.open * family.length)
+    return false;
+  if (family.drop)
+    return true;
   if (family.longest >= long_line)
     return family.joined || family.border || bend >= least_bend;
   if (family.border)
     return (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= short_line);
-  return family.clear || (family.single >= short_line && bend >= clear_bend &&
+  // Alone, it must be seen to hang.
+  return family.bends > priors.spread * std::sqrt(family.precision) &&
+         (family.clear || (family.single >= short_line && bend >= clear_bend &&
                           family.occupied >= lone_cover * family.bins &&
-                          family.clean >= clean_part * family.occupied);
+                          family.clean >= clean_part * family.occupied));
 }
 
 Groups
@@ -141,8 +147,23 @@ lookBeyond(const WireWithEnds& wire, const Underside& underside)
   return beyond;
 }
 
+// A wire that ends at nothing but a hidden part shows most of its span.
+double
+largestSpan(const WireWithEnds& wire, const Underside& underside)
+{
+  const SpanModel& m = wire.model();
+  if (wire.ends[0].partner >= 0 && wire.ends[1].partner >= 0)
+    return m.length();
+  return leavesData(m, 0, underside) || leavesData(m, 1, underside)
+             ? std::numeric_limits<double>::infinity()
+             : priors.longer * m.length();
+}
+
 void
-addBend(Family& family, const WireWithEnds& wire, const Points& points)
+addBend(Family& family,
+        const WireWithEnds& wire,
+        const Points& points,
+        const Underside& underside)
 {
   const SpanModel& m = wire.model();
   const double weight = std::pow(m.length(), 3);
@@ -150,11 +171,46 @@ addBend(Family& family, const WireWithEnds& wire, const Points& points)
   const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
   family.bend += weight * (m.z[2] - vague);
   family.weight += weight;
-  if (m.length() >= telling_length) {
-    const Bend own = bendOf(wire.strand.piece, points);
-    family.bends += own.value / (own.spread * own.spread);
-    family.precision += 1 / (own.spread * own.spread);
-  }
+  const Bend own = bendOf(wire.strand.piece, points);
+  const double precision = 1 / (own.spread * own.spread);
+  family.bends += precision * own.value;
+  family.least += precision * priors.leastBend(largestSpan(wire, underside));
+  family.precision += precision;
+}
+
+/** A wire of a long chain. */
+struct LineWire {
+  const SpanModel* model;
+  std::size_t family;
+};
+
+// Whether \a wire leaves a line of another family at one end, as what leads to a house
+// does.
+bool
+leaves(const WireWithEnds& wire,
+       int side,
+       std::size_t family,
+       const std::vector<LineWire>& lines)
+{
+  const SpanModel& m = wire.model();
+  if (m.length() > priors.longest_drop)
+    return false;
+  const double out = side == 0 ? -1 : 1;
+  return std::any_of(lines.begin(), lines.end(), [&](const LineWire& of) {
+    const SpanModel* line = of.model;
+    for (double on = -priors.drop_reach; of.family != family && on <= priors.drop_reach;
+         on += 0.5) {
+      const Point p = m.at(wire.edge(side) + out * on);
+      const double s = line->along(p);
+      if (s < line->begin - priors.drop_beside || s > line->end + priors.drop_beside)
+        continue;
+      const Point offset = p - line->at(s);
+      if (offset.head<2>().norm() <= priors.drop_beside &&
+          offset.z() >= -priors.drop_below && offset.z() <= priors.drop_beside)
+        return true;
+    }
+    return false;
+  });
 }
 
 void
@@ -188,7 +244,7 @@ weighAnew(Growth& growth, const Piece& piece, const PowerLineSettings& settings)
 bool
 isRope(const SpanModel& m, const Surroundings& beyond)
 {
-  const double rise = SpanModel::value(m.z, m.end) - SpanModel::value(m.z, m.begin);
+  const double rise = m.height(m.end) - m.height(m.begin);
   return !beyond.border && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
 }
 
@@ -258,23 +314,44 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   Groups family_of = gatherFamilies(wires);
   std::vector<Family> families(wires.size());
   std::vector<char> keep(wires.size(), 1);
+  PowerLineSettings any_length = settings; // the border of the data leaves short ones
+  any_length.min_length = 0;
+  std::vector<LineWire> lines;
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    ++families[family_of.root(w)].wires;
+    if (chainLength(wires, w) >= long_line)
+      lines.push_back({&wires[w].model(), family_of.root(w)});
+  }
   for (std::size_t w = 0; w < wires.size(); ++w) {
     const SpanModel& m = wires[w].model();
     const double chain = chainLength(wires, w);
     const Surroundings beyond = lookBeyond(wires[w], underside);
-    Family& family = families[family_of.root(w)];
-    ++family.wires;
+    const std::size_t root = family_of.root(w);
+    const bool at_begin = leaves(wires[w], 0, root, lines);
+    const bool at_end = leaves(wires[w], 1, root, lines);
+    const bool drop = at_begin != at_end;
+    wires[w].leaves = {drop && at_begin, drop && at_end};
+    Family& family = families[root];
     family.longest = std::max(family.longest, chain);
     family.single = std::max(family.single, m.length());
     family.joined = family.joined || beyond.joined;
     family.border = family.border || beyond.border;
-    addBend(family, wires[w], growth.candidates().points);
+    addBend(family, wires[w], growth.candidates().points, underside);
+    family.open += m.length() * openBelow(m, underside);
+    family.length += m.length();
+    const Evidence evidence = weighAnew(growth, wires[w].strand.piece, any_length);
+    const bool company = beyond.joined || family.wires >= many;
+    if (evidence.bins > 0 &&
+        evidence.likelihood < (company ? priors.in_company : priors.alone))
+      keep[w] = 0;
     if (chain >= long_line)
       continue; // it speaks for itself
-    const Evidence evidence = weighAnew(growth, wires[w].strand.piece, settings);
+    if (keep[w] == 0)
+      continue;
+    family.drop = family.drop || drop;
     addEvidence(family, m, evidence, underside);
     // Unlikely whatever its family says.
-    keep[w] = !isRope(m, beyond) && !isStray(m, evidence, beyond);
+    keep[w] = drop || (!isRope(m, beyond) && !isStray(m, evidence, beyond));
   }
   for (std::size_t w = 0; w < wires.size(); ++w)
     keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)]);

@@ -48,7 +48,7 @@ verticalSliceOf(const Piece& wire, const Growth& growth)
             if (growth.owner(i) != Growth::nobody || at < s || at >= s + patch)
               return;
             const Eigen::Vector2d r = m.residual(p, at);
-            const double below = SpanModel::value(m.z, at) - p.z();
+            const double below = m.height(at) - p.z();
             if (std::abs(r[0]) <= half_width && below >= drop && below < drop + patch)
               points.push_back({at,
                                 r[0],

@@ -16,7 +16,6 @@
 #include "geojson.h"
 #include "io/files.h"
 #include "io/staged_file.h"
-#include "layer_csv.h"
 #include "reference.h"
 
 namespace linelet::io {
@@ -94,17 +93,10 @@ public:
       feature->SetGeometryDirectly(new OGRPoint(at.x(), at.y(), at.z()));
       return feature;
     }
-    const bool ring = kind == VectorLayer::Kind::Polygons;
-    std::unique_ptr<OGRLineString> line(ring ? new OGRLinearRing : new OGRLineString);
+    auto line = std::make_unique<OGRLineString>();
     for (const Point& at : vertices)
       line->addPoint(at.x(), at.y(), at.z());
-    if (ring) {
-      auto polygon = std::make_unique<OGRPolygon>();
-      polygon->addRingDirectly(static_cast<OGRLinearRing*>(line.release()));
-      feature->SetGeometryDirectly(polygon.release());
-    }
-    else
-      feature->SetGeometryDirectly(line.release());
+    feature->SetGeometryDirectly(line.release());
     return feature;
   }
 
@@ -180,10 +172,9 @@ writeGeoPackage(const std::string& path,
   CPLErrorReset();
   LayerWriter writer(path, staged, "GPKG");
   for (const VectorLayer& content : layers) {
-    static constexpr OGRwkbGeometryType types[] = {
-        wkbPoint25D, wkbLineString25D, wkbPolygon25D};
+    const bool points = content.kind == VectorLayer::Kind::Points;
     OGRLayer* layer = writer.makeLayer(
-        content.name, types[static_cast<std::size_t>(content.kind)], system.get());
+        content.name, points ? wkbPoint25D : wkbLineString25D, system.get());
     writer.makeFields(*layer, content);
     for (const VectorFeature& feature : content.features) {
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
@@ -222,10 +213,7 @@ writeDxf(const std::string& path,
   for (const VectorLayer& content : layers)
     for (const VectorFeature& feature : content.features) {
       throwIfCanceled(monitor);
-      const auto kind = content.kind == VectorLayer::Kind::Polygons
-                            ? VectorLayer::Kind::Lines
-                            : content.kind;
-      const auto out = writer.makeFeature(*layer, kind, feature.vertices);
+      const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
       const std::string& own = feature.drawing_layer;
       out->SetField("Layer", own.empty() ? content.name.c_str() : own.c_str());
       writer.add(*layer, *out);
@@ -268,17 +256,9 @@ writeLayers(const std::string& path,
     file.write(layersAsGeoJson(layers, wkt, monitor));
     return file.commit();
   }
-  if (ending == ".csv") {
-    if (layers.size() != 1)
-      throw FileError(path + ": a .csv holds one layer, not " +
-                      std::to_string(layers.size()) + "; use .geojson, .gpkg or .dxf");
-    OutputFile file(path);
-    file.write(layerAsCsv(layers.front()));
-    return file.commit();
-  }
   if (ending != ".gpkg" && ending != ".dxf")
     throw FileError(path + ": the ending '" + ending +
-                    "' names no vector format; use .geojson, .gpkg, .dxf or .csv");
+                    "' names no vector format; use .geojson, .gpkg or .dxf");
   StagedFile staged(path);
   if (ending == ".gpkg")
     writeGeoPackage(path, staged.place(), layers, wkt, monitor);

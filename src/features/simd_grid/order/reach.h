@@ -3,10 +3,8 @@
 
 #pragma once
 
-#include <cmath>
 #include <limits>
 
-#include <linelet/features/cloud_piece.h>
 #include <linelet/support/points.h>
 
 namespace linelet::grid {
@@ -17,17 +15,6 @@ struct Bounds {
   Point high = -low;
 
   explicit Bounds(const Points& points) { add(points); }
-
-  /** \brief Of the whole cloud, where the points are a piece of one. */
-  Bounds(const Points& points, const CloudPiece* piece)
-  {
-    if (piece == nullptr)
-      add(points);
-    else {
-      low = piece->low;
-      high = piece->high;
-    }
-  }
 
   void
   add(const Points& points)
@@ -46,21 +33,16 @@ struct Bounds {
   }
 };
 
-/** \brief The smallest power of two above \a length. */
+/** \brief A length beyond any distance of two points, and by so much that no rounding
+ * matters to points that lie within it. */
 inline double
-powerAbove(double length)
+reachOf(const Points& surface, const Points& queries)
 {
-  return std::ldexp(1, std::ilogb(length) + 1);
-}
-
-/** \brief A length beyond any distance of two points in \a bounds, and by so much that
- * no rounding matters to points that lie within it, nor to itself. */
-inline double
-reachOf(const Bounds& bounds)
-{
+  Bounds bounds(surface);
+  if (&surface != &queries)
+    bounds.add(queries);
   const double diagonal = bounds.empty() ? 0 : (bounds.high - bounds.low).norm();
-  return diagonal > 0 ? powerAbove(2 * diagonal)
-                      : std::numeric_limits<double>::infinity();
+  return diagonal > 0 ? 2 * diagonal : std::numeric_limits<double>::infinity();
 }
 
 } // namespace linelet::grid

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+
+namespace linelet::powerline {
+
+/** \brief What is known of real lines before a scan is looked at. Lengths in meters,
+ * evidence in natural logarithms of odds. */
+struct LinePriors {
+  double tautest = 5000; ///< catenary parameter: aluminum conductor steel reinforced at
+                         ///< a fifth of its strength has 1,500 to 2,500, earth wires up
+                         ///< to 4,000 in the cold (CIGRE Technical Brochure 324)
+  double least_sag = 1.0 / 320; ///< of a span: whoever strings a short wire leaves it
+                                ///< more slack, for its length changes with temperature
+  double longer = 1.5; ///< a span is at most so much longer than the part of it seen
+  double spread = 2.5; ///< standard deviations that rule something out
+
+  /// \name Least evidence of a wire, over that of its surroundings
+  /// Of some 1e8 places for a parabola in a square kilometer (18), and four parameters.
+  /// @{
+  double alone = 25;
+  double in_company = 12; ///< where its line tells of its place
+  /// @}
+
+  double open = 0.25; ///< of the length of a line, with nothing but deep below
+
+  /// \name Service drops
+  /// @{
+  double longest_drop = 45; ///< a house farther away gets a pole of its own
+  double drop_reach = 6;    ///< carried on to its line; insulators and the pole hide it
+  double drop_below = 4;    ///< below the wires of its line, at most
+  double drop_beside = 1.5; ///< and beside them
+  /// @}
+
+  /** \brief Least half second derivative, 1 / 2a, of a wire that hangs over \a span. */
+  double
+  leastBend(double span) const
+  {
+    return 1 / (2 * std::min(tautest, span / (8 * least_sag)));
+  }
+};
+
+} // namespace linelet::powerline
