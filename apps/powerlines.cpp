@@ -96,6 +96,10 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
               totals.length,
               totals.doubtful);
   std::printf("%-22s %zu\n", "pylons and poles", network.supports.size());
+  std::printf("%-22s %zu (%.0f m)\n",
+              "unexplained lines",
+              network.unexplained.size(),
+              unexplainedLength(network));
   printClearance("lowest above ground", network, &Wire::ground);
   printClearance("nearest to vegetation", network, &Wire::vegetation);
   std::printf("%-22s %zu wires below %.1f m\n", "clearance", totals.hazards, clearance);
@@ -111,6 +115,8 @@ summarize(nlohmann::ordered_json& summary,
   summary["wires"] = network.wires.size();
   summary["length"] = totals.length;
   summary["supports"] = network.supports.size();
+  summary["unexplained_lines"] = network.unexplained.size();
+  summary["unexplained_length"] = unexplainedLength(network);
   summary["ground_clearance"] = toJson(network, &Wire::ground);
   summary["vegetation_clearance"] = toJson(network, &Wire::vegetation);
   summary["wires_below_clearance"] = totals.hazards;

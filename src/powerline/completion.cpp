@@ -16,6 +16,7 @@ constexpr double company_reach = 14; // meters between wires of one span
 constexpr double company_part = 0.7; // of the length of the wire that is to grow
 constexpr double thin_cover = 0.1;   // of the bins of a wire beside others
 constexpr double thin_clean = 0.9;   // of those, clean
+constexpr double patience = 40;      // nats against a wire, whose place is known
 constexpr double overshoot = 1;      // meters beyond the end of the company
 constexpr double border_step = 5;    // meters beyond an end
 constexpr double border_reach = 2;   // meters around that place
@@ -90,8 +91,7 @@ completeByCompany(std::vector<WireWithEnds>& wires,
       continue;
     Piece longer = piece;
     growth.claim(piece, Growth::nobody);
-    if (growth.extend(
-            longer, low - overshoot, high + overshoot, false, settings.max_gap) &&
+    if (growth.extend(longer, low - overshoot, high + overshoot, false, patience) &&
         longer.model.length() > m.length()) {
       // Beside others a wire may be thinly covered, if nothing else is near it.
       const Evidence e = weigh(growth, longer, settings);

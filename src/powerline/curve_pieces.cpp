@@ -256,13 +256,14 @@ freeCurves(const Growth& growth,
 
 } // namespace
 
-void
+std::vector<Curve>
 growAlongCurves(Growth& growth,
                 std::vector<Piece>& wires,
                 const PowerLineSettings& settings,
                 ProgressMonitor* monitor)
 {
-  for (const Curve& curve : freeCurves(growth, settings, monitor))
+  std::vector<Curve> curves = freeCurves(growth, settings, monitor);
+  for (const Curve& curve : curves)
     for (Piece& part : piecesAlong(curve, growth))
       for (Piece& piece : growth.betweenSupports(std::move(part))) {
         const Evidence evidence = weigh(growth, piece, settings);
@@ -273,6 +274,7 @@ growAlongCurves(Growth& growth,
         growth.claim(piece, static_cast<int>(wires.size()));
         wires.push_back(std::move(piece));
       }
+  return curves;
 }
 
 } // namespace linelet::powerline

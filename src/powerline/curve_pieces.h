@@ -23,8 +23,9 @@ piecesAlong(const Curve& curve, const Growth& growth);
 
 /** \brief Adds to \a wires what hangs along curves of the free candidates and is
  * accepted; its points are claimed in \a growth. Finds what no straight neighborhood
- * shows: bundles, sparse and noisy wires. */
-void
+ * shows: bundles, sparse and noisy wires.
+ * \return the curves, the longest first */
+std::vector<Curve>
 growAlongCurves(Growth& growth,
                 std::vector<Piece>& wires,
                 const PowerLineSettings& settings,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "powerline/counts.h"
 #include "powerline/line_priors.h"
 
 namespace linelet::powerline {
@@ -29,35 +30,7 @@ constexpr double clean_part = 0.5;   // of the occupied bins
 constexpr double least_cover = 0.35; // of the bins
 constexpr double crowd = 0.35;       // guard ring points a tube point in a clean bin
 constexpr std::size_t least_points = 8;
-
-// Logarithm of the negative binomial distribution: counts whose rate is known from
-// \a seen others, in places that are \a larger times as large.
-double
-logBackground(double count, double seen, double larger)
-{
-  constexpr double vague = 0.5; // of the prior of Jeffreys
-  const double shape = seen + vague;
-  return std::lgamma(count + shape) - std::lgamma(shape) - std::lgamma(count + 1) +
-         shape * std::log(larger / (larger + 1)) - count * std::log(larger + 1);
-}
-
-/** Counts of a bin: in the tube, and of places around that are \a larger times it. */
-struct Counts {
-  double tube, around, larger;
-};
-
-// Logarithm of the likelihood that a wire of \a density points a bin, where it shows,
-// hangs there in addition, over that of the surroundings alone.
-double
-logWire(const Counts& c, double density)
-{
-  double sum = 0;
-  const double none = logBackground(c.tube, c.around, c.larger);
-  for (double own = 0; own <= c.tube; ++own)
-    sum += std::exp(own * std::log(density) - density - std::lgamma(own + 1) +
-                    logBackground(c.tube - own, c.around, c.larger) - none);
-  return std::log(sum);
-}
+constexpr double largest_log = 500; // of an exponent, short of the range of a double
 
 // Evidence of a wire by the counts along it. It is hidden on a part of its way, which
 // is estimated with its density.
@@ -75,7 +48,7 @@ likelihoodOf(const std::vector<Counts>& bins)
     double visible = 0, points = 0;
     result = 0;
     for (const Counts& c : bins) {
-      const double wire = shown * std::exp(std::min(500.0, logWire(c, density)));
+      const double wire = shown * std::exp(std::min(largest_log, logWire(c, density)));
       const double part = wire / (wire + 1 - shown);
       visible += part;
       points += part * std::max(0.0, c.tube - c.around / c.larger);

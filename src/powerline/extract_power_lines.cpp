@@ -19,6 +19,7 @@
 #include "powerline/false_positives.h"
 #include "powerline/find_ground.h"
 #include "powerline/shows_terrain.h"
+#include "powerline/unexplained.h"
 
 namespace linelet::powerline {
 
@@ -144,7 +145,9 @@ extractPowerLines(const Points& points,
     Growth growth(candidates, settings);
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("curves");
-    growAlongCurves(growth, pieces, settings, monitor);
+    std::vector<SeenLine> lines;
+    for (Curve& curve : growAlongCurves(growth, pieces, settings, monitor))
+      lines.push_back({std::move(curve.points), curve.noise});
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
     throwIfCanceled(monitor);
@@ -161,10 +164,13 @@ extractPowerLines(const Points& points,
     throwIfCanceled(monitor);
     splitAtPoles(with_ends, growth);
     throwIfCanceled(monitor);
+    for (const WireWithEnds& wire : with_ends)
+      lines.push_back(seenLine(wire.strand.piece));
     dropFalsePositives(with_ends, growth, points, ground);
     matchEnds(with_ends);
     throwIfCanceled(monitor);
-    dropUnlikely(with_ends, growth, underside, settings);
+    const bool terrain = !network.ground.heights.empty();
+    dropUnlikely(with_ends, growth, underside, terrain, settings);
     throwIfCanceled(monitor);
     addStubs(with_ends, growth, seeds, underside, settings);
     matchEnds(with_ends);
@@ -181,6 +187,7 @@ extractPowerLines(const Points& points,
     const std::vector<int> ids = numberWires(network, with_ends, towers);
     stages.begin("labels");
     labelPoints(network, points, with_ends, ids, towers, growth);
+    findUnexplained(network, lines, candidates, settings);
     stages.begin("clearances");
     measureClearances(network, candidates, settings);
   }

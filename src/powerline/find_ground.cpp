@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "powerline/plan_extent.h"
@@ -19,8 +20,9 @@ constexpr int largest_radius = 12; // cells: lowers buildings up to 50 m wide
 // Steepest rise that an opening must leave alone: 45 degrees, at which scree comes to
 // rest (angle of repose, 30 to 45 degrees by the size and edges of the grains).
 constexpr double terrain_slope = 1;
-constexpr double lone_part = 0.4; // of the usual share of cells with returns around one
-constexpr double step = 0.3;      // height noise, meters
+constexpr double surface_part = 0.7; // of the usual share of a surface around terrain
+constexpr double pi = 3.14159265358979323846;
+constexpr double step = 0.3; // height noise, meters
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 struct Raster {
@@ -59,54 +61,65 @@ emptyRaster(const PlanExtent& extent)
   return raster;
 }
 
-// Share of the cells with returns in the square around each cell that has some.
-std::vector<float>
-coverAround(const Ground& g)
+// How much of the quarter of its surroundings that fits a cell best shows a surface on
+// which it lies: cells with returns, as high as terrain can be there.
+float
+surfaceAround(const Ground& g, int column, int row)
 {
-  const auto width = static_cast<std::size_t>(g.columns) + 1;
-  std::vector<std::uint32_t> sums(width * (static_cast<std::size_t>(g.rows) + 1), 0);
-  for (std::size_t r = 1; r * width < sums.size(); ++r)
-    for (std::size_t c = 1; c < width; ++c)
-      sums[r * width + c] =
-          sums[r * width + c - 1] + sums[(r - 1) * width + c] -
-          sums[(r - 1) * width + c - 1] +
-          (std::isnan(g.heights[(r - 1) * (width - 1) + c - 1]) ? 0U : 1U);
-  std::vector<float> cover(g.heights.size(), unknown);
-  for (std::size_t i = 0; i < cover.size(); ++i) {
-    if (std::isnan(g.heights[i]))
-      continue;
-    const int c = static_cast<int>(i % (width - 1)),
-              r = static_cast<int>(i / (width - 1));
-    const auto left = static_cast<std::size_t>(std::max(0, c - largest_radius));
-    const auto low = static_cast<std::size_t>(std::max(0, r - largest_radius));
-    const auto right =
-        static_cast<std::size_t>(std::min(g.columns, c + largest_radius + 1));
-    const auto high =
-        static_cast<std::size_t>(std::min(g.rows, r + largest_radius + 1));
-    cover[i] =
-        static_cast<float>(sums[high * width + right] + sums[low * width + left] -
-                           sums[low * width + right] - sums[high * width + left]) /
-        static_cast<float>((right - left) * (high - low));
+  constexpr int angles = 16, quarter = angles / 4 + 1;
+  constexpr std::array<int, 4> radii = {
+      largest_radius / 4, largest_radius / 2, 3 * largest_radius / 4, largest_radius};
+  const auto at = [&](int c, int r) {
+    return g.heights[static_cast<std::size_t>(r) * static_cast<std::size_t>(g.columns) +
+                     static_cast<std::size_t>(c)];
+  };
+  const float height = at(column, row);
+  std::array<int, angles> fits{};
+  for (int k = 0; k < angles; ++k)
+    for (const int radius : radii) {
+      const double angle = k * 2 * pi / angles;
+      const int c = column + static_cast<int>(std::lround(radius * std::cos(angle)));
+      const int r = row + static_cast<int>(std::lround(radius * std::sin(angle)));
+      if (c < 0 || r < 0 || c >= g.columns || r >= g.rows)
+        continue;
+      // NaN where there is no return: never near.
+      if (std::abs(at(c, r) - height) <= step + terrain_slope * g.cell * radius)
+        ++fits[static_cast<std::size_t>(k)];
+    }
+  int best = 0;
+  for (int k = 0; k < angles; ++k) {
+    int sum = 0;
+    for (int more = 0; more < quarter; ++more)
+      sum += fits[static_cast<std::size_t>((k + more) % angles)];
+    best = std::max(best, sum);
   }
-  return cover;
+  return static_cast<float>(best) / static_cast<float>(quarter * radii.size());
 }
 
-// Returns with nothing around them are no terrain: over water, which sends nothing
-// back, they are the wires.
+// Returns that lie on no surface are no terrain: over water, which sends nothing back,
+// they are the wires.
 void
-forgetLoneCells(Ground& ground)
+forgetLines(Ground& ground)
 {
-  const std::vector<float> cover = coverAround(ground);
+  const auto cells = static_cast<std::ptrdiff_t>(ground.heights.size());
+  std::vector<float> share(ground.heights.size(), unknown);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < cells; ++i)
+    if (!std::isnan(ground.heights[static_cast<std::size_t>(i)]))
+      share[static_cast<std::size_t>(i)] =
+          surfaceAround(ground,
+                        static_cast<int>(i % ground.columns),
+                        static_cast<int>(i / ground.columns));
   std::vector<float> usual;
-  for (const float share : cover)
-    if (!std::isnan(share))
-      usual.push_back(share);
+  std::copy_if(share.begin(), share.end(), std::back_inserter(usual), [](float s) {
+    return !std::isnan(s);
+  });
   if (usual.empty())
     return;
   const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
   std::nth_element(usual.begin(), middle, usual.end());
-  for (std::size_t i = 0; i < cover.size(); ++i)
-    if (static_cast<double>(cover[i]) < lone_part * static_cast<double>(*middle))
+  for (std::size_t i = 0; i < share.size(); ++i)
+    if (static_cast<double>(share[i]) < surface_part * static_cast<double>(*middle))
       ground.heights[i] = unknown;
 }
 
@@ -279,7 +292,7 @@ findGround(const Points& points,
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
-  forgetLoneCells(g);
+  forgetLines(g);
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "powerline/counts.h"
+#include "powerline/line_priors.h"
+
 namespace linelet::powerline {
 
 namespace {
@@ -113,34 +116,43 @@ Growth::collect(Piece& piece, double reach) const
   return true;
 }
 
-bool
-Growth::advance(Piece& piece, int side, double limit, double bridge, double& gap) const
+void
+Growth::advance(
+    Piece& piece, int side, double limit, double patience, Ahead& ahead) const
 {
   SpanModel& m = piece.model;
   const double edge = side > 0 ? m.end : m.begin;
-  const double near = edge + side * (gap + 1e-6),
-               far = edge + side * (gap + bin_length);
-  if (side * (far - limit) > 0)
-    return false;
-  const double middle = (near + far) / 2;
-  const double tolerance = std::min(std::max(widest_tube, piece.thickness),
-                                    piece.tolerance() + 2 * m.uncertainty(middle));
-  Indices found;
-  const Bin bin = look(m, std::min(near, far), std::max(near, far), tolerance, &found);
-  const double reach = std::max(ring_radius, 2 * tolerance);
-  const double share = tolerance * tolerance / (reach * reach - tolerance * tolerance);
-  const double expected = static_cast<double>(bin.ring) * share;
-  if (static_cast<double>(bin.tube) <= expected + 2 * std::sqrt(expected)) {
-    gap += bin_length;
-    return gap < std::min(bridge, settings_.max_gap);
+  const double near = edge + side * (ahead.gap + 1e-6),
+               far = edge + side * (ahead.gap + bin_length);
+  const double vague = 2 * m.uncertainty((near + far) / 2);
+  if (side * (far - limit) > 0 || ahead.gap >= settings_.max_gap ||
+      vague > widest_tube) {
+    ahead.open = false;
+    return;
   }
-  for (const Index i : found) {
+  const double tolerance =
+      std::min(std::max(widest_tube, piece.thickness), piece.tolerance() + vague);
+  const Bin bin =
+      look(m, std::min(near, far), std::max(near, far), tolerance, &ahead.points);
+  const double reach = std::max(ring_radius, 2 * tolerance);
+  const double density = bin_length * static_cast<double>(piece.members.size()) /
+                         std::max(bin_length, m.length());
+  ahead.evidence += logWire({static_cast<double>(bin.tube),
+                             static_cast<double>(bin.ring),
+                             reach * reach / (tolerance * tolerance) - 1},
+                            density,
+                            LinePriors().hidden);
+  ahead.gap += bin_length;
+  if (ahead.evidence <= 0 || bin.tube == 0) {
+    ahead.open = ahead.evidence > -patience;
+    return;
+  }
+  for (const Index i : ahead.points) {
     const double s = m.along(candidates_.points[i]);
     (side > 0 ? m.end : m.begin) = side > 0 ? std::max(m.end, s) : std::min(m.begin, s);
     piece.members.push_back(i);
   }
-  gap = 0;
-  return true;
+  ahead = {};
 }
 
 bool
@@ -179,24 +191,22 @@ Growth::lockOnStrongestWire(Piece& piece) const
 }
 
 bool
-Growth::extend(Piece& piece, double low, double high, bool lock, double bridge) const
+Growth::extend(Piece& piece, double low, double high, bool lock, double patience) const
 {
   SpanModel& m = piece.model;
-  bool open[2] = {true, true};
-  double gap[2] = {0, 0};
+  Ahead ahead[2];
   double fitted = m.length();
-  while (open[0] || open[1]) {
+  while (ahead[0].open || ahead[1].open) {
     if (lock && m.length() > lock_length) {
       lock = false;
       if (!lockOnStrongestWire(piece))
         return false;
       fitted = m.length();
-      gap[0] = gap[1] = 0;
-      open[0] = open[1] = true;
+      ahead[0] = ahead[1] = {};
     }
     for (int k = 0; k < 2; ++k)
-      if (open[k])
-        open[k] = advance(piece, k == 0 ? -1 : 1, k == 0 ? low : high, bridge, gap[k]);
+      if (ahead[k].open)
+        advance(piece, k == 0 ? -1 : 1, k == 0 ? low : high, patience, ahead[k]);
     if (m.length() >= fitted + std::max(bin_length, 0.05 * fitted)) {
       if (!fit(m, candidates_.points, piece.members, piece.cut()))
         return false;

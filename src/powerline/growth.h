@@ -45,9 +45,13 @@ struct Bin {
 
 constexpr double bin_length = 2;     ///< meters
 constexpr double widest_wire = 0.25; ///< meters, tolerance of a single wire at most
-constexpr double growth_gap = 8;     ///< meters, bridged while growing
+constexpr double growth_gap = 8; ///< meters without a point that are nothing unusual
 constexpr double ring_radius =
     0.8; ///< meters, of the surroundings a bin is compared with
+
+/// Nats against a wire ahead, from which on it is not looked for. In a scan of one
+/// point a meter some 15 m.
+constexpr double usual_patience = 8;
 
 /** \brief Grows wires from seeds and keeps book of who owns which candidate. */
 class Growth {
@@ -66,7 +70,10 @@ public:
   std::vector<Piece>
   betweenSupports(Piece piece) const;
 
-  /** \brief Extends \a piece at both ends, not beyond \a low and \a high.
+  /** \brief Extends \a piece at both ends, not beyond \a low and \a high, as long as
+   * what is seen ahead makes up for what is not seen before it: a wire shows with the
+   * density of the piece, or is hidden. It stops where that many nats (\a patience)
+   * speak against it, or where nobody can tell any more where the wire would be.
    * \param[in] lock shift it to the strongest of the wires around once it is long
    * enough to tell them apart
    * \return false when nothing of it is left */
@@ -75,7 +82,7 @@ public:
          double low = -std::numeric_limits<double>::infinity(),
          double high = std::numeric_limits<double>::infinity(),
          bool lock = false,
-         double bridge = growth_gap) const;
+         double patience = usual_patience) const;
 
   /** \brief Takes as members the free points within \a reach of the model, begin to
    * end, and fits again. False when too few are left. */
@@ -108,8 +115,16 @@ public:
   }
 
 private:
-  bool
-  advance(Piece& piece, int side, double limit, double bridge, double& gap) const;
+  /** What lies ahead of an end and is not yet part of the piece. */
+  struct Ahead {
+    bool open = true;    ///< whether to look on
+    double gap = 0;      ///< meters looked at
+    double evidence = 0; ///< of a wire in them, never positive
+    Indices points;      ///< in the tube there
+  };
+
+  void
+  advance(Piece& piece, int side, double limit, double patience, Ahead& ahead) const;
 
   bool
   lockOnStrongestWire(Piece& piece) const;

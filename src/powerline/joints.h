@@ -99,11 +99,13 @@ leavesData(const SpanModel& model, int side, const Underside& underside);
 /** \brief Drops what only looks like a wire. A wire ends at a support or at the border
  * of the data; short families of wires inside the data with neither, or without sag,
  * are chords of booms and crossarms, and straight steep loose pieces are ropes. Their
- * points become free. Ends must have been matched. */
+ * points become free. Ends must have been matched.
+ * \param[in] terrain whether the cloud shows any: then lines hang clear of it */
 void
 dropUnlikely(std::vector<WireWithEnds>& wires,
              Growth& growth,
              const Underside& underside,
+             bool terrain,
              const PowerLineSettings& settings);
 
 /** \brief Drops wires whose attachment points do not fit their points: too close

@@ -25,6 +25,8 @@ struct LinePriors {
   double in_company = 12; ///< where its line tells of its place
   /// @}
 
+  double hidden = 0.3; ///< of the length of a wire, by crowns, supports and dropouts
+
   double open = 0.25; ///< of the length of a line, with nothing but deep below
 
   /// \name Service drops

@@ -165,7 +165,7 @@ isParallelWire(const Growth& growth,
   return e.likelihood >= priors.in_company &&
          (e.accepted ||
           (e.sound && piece.model.length() >= whole * source.length() &&
-          e.occupied >= thin_cover * e.bins && e.clean >= thin_clean * e.occupied));
+           e.occupied >= thin_cover * e.bins && e.clean >= thin_clean * e.occupied));
 }
 
 } // namespace

@@ -22,18 +22,19 @@ constexpr double steep = 0.12;        // slope between the ends
 constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
 constexpr double clear_bend = 2e-4;   // of a line so short that it hangs from poles
 constexpr LinePriors priors;
-constexpr double long_line = 60;      // meters, from which a line speaks for itself
-constexpr double short_line = 25;     // meters, the least inside the data
-constexpr std::size_t many = 4;       // wires of a family that prove each other
-constexpr double clean_part = 0.75;   // of the length of short wires at the border
+constexpr double long_line = 60;    // meters, from which a line speaks for itself
+constexpr double short_line = 25;   // meters, the least inside the data
+constexpr std::size_t many = 4;     // wires of a family that prove each other
+constexpr double clean_part = 0.75; // of the length of short wires at the border
 
-constexpr double lone_length = 18;    // meters of a lone wire in the clear
-constexpr double lone_clean = 0.8;    // of its bins
-constexpr double stray_length = 40;   // meters of a thinly covered wire that meets none
-constexpr double lone_cover = 0.5;    // of the bins of a line inside the data
-constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
-constexpr double deep = 1.5;          // meters below a wire
-constexpr double beside = 1.25;       // meters, looked at on both sides
+constexpr double lone_length = 18;   // meters of a lone wire in the clear
+constexpr double lone_clean = 0.8;   // of its bins
+constexpr double stray_length = 40;  // meters of a thinly covered wire that meets none
+constexpr double lone_cover = 0.5;   // of the bins of a line inside the data
+constexpr double lone_open = 0.8;    // of its length, with nothing but deep below
+constexpr double deep = 1.5;         // meters below a wire
+constexpr double beside = 1.25;      // meters, looked at on both sides
+constexpr double itself_reach = 0.5; // meters of height, of its own points
 
 constexpr double least_hanging = 3;  // meters between attachment points
 constexpr double hanging_part = 0.5; // of the stretch with points, the same
@@ -49,7 +50,7 @@ struct Family {
   double least = 0;                ///< that bends are at least, weighted alike
   double open = 0, length = 0;     ///< with nothing but deep below; of all wires
   double clean = 0, occupied = 0, bins = 0; ///< sums of the evidence of short chains
-  bool drop = false; ///< a wire leaves another line
+  bool drop = false;                        ///< a wire leaves another line
   bool border = false;                      ///< a wire leaves the data
   bool clear = false;  ///< a wire hangs by itself with the view free to the ground
   bool joined = false; ///< some wires meet
@@ -75,7 +76,7 @@ chainLength(const std::vector<WireWithEnds>& wires, std::size_t start)
 }
 
 /** Part of a wire below which, and beside that, a scan sees nothing near: not so on
- * roofs. */
+ * roofs and rocks. Right below, a thin scan may see nothing but the wire itself. */
 double
 openBelow(const SpanModel& m, const Underside& underside)
 {
@@ -83,10 +84,12 @@ openBelow(const SpanModel& m, const Underside& underside)
   for (double s = m.begin; s <= m.end; s += 1) {
     const Point p = m.at(s);
     bool blocked = false;
-    for (const double side : {-beside, 0.0, beside})
-      blocked =
-          blocked || underside.lowestAt(p.x() - side * m.direction.y(),
-                                        p.y() + side * m.direction.x()) > p.z() - deep;
+    for (const double side : {-beside, 0.0, beside}) {
+      const double lowest = underside.lowestAt(p.x() - side * m.direction.y(),
+                                               p.y() + side * m.direction.x());
+      const bool itself = side == 0 && std::abs(lowest - p.z()) < itself_reach;
+      blocked = blocked || (lowest > p.z() - deep && !itself);
+    }
     open += !blocked;
     all += 1;
   }
@@ -94,11 +97,11 @@ openBelow(const SpanModel& m, const Underside& underside)
 }
 
 bool
-plausible(const Family& family)
+plausible(const Family& family, bool terrain)
 {
   const double bend = family.bend / family.weight;
   if (family.bends - family.least < -priors.spread * std::sqrt(family.precision) ||
-      family.open < priors.open * family.length)
+      (terrain && family.open < priors.open * family.length))
     return false;
   if (family.drop)
     return true;
@@ -110,8 +113,8 @@ plausible(const Family& family)
   // Alone, it must be seen to hang.
   return family.bends > priors.spread * std::sqrt(family.precision) &&
          (family.clear || (family.single >= short_line && bend >= clear_bend &&
-                          family.occupied >= lone_cover * family.bins &&
-                          family.clean >= clean_part * family.occupied));
+                           family.occupied >= lone_cover * family.bins &&
+                           family.clean >= clean_part * family.occupied));
 }
 
 Groups
@@ -309,6 +312,7 @@ void
 dropUnlikely(std::vector<WireWithEnds>& wires,
              Growth& growth,
              const Underside& underside,
+             bool terrain,
              const PowerLineSettings& settings)
 {
   Groups family_of = gatherFamilies(wires);
@@ -329,7 +333,9 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     const std::size_t root = family_of.root(w);
     const bool at_begin = leaves(wires[w], 0, root, lines);
     const bool at_end = leaves(wires[w], 1, root, lines);
-    const bool drop = at_begin != at_end;
+    const Bend bend = bendOf(wires[w].strand.piece, growth.candidates().points);
+    const bool drop = at_begin != at_end && wires[w].strand.piece.thickness == 0 &&
+                      bend.value > priors.spread * bend.spread;
     wires[w].leaves = {drop && at_begin, drop && at_end};
     Family& family = families[root];
     family.longest = std::max(family.longest, chain);
@@ -354,7 +360,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     keep[w] = drop || (!isRope(m, beyond) && !isStray(m, evidence, beyond));
   }
   for (std::size_t w = 0; w < wires.size(); ++w)
-    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)]);
+    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)], terrain);
   keepOnly(keep, wires, growth);
 }
 

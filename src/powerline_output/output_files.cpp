@@ -25,6 +25,16 @@ writeText(const std::string& path, const std::string& text)
   file.commit();
 }
 
+std::string
+unexplainedWarning(const PowerLineNetwork& network)
+{
+  char length[32];
+  std::snprintf(length, sizeof length, "%.0f", unexplainedLength(network));
+  return std::string(length) +
+         " m above ground look like lines but are part of no wire or tower that was "
+         "found: wires may be missing (layer unexplained)";
+}
+
 } // namespace
 
 void
@@ -72,6 +82,8 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network, const ClassScheme& s
   cloud.set({"wire_id", network.wire_id, "wire, 0: none"});
   cloud.set({"span_id", network.span_id, "span, 0: none"});
   cloud.set({"wire_distance", network.wire_distance, "to the wire, m"});
+  if (network.is_unexplained.size() == n)
+    cloud.set({"unexplained", network.is_unexplained, "1: line, but no wire"});
   return unconfirmed;
 }
 
@@ -127,6 +139,8 @@ writePowerLineFiles(const std::string& folder,
                         std::to_string(options.classes.tower) +
                         " but are no wire or tower that was found; they keep it "
                         "(--existing-classes reset makes them unclassified)");
+  if (muchIsUnexplained(network) && warnings != nullptr)
+    warnings->push_back(unexplainedWarning(network));
   io::writeCloud(paths[0], cloud, {}, warnings, monitor);
   return paths;
 }

@@ -123,6 +123,28 @@ supportFeature(const Support& support, const MetricFrame& frame)
   return feature;
 }
 
+io::Attributes
+unexplainedAttributes(const UnexplainedLine& line)
+{
+  return {{"line_id", whole(line.id)},
+          {"length", line.length},
+          {"width", line.width},
+          {"points", whole(line.points)}};
+}
+
+io::VectorFeature
+unexplainedFeature(const UnexplainedLine& line, const MetricFrame& frame)
+{
+  io::VectorFeature feature;
+  for (const Point& p : line.course)
+    feature.vertices.push_back(frame.world(p));
+  feature.attributes = unexplainedAttributes(line);
+  feature.drawing_layer = "unexplained";
+  feature.label = "unexplained line " + std::to_string(line.id) + ", length " +
+                  decimals(line.length);
+  return feature;
+}
+
 } // namespace
 
 bool
@@ -152,8 +174,13 @@ powerLineLayers(const io::Cloud& cloud,
   pylons.columns = supportAttributes(Support(), frame);
   for (const Support& support : network.supports)
     pylons.features.push_back(supportFeature(support, frame));
-  wires.text_height = pylons.text_height = text_height / frame.units().plan;
-  return {std::move(wires), std::move(pylons)};
+  io::VectorLayer unexplained{"unexplained", io::VectorLayer::Kind::Lines, {}, {}};
+  unexplained.columns = unexplainedAttributes(UnexplainedLine());
+  for (const UnexplainedLine& line : network.unexplained)
+    unexplained.features.push_back(unexplainedFeature(line, frame));
+  wires.text_height = pylons.text_height = unexplained.text_height =
+      text_height / frame.units().plan;
+  return {std::move(wires), std::move(pylons), std::move(unexplained)};
 }
 
 } // namespace linelet::powerline

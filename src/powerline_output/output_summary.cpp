@@ -106,6 +106,9 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
     poles += support.kind == Support::Kind::Pole ? 1 : 0;
     pylon_points += support.points;
   }
+  std::size_t unexplained_points = 0;
+  for (const UnexplainedLine& line : network.unexplained)
+    unexplained_points += line.points;
   for (const std::int32_t id : network.wire_id)
     wire_points += id > 0 ? 1 : 0;
   return {{"circuits", network.circuits.size()},
@@ -117,7 +120,10 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
           {"wire_points", wire_points},
           {"pylon_points", pylon_points},
           {"wires_below_clearance", below},
-          {"wires_of_low_confidence", doubtful}};
+          {"wires_of_low_confidence", doubtful},
+          {"unexplained_lines", network.unexplained.size()},
+          {"unexplained_length", number(unexplainedLength(network))},
+          {"unexplained_points", unexplained_points}};
 }
 
 /** What tells an input from others. */

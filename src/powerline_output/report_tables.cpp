@@ -167,6 +167,10 @@ clearancesSection(const Content& content)
   return {"clearances",
           "Clearances below " + number(limit, 1) + " m",
           {{"limit", number(limit, 1)},
+           {"unexplained",
+            muchIsUnexplained(content.network)
+                ? nlohmann::ordered_json(number(unexplainedLength(content.network), 0))
+                : nlohmann::ordered_json()},
            {"table", hazards.empty() ? nlohmann::ordered_json() : table.json()}}};
 }
 

@@ -116,6 +116,19 @@ TEST_F(Report, ClearancesBelowTheLimitAreRed)
   EXPECT_EQ(occurrences(page(), "<circle class=\"hazard\""), 3U);
 }
 
+TEST_F(Report, DoesNotCallClearWhatItDidNotFind)
+{
+  options_.clearance = 2.9;
+  UnexplainedLine line;
+  line.id = 1;
+  line.course = {Point(0, 0, 10), Point(400, 0, 10)};
+  line.length = 400;
+  network_.unexplained.push_back(line);
+  const std::string text = page();
+  EXPECT_EQ(text.find("No wire comes closer"), std::string::npos);
+  EXPECT_NE(text.find("400 m above ground look like lines"), std::string::npos);
+}
+
 TEST_F(Report, SaysWhyAWireIsInDoubt)
 {
   const std::string text = page();

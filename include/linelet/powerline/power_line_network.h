@@ -133,6 +133,17 @@ struct Circuit {
   std::vector<int> supports; ///< ids, in order, one more than spans; 0: none seen
 };
 
+/** \brief Something above ground that looks like a line at its own scale, and is part
+ * of no wire or support that was found: a wire that was missed, or a crane, a pipe, a
+ * ridge, a fence. */
+struct UnexplainedLine {
+  int id = 0;             ///< place in PowerLineNetwork::unexplained + 1
+  Points course;          ///< vertices, from one end to the other
+  double length = 0;      ///< meters
+  double width = 0;       ///< standard deviation of its points about it, meters
+  std::size_t points = 0; ///< cloud points of it that nothing explains
+};
+
 /** \brief Time that a stage took. */
 struct StageTime {
   std::string stage;
@@ -146,6 +157,7 @@ struct PowerLineNetwork {
   std::vector<Span> spans;
   std::vector<Support> supports;
   std::vector<Circuit> circuits;
+  std::vector<UnexplainedLine> unexplained; ///< the longest first
 
   /// \name One entry a point, in input order
   /// @{
@@ -154,12 +166,22 @@ struct PowerLineNetwork {
   std::vector<std::int32_t> wire_id; ///< 0: none
   std::vector<std::int32_t> span_id; ///< 0: none
   std::vector<float> wire_distance;  ///< to its wire, meters; NaN: none
+  std::vector<std::uint8_t> is_unexplained; ///< 1: point of an \ref unexplained line
   /// @}
 
   Ground ground; ///< terrain, for profiles and clearances; without a height where the
                  ///< cloud has none, as where only wires were kept
   std::vector<StageTime> stages; ///< in order
 };
+
+/** \brief Length of all that is unexplained, meters. */
+double
+unexplainedLength(const PowerLineNetwork& network);
+
+/** \brief Whether so much is unexplained that the network may lack whole wires: more
+ * than a twentieth of the length of the wires found, and than a short span (25 m). */
+bool
+muchIsUnexplained(const PowerLineNetwork& network);
 
 } // namespace powerline
 } // namespace linelet

@@ -74,8 +74,9 @@ bool
 belowClearance(const Wire& wire, double limit);
 
 /** \brief Gives \a cloud what was found: the classes of \a scheme in `classification`,
- * and the columns `wire_id` and `span_id` (0: none) and `wire_distance` (meters, NaN:
- * none). Every other class and attribute stays as it is.
+ * and the columns `wire_id` and `span_id` (0: none), `wire_distance` (meters, NaN:
+ * none) and `unexplained` (1: part of PowerLineNetwork::unexplained). Every other class
+ * and attribute stays as it is.
  * \return how many points had one of these classes but are none of those found
  * \throws std::invalid_argument unless the network belongs to the cloud, and see
  * \ref check */
@@ -84,11 +85,11 @@ classify(io::Cloud& cloud,
          const PowerLineNetwork& network,
          const ClassScheme& scheme = {});
 
-/** \brief The network as layers in world coordinates: `wires` (lines) and `pylons`
- * (points at the foot), each with its attributes; also without a feature. In a drawing
- * every wire is a layer `wires_circuit_1_span_2_wire_3`, with its main attributes as a
- * text on the layer `labels`. Coordinates are in the units of \a cloud, lengths in
- * meters. */
+/** \brief The network as layers in world coordinates: `wires` (lines), `pylons`
+ * (points at the foot) and `unexplained` (lines), each with its attributes; also
+ * without a feature. In a drawing every wire is a layer
+ * `wires_circuit_1_span_2_wire_3`, with its main attributes as a text on the layer
+ * `labels`. Coordinates are in the units of \a cloud, lengths in meters. */
 std::vector<io::VectorLayer>
 powerLineLayers(const io::Cloud& cloud,
                 const PowerLineNetwork& network,

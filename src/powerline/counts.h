@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+namespace linelet::powerline {
+
+/** \brief Points in a stretch of the tube along a wire, and in its surroundings. */
+struct Counts {
+  double tube = 0;   ///< points
+  double around = 0; ///< points around it
+  double larger = 1; ///< how many times as large as the tube the surroundings are
+};
+
+/** \brief Logarithm of the likelihood that a wire with \a density points a stretch,
+ * where it shows, hangs there in addition, over that of the surroundings alone.
+ *
+ * The rate of the surroundings is known from their count alone: both are negative
+ * binomial (Poisson, with Jeffreys' prior of the rate). */
+double
+logWire(const Counts& counts, double density);
+
+/** \brief The same for a wire that is hidden with probability \a hidden. */
+double
+logWire(const Counts& counts, double density, double hidden);
+
+} // namespace linelet::powerline
