@@ -21,6 +21,7 @@
 #include "options.h"
 #include "picture/benchmark_picture.h"
 #include "picture/canvas.h"
+#include "sweep.h"
 
 namespace linelet::apps {
 
@@ -35,7 +36,9 @@ struct BenchmarkOptions {
   std::uint64_t seed = 1;
   bool all = false, clean = false;
   std::vector<std::string> geometries = {"benchmark"};
-  std::string out, plot, label;
+  std::string out, plot, box_plot, label;
+  std::vector<std::string> vary; ///< NAME=VALUE,...
+  std::size_t vary_index = 0;    ///< 0: all
 };
 
 void
@@ -50,6 +53,12 @@ describe(BenchmarkOptions& s, const OptionAdder& visit)
         s.plot,
         "picture (.png) of the success by geometry and noise; other methods whose rows "
         "of the same runs stand in --out are drawn beside");
+  visit("box-plot",
+        s.box_plot,
+        "the same picture (.png) of the distances E_V, as box plots");
+  visit("vary-index",
+        s.vary_index,
+        "only this combination of --vary, as the table numbers them; 0: all");
   visit("label",
         s.label,
         "name of the method in the rows; empty: the preset and what else is set");
@@ -186,7 +195,8 @@ plot(const std::string& path,
      const std::string& method,
      const std::vector<BenchmarkRow>& rows,
      const std::vector<BenchmarkRun>& wanted,
-     const std::vector<BenchmarkRow>& old)
+     const std::vector<BenchmarkRow>& old,
+     BenchmarkView view)
 {
   constexpr int width = 1500, height = 860;
   std::vector<MethodRows> methods = {{method, rows}};
@@ -203,7 +213,7 @@ plot(const std::string& path,
       found = methods.insert(methods.end(), {row.method, {}});
     found->second.push_back(row);
   }
-  drawBenchmark(methods, width, height).save(path);
+  drawBenchmark(methods, view, width, height).save(path);
 }
 
 /** \brief Rows of \a wanted runs by \a method among \a old ones, one a run; those that
@@ -229,6 +239,69 @@ takeDone(const std::string& method,
   return done;
 }
 
+/** \brief Every combination of varied values, with a row of the table each. */
+int
+runSweep(const BenchmarkOptions& options,
+         const ReconstructionSettings& settings,
+         Frame& frame)
+{
+  const Sweep sweep(options.vary);
+  if (options.vary_index > sweep.size())
+    throw std::runtime_error("--vary-index " + std::to_string(options.vary_index) +
+                             " is beyond the " + std::to_string(sweep.size()) +
+                             " combinations");
+  const std::vector<BenchmarkRun> runs = runsOf(options);
+  RowFile file(options.out);
+  std::string header = "index";
+  for (const std::string& name : sweep.names())
+    header += "  " + name;
+  std::printf("%s: runs  success  E_V  E_H  E_Len  E_Com  ms\n", header.c_str());
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  const std::size_t first = options.vary_index > 0 ? options.vary_index - 1 : 0;
+  const std::size_t end = options.vary_index > 0 ? options.vary_index : sweep.size();
+  for (std::size_t index = first; index < end; ++index) {
+    ReconstructionSettings varied = settings;
+    std::vector<BenchmarkRun> wanted = sweep.apply(index, varied, runs);
+    const std::string method =
+        (options.label.empty() ? std::string(nameOf(varied.preset))
+                               : checkedLabel(options.label)) +
+        ' ' + sweep.label(index);
+    std::vector<BenchmarkRow> rows = takeDone(method, file.old(), wanted);
+    bench::runBenchmark(
+        method,
+        wanted,
+        [&](const Points& points, ProgressMonitor* monitor) {
+          return reconstructCurves(points, varied, monitor);
+        },
+        [&](const BenchmarkRow& row) {
+          file.add(row);
+          rows.push_back(row);
+        },
+        frame.threads,
+        &frame.monitor);
+    const bench::RunSummary all = bench::summarize(rows);
+    std::printf("%5zu  %s: %zu  %.3f  %.3f  %.3f  %.3f  %.3f  %.1f\n",
+                index + 1,
+                sweep.label(index).c_str(),
+                all.runs,
+                all.success,
+                all.e_v,
+                all.e_h,
+                all.e_len,
+                all.e_com,
+                all.milliseconds);
+    std::fflush(stdout);
+    results.push_back({{"index", index + 1},
+                       {"values", sweep.label(index)},
+                       {"runs", all.runs},
+                       {"success", all.success},
+                       {"e_v", all.e_v},
+                       {"e_h", all.e_h}});
+  }
+  frame.summary["combinations"] = results;
+  return frame.finish();
+}
+
 } // namespace
 
 int
@@ -244,6 +317,16 @@ runBenchmark(const std::vector<std::string>& arguments)
   addOptions(frame.app, options);
   frame.writes(options.out);
   frame.writes(options.plot);
+  frame.writes(options.box_plot);
+  frame.app
+      .add_option(
+          "--vary",
+          options.vary,
+          "try every combination of values of options: NAME=VALUE,... (or "
+          "VALUE|... where values have commas), repeated for each NAME; points, "
+          "distribution, jitter and outliers are those of the samples")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE,...");
   frame.app
       .add_option("--geometries",
                   options.geometries,
@@ -255,8 +338,11 @@ runBenchmark(const std::vector<std::string>& arguments)
   addOptions(frame.app, settings);
   frame.parse(arguments);
   settings.threads = 1;
-  if (!options.plot.empty())
-    checkPictureOutput(options.plot);
+  for (const std::string* picture : {&options.plot, &options.box_plot})
+    if (!picture->empty())
+      checkPictureOutput(*picture);
+  if (!options.vary.empty())
+    return runSweep(options, settings, frame);
   const std::string method = options.label.empty() ? methodOf(frame.app, settings)
                                                    : checkedLabel(options.label);
 
@@ -284,7 +370,9 @@ runBenchmark(const std::vector<std::string>& arguments)
               rows.size(),
               bench::summaryTable(rows).c_str());
   if (!options.plot.empty() && !rows.empty())
-    plot(options.plot, method, rows, wanted, file.old());
+    plot(options.plot, method, rows, wanted, file.old(), BenchmarkView::Success);
+  if (!options.box_plot.empty() && !rows.empty())
+    plot(options.box_plot, method, rows, wanted, file.old(), BenchmarkView::Distances);
   const bench::RunSummary all_runs = bench::summarize(rows);
   frame.summary["runs"] = rows.size();
   frame.summary["success"] = all_runs.success;

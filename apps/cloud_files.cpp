@@ -4,11 +4,13 @@
 #include "cloud_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
 #include <linelet/io/merge.h>
 #include <linelet/io/output_check.h>
+#include <linelet/io/whole_shift.h>
 
 #include "options.h"
 
@@ -22,6 +24,22 @@ warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame)
                ", which are no lengths: distances, shapes and densities in its plan "
                "mean nothing; " +
                projection_help);
+}
+
+std::vector<double>
+valuesOf(const io::Cloud& cloud, const std::string& name, const std::string& file)
+{
+  std::vector<double> values;
+  if (const io::Column* column = cloud.find(name)) {
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      values.push_back(io::valueAt(*column, i));
+    return values;
+  }
+  std::string names;
+  for (const io::Column& column : cloud.columns)
+    names += " " + column.name;
+  throw io::FileError(file + ": there is no field '" + name + "'; it has" +
+                      (names.empty() ? " none" : names));
 }
 
 CloudInput::CloudInput(Frame& frame, Use use, const std::string& meaning)
@@ -74,7 +92,12 @@ CloudInput::summaries()
   std::vector<std::string> warnings;
   for (const std::string& file : files()) {
     summaries_.push_back(io::summaryOf(file, options_, &warnings));
-    checkReference(file, summaries_.back().wkt);
+    const io::FileSummary& summary = summaries_.back();
+    checkReference(file, summary.wkt);
+    if (summary.points == 0)
+      continue;
+    low_ = low_.cwiseMin(summary.low);
+    high_ = high_.cwiseMax(summary.high);
   }
   frame_.warn(warnings);
   return summaries_;
@@ -85,11 +108,16 @@ CloudInput::readFile(const std::string& path)
 {
   std::vector<std::string> warnings;
   options_.threads = frame_.threads;
+  if (use_ != Use::Copy && files().size() > 1 && !options_.shift) {
+    // One for all, that of a file with all their points.
+    summaries();
+    options_.shift = Point::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      (*options_.shift)[axis] = io::wholeShift(low_[axis], high_[axis]);
+  }
   io::Cloud cloud = io::readCloud(path, options_, &warnings, &frame_.monitor);
   frame_.warn(warnings);
   checkReference(path, cloud.wkt);
-  if (!options_.shift)
-    options_.shift = cloud.shift; // one for all, so that their points compare exactly
   return cloud;
 }
 
@@ -125,19 +153,54 @@ CloudInput::read()
   return cloud;
 }
 
-CloudInput::Border
-CloudInput::border(std::size_t number, const io::Cloud& cloud, double distance)
+namespace {
+
+/** \brief Puts the points that take part behind those of \a all. */
+void
+add(const io::Cloud& cloud,
+    const io::UsablePoints& usable,
+    const std::string& field,
+    const std::string& file,
+    const Point& shift,
+    CloudInput::Surroundings& all)
 {
+  std::vector<double> values;
+  if (!field.empty())
+    values = valuesOf(cloud, field, file);
+  const Point step = cloud.shift - shift;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    all.points.push_back(usable.points()[i] + step);
+    if (!field.empty())
+      all.values.push_back(values[i]);
+  }
+}
+
+} // namespace
+
+CloudInput::Surroundings
+CloudInput::surroundings(std::size_t number,
+                         const io::Cloud& cloud,
+                         const io::UsablePoints& usable,
+                         double distance,
+                         const std::string& field)
+{
+  Surroundings all;
+  if (files().size() > 1)
+    summaries();
+  all.piece.low = low_ - cloud.shift;
+  all.piece.high = high_ - cloud.shift;
+
+  if (!std::isfinite(distance))
+    distance = (high_ - low_).norm() + 1;
   constexpr double none = std::numeric_limits<double>::infinity();
   Point low = Point::Constant(none), high = -low;
-  for (const Point& point : cloud.points)
+  for (const Point& point : usable.points())
     if (point.allFinite()) {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
   low += cloud.shift - Point::Constant(distance);
   high += cloud.shift + Point::Constant(distance);
-  Border border;
   io::ReadOptions around = options_;
   if (around.bounds_3d.size() == 6)
     for (int axis = 0; axis < 3; ++axis) {
@@ -147,21 +210,27 @@ CloudInput::border(std::size_t number, const io::Cloud& cloud, double distance)
     }
   around.bounds_3d = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
   around.shift = cloud.shift;
+  const bool any = (low.array() <= high.array()).all();
   for (std::size_t i = 0; i < files().size(); ++i) {
+    if (i == number) {
+      all.piece.begin = all.points.size();
+      add(cloud, usable, field, files()[i], cloud.shift, all);
+      all.piece.end = all.points.size();
+      continue;
+    }
     const io::FileSummary& other = summaries()[i];
-    if (i == number || (low.array() > high.array()).any() ||
-        (other.high.array() < low.array()).any() ||
+    if (!any || (other.high.array() < low.array()).any() ||
         (other.low.array() > high.array()).any())
       continue;
     const io::Cloud near = io::readCloud(other.path, around, nullptr, &frame_.monitor);
-    checkReference(other.path, near.wkt);
-    const io::UsablePoints usable(near, nullptr, classes_);
-    Points& points = i < number ? border.before : border.after;
-    for (const Point& point : usable.points())
-      if (point.allFinite())
-        points.push_back(point + (near.shift - cloud.shift));
+    add(near,
+        io::UsablePoints(near, nullptr, classes_),
+        field,
+        other.path,
+        cloud.shift,
+        all);
   }
-  return border;
+  return all;
 }
 
 io::UsablePoints

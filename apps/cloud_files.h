@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/io/cloud.h>
 #include <linelet/io/file_summary.h>
 #include <linelet/io/input_list.h>
@@ -25,6 +27,11 @@ constexpr const char* projection_help =
 /** \brief A warning where \a cloud, of the file \a path, is in degrees. */
 void
 warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame);
+
+/** \brief The values of the attribute \a name of \a cloud, read from \a file.
+ * \throws io::FileError where it has none of that name */
+std::vector<double>
+valuesOf(const io::Cloud& cloud, const std::string& name, const std::string& file);
 
 /** \brief The point files that a command reads: its argument INPUT (files, folders,
  * virtual point clouds, lists) and its options. All are of one reference system. */
@@ -80,16 +87,25 @@ public:
   io::Cloud
   read(std::size_t number);
 
-  /** \brief The points of other files around one of them, of those before it and of
-   * those behind it. */
-  struct Border {
-    Points before, after;
+  /** \brief The points of a file in the midst of those of the others, in the order of
+   * the files. */
+  struct Surroundings {
+    Points points;
+    CloudPiece piece;           ///< which of them are those of the file
+    std::vector<double> values; ///< of the field that was asked for, one a point
   };
 
-  /** \brief The usable points of the other files that are nearer than \a distance to
-   * the box of \a cloud, which is file \a number, relative to its shift. */
-  Border
-  border(std::size_t number, const io::Cloud& cloud, double distance);
+  /** \brief The usable points of file \a number, and those of the other files that are
+   * nearer than \a distance to their box, relative to its shift.
+   * \param[in] cloud the file as read, \a usable what takes part of it
+   * \param[in] field attribute whose values are wanted as well, or empty
+   * \throws io::FileError */
+  Surroundings
+  surroundings(std::size_t number,
+               const io::Cloud& cloud,
+               const io::UsablePoints& usable,
+               double distance,
+               const std::string& field = {});
 
   /** \brief The points of \a cloud, as read, that take part; a warning where some do
    * not. \throws io::FileError where classes are asked for that it does not have */
@@ -108,6 +124,8 @@ private:
   io::InputList list_;
   std::vector<io::FileSummary> summaries_; ///< of the files, where they were needed
   std::string reference_, reference_file_; ///< of the first file that has one
+  // Box of all files, with the summaries.
+  Point low_ = Point::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
   io::ReadOptions options_;
   io::ClassFilter classes_;
 };

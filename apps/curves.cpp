@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <linelet/curves/reconstruct_curves.h>
+#include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/vector_file.h>
 
@@ -23,17 +23,6 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Those of \a points that are any place. */
-Points
-finiteOnes(const Points& points)
-{
-  Points finite;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(finite), [](auto& p) {
-    return p.allFinite();
-  });
-  return finite;
-}
-
 /** \brief Whether \a option was set to no avail, unless the preset is the published
  * one; an option file has all of them, most as they are anyway. */
 bool
@@ -41,6 +30,12 @@ isOfPublishedPreset(const CLI::Option* option)
 {
   return option->get_group() == "published" && option->count() > 0 &&
          option->results() != std::vector<std::string>{option->get_default_str()};
+}
+
+bool
+isHdf5(const std::string& path)
+{
+  return path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
 }
 
 } // namespace
@@ -52,7 +47,8 @@ runCurves(const std::vector<std::string>& arguments)
       "curves",
       "Reconstructs the curves that run through a point cloud: wires, edges, "
       "outlines. Written by ending: .obj .ply .vtk .csv .geojson .gpkg .dxf, in "
-      "the coordinates of the input. Points flagged as withheld take no part.");
+      "the coordinates of the input; .h5 with the points beside them. Points flagged "
+      "as withheld take no part.");
   ReconstructionSettings settings;
   std::string output;
   CloudInput input(frame);
@@ -66,13 +62,16 @@ runCurves(const std::vector<std::string>& arguments)
   frame.parse(arguments);
   settings.threads = frame.threads;
   io::checkCurvesOutput(output);
-  if (settings.preset != Preset::Published)
+  if (!isPublished(settings.preset))
     for (const CLI::Option* option : frame.app.get_options(isOfPublishedPreset))
       frame.warn(option->get_name() + " has no effect without --preset published");
 
   const io::Cloud cloud = input.read();
   const io::UsablePoints usable = input.usable(cloud);
-  const Points points = finiteOnes(usable.points());
+  // With those that take no part as NaN, so that --start counts as the file does.
+  const Points& points = usable.points();
+  const auto count = static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [](const Point& p) { return p.allFinite(); }));
   CurveNetwork network = reconstructCurves(points, settings, &frame.monitor);
   double tolerance = 0; // the largest
   for (const Curve& curve : network.curves)
@@ -80,7 +79,10 @@ runCurves(const std::vector<std::string>& arguments)
   network = simplified(std::move(network), simplify);
   frame.lap("curves");
   std::vector<std::string> warnings;
-  io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor);
+  if (isHdf5(output))
+    io::writeHdf5(output, cloud, network, &frame.monitor);
+  else
+    io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor);
   frame.warn(warnings);
   frame.lap("write");
 
@@ -89,7 +91,7 @@ runCurves(const std::vector<std::string>& arguments)
         return c.closed;
       }));
   if (network.curves.empty())
-    frame.warn("no curve found in the " + std::to_string(points.size()) +
+    frame.warn("no curve found in the " + std::to_string(count) +
                " points; the output is empty");
   std::printf(
       "%s: %zu curves (%zu closed), %zu junctions, length %.6g, from %zu points\n",
@@ -98,8 +100,8 @@ runCurves(const std::vector<std::string>& arguments)
       closed,
       network.junctions.size(),
       length(network),
-      points.size());
-  frame.summary["points"] = points.size();
+      count);
+  frame.summary["points"] = count;
   frame.summary["withheld"] = usable.withheld();
   frame.summary["ignored"] = usable.ignored();
   frame.summary["curves"] = network.curves.size();

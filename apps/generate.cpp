@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdio>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,28 @@ geometryNames()
   return names;
 }
 
+std::optional<bench::Geometry>
+geometryCalled(const std::string& name)
+{
+  for (const auto& [geometry, known] : Names<bench::Geometry>::table)
+    if (name == known)
+      return geometry;
+  return {};
+}
+
+/** \brief The curves of a geometry of ours, or of a file. */
+CurveNetwork
+curvesCalled(const std::string& name, double out_of_plane, Frame& frame)
+{
+  if (const auto geometry = geometryCalled(name))
+    return bench::truthOf(*geometry, out_of_plane);
+  const CurveNetwork network = io::readCurves(name);
+  if (!(length(network) > 0))
+    throw std::runtime_error(name + ": there are no curves in it to sample");
+  frame.summary["curves_from"] = name;
+  return bench::bentOutOfPlane(network, out_of_plane);
+}
+
 int
 generateGeometry(const std::vector<std::string>& arguments)
 {
@@ -38,12 +62,22 @@ generateGeometry(const std::vector<std::string>& arguments)
       "as linelet generate corridor or linelet generate scene, which have options of "
       "their own (linelet generate scene --help), a scene with power lines.");
   bench::SamplingSettings settings;
-  auto geometry = bench::Geometry::Circle;
-  std::string truth;
+  std::string name, truth;
   std::vector<double> hole;
   const OptionAdder add(frame.app);
-  add.argument(
-      "NAME", geometry, "the curve" + geometryNames() + "; or corridor; or scene");
+  frame.app
+      .add_option("NAME",
+                  name,
+                  "the curve" + geometryNames() +
+                      "; a file of curves (.obj and others); corridor; or scene")
+      ->required()
+      ->check([](const std::string& text) {
+        return geometryCalled(text) || text.find('.') != std::string::npos
+                   ? std::string()
+                   : "there is no geometry '" + text + "'; there are" +
+                         geometryNames().substr(1) + ", or name a file of curves";
+      });
+  frame.reads(name);
   CloudOutput output(frame);
   add("truth", truth, "file for the true curves (.obj and others)");
   frame.writes(truth);
@@ -61,9 +95,11 @@ generateGeometry(const std::vector<std::string>& arguments)
 
   if (!hole.empty())
     settings.hole = {hole[0], hole[1]};
+  const CurveNetwork network = curvesCalled(name, settings.out_of_plane, frame);
+  const auto geometry = geometryCalled(name);
   io::Cloud cloud;
-  cloud.points = bench::sample(geometry, settings, &frame.monitor);
-  const CurveNetwork network = bench::truthOf(geometry, settings.out_of_plane);
+  cloud.points = geometry ? bench::sample(*geometry, settings, &frame.monitor)
+                          : bench::sample(network, settings, &frame.monitor);
   frame.lap("generate");
   output.write(cloud);
   if (!truth.empty())
@@ -72,7 +108,7 @@ generateGeometry(const std::vector<std::string>& arguments)
   std::printf("%s: %zu points of %s, length %.6g\n",
               output.path().c_str(),
               cloud.points.size(),
-              std::string(nameOf(geometry)).c_str(),
+              name.c_str(),
               length(network));
   frame.summary["points"] = cloud.points.size();
   frame.summary["curves"] = network.curves.size();

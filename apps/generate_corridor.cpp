@@ -51,6 +51,20 @@ toNetwork(const std::vector<bench::CorridorWire>& wires)
   return network;
 }
 
+io::VectorLayer
+plantedLayer(const std::vector<bench::PlantedHazard>& planted, const Point& shift)
+{
+  io::VectorLayer layer{"planted", io::VectorLayer::Kind::Points, {}, {}};
+  layer.columns = {{"class", std::int64_t(0)}, {"distance", 0.0}};
+  for (const bench::PlantedHazard& hazard : planted)
+    layer.features.push_back({{hazard.wire + shift},
+                              {{"class", std::int64_t(hazard.classification)},
+                               {"distance", hazard.distance}},
+                              "",
+                              ""});
+  return layer;
+}
+
 } // namespace
 
 int
@@ -62,11 +76,17 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
       "houses, cranes, fences, a high-voltage line and pole lines below it. The "
       "classes in the file are the truth (14 wire, 15 pylon or pole).");
   bench::CorridorSettings settings;
-  std::string truth;
+  std::string truth, planted;
   CloudOutput output(frame);
   OptionAdder(frame.app)(
       "truth", truth, "file for the true wires, one polyline per span");
+  OptionAdder(frame.app)(
+      "planted-truth",
+      planted,
+      "file (.csv, .geojson, .gpkg, .dxf) for what --planted put too "
+      "near to wires, as points on these");
   frame.writes(truth);
+  frame.writes(planted);
   addOptions(frame.app, settings);
   frame.parse(arguments);
   output.check();
@@ -81,6 +101,8 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
   const io::Cloud cloud = toCloud(scan);
   frame.lap("generate");
   output.write(cloud);
+  if (!planted.empty())
+    io::writeLayers(planted, {plantedLayer(scan.planted, cloud.shift)}, cloud.wkt);
   if (!truth.empty())
     io::writeCurves(truth, network, cloud.shift, cloud.wkt, nullptr, &frame.monitor);
 

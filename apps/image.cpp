@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <linelet/io/output_file.h>
+
 #include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
@@ -35,6 +37,12 @@ draw(const io::Cloud& cloud,
   return pictureOfCloud(cloud, settings, shapes, file, frame);
 }
 
+bool
+isSvg(const std::string& path)
+{
+  return path.size() > 4 && path.compare(path.size() - 4, 4, ".svg") == 0;
+}
+
 } // namespace
 
 int
@@ -42,7 +50,9 @@ runImage(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "image",
-      "Draws a PNG picture, without a display: the cloud, colored and seen "
+      "Draws a PNG picture, without a display, or as .svg the cloud and curves as "
+      "lines (from above with --elevation 90, else in perspective): the cloud, colored "
+      "and seen "
       "from any side, with curves over it; a multi-scale feature image, whose "
       "columns are places along a line and whose rows are radii; or the graphs "
       "of linearity, planarity and sphericity of one point over the radius, with "
@@ -53,7 +63,7 @@ runImage(const std::vector<std::string>& arguments)
   shapes.centroid = Centroid::Median;
   std::string output;
   CloudInput input(frame);
-  frame.addOutput("OUTPUT", output, "picture, .png");
+  frame.addOutput("OUTPUT", output, "picture, .png or .svg");
   frame.reads(settings.curves);
   frame.reads(settings.along);
   addOptions(frame.app, settings);
@@ -62,7 +72,7 @@ runImage(const std::vector<std::string>& arguments)
   shapes.threads = frame.threads;
   // By value, so that an option file with every default means the same.
   if (settings.kind == PictureKind::Cloud) {
-    if (!settings.along.empty() || !settings.probe.empty())
+    if (!settings.along.empty() || !settings.probe.empty() || settings.by_index)
       settings.kind = PictureKind::Profile;
     else if (!settings.point.empty())
       settings.kind = PictureKind::Graphs;
@@ -70,7 +80,17 @@ runImage(const std::vector<std::string>& arguments)
   // Medians of every neighborhood of a whole cloud take their time.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
-  checkPictureOutput(output);
+  const bool svg = isSvg(output);
+  if (svg && settings.kind != PictureKind::Cloud)
+    throw std::runtime_error(output +
+                             ": only clouds and curves are drawn as .svg; name a .png");
+  if (settings.fourth_order && !svg)
+    throw std::runtime_error("--fourth-order draws ellipses; name a .svg instead of " +
+                             output);
+  if (svg)
+    io::checkWritable(output);
+  else
+    checkPictureOutput(output);
   constexpr unsigned least = 200, most = 10000;
   if (settings.width < least || settings.height < least || settings.width > most ||
       settings.height > most)
@@ -81,7 +101,13 @@ runImage(const std::vector<std::string>& arguments)
     cloud.points = usable.points();
   if (cloud.points.empty())
     throw std::runtime_error(input.path() + ": there are no points to draw");
-  draw(cloud, settings, shapes, input.path(), frame).save(output);
+  if (svg) {
+    io::OutputFile file(output);
+    file.write(svgPictureOfCloud(cloud, settings, shapes, input.path(), frame));
+    file.commit();
+  }
+  else
+    draw(cloud, settings, shapes, input.path(), frame).save(output);
   frame.lap("image");
   std::printf("%s: %s, %u x %u pixels\n",
               output.c_str(),

@@ -15,6 +15,7 @@
 
 #include "cloud_files.h"
 #include "commands.h"
+#include "fourth_order_columns.h"
 #include "frame.h"
 #include "options.h"
 #include "scale_cost.h"
@@ -99,8 +100,8 @@ measure(const Points& points,
   return shapes;
 }
 
-/** \brief The usable points of \a cloud, moved to the means of their neighbors where
- * \a shift has a radius, which moves them in \a cloud as well. */
+/** \brief The usable points of \a cloud, moved to the centroids of their neighbors
+ * where \a shift has a radius, which moves them in \a cloud as well. */
 Points
 shiftedPoints(io::Cloud& cloud,
               const io::UsablePoints& usable,
@@ -116,25 +117,39 @@ shiftedPoints(io::Cloud& cloud,
   return points;
 }
 
-/** \brief What was found: how far the points are from their curves, and how many points
- * have no scale. */
+/** \brief What was found in a file: how far the points are from their curves, and how
+ * many points have no scale. */
 struct Result {
   double noise_rate, noise_width;
-  std::size_t unknown;
+  std::size_t points, left_out, unknown;
 };
 
-void
-report(const Result& result,
-       const MultiScaleShapes& plan,
-       const MultiScaleSettings& settings,
-       const std::string& file,
-       Frame& frame)
+Result
+resultOf(const std::vector<MultiScaleShape>& shapes,
+         const std::vector<MultiScaleShape>& about_points,
+         std::size_t left_out)
 {
-  const std::size_t points = frame.summary["points"];
+  const auto without_scale =
+      std::count_if(shapes.begin(), shapes.end(), [](const MultiScaleShape& shape) {
+        return shape.scale < 0;
+      });
+  return {noiseRate(about_points),
+          noiseWidth(about_points),
+          shapes.size(),
+          left_out,
+          static_cast<std::size_t>(without_scale) - left_out};
+}
+
+void
+print(const Result& result,
+      const MultiScaleShapes& plan,
+      const MultiScaleSettings& settings,
+      const std::string& file)
+{
   std::printf("%s: %zu points, scale unit D %.6g, %zu radii from %.6g to %.6g\n"
               "noise rate %.4f, noise width %.4g\n",
               file.c_str(),
-              points,
+              result.points,
               plan.scale_unit,
               plan.radii.size(),
               plan.radii.front(),
@@ -146,12 +161,107 @@ report(const Result& result,
                 "largest radius\n",
                 result.unknown,
                 settings.graph.min_neighbors);
+}
+
+/** \brief One input: all its options. */
+void
+runOne(CloudInput& input,
+       CloudOutput& output,
+       MultiScaleSettings& settings,
+       const CentroidShiftSettings& shift,
+       const std::string& graphs,
+       FourthOrderOption fourth_order,
+       Frame& frame)
+{
+  io::Cloud cloud = input.read();
+  const io::UsablePoints usable = input.usable(cloud);
+  const Points points = shiftedPoints(cloud, usable, shift, &frame.monitor);
+  const MultiScaleShapes plan = multiScaleRadii(points, settings, &frame.monitor);
+  settings.radii = plan.radii;
+  settings.stop_change = 0; // it has had its say
+  settings.engine = chosenScaleEngine(points, points, settings.radii.back(), settings);
+  announceMultiScale(points, points, settings, frame);
+  const auto shapes = measure(points, settings, graphs, &frame.monitor);
+  const auto about_points =
+      settings.centroid == Centroid::QueryPoint
+          ? shapes
+          : measure(points, aboutPoints(settings), {}, &frame.monitor);
+  frame.lap("multiscale");
+  addColumns(cloud, shapes);
+  if (fourth_order != FourthOrderOption::None)
+    addFourthOrder(cloud, points, settings, fourth_order, &frame.monitor);
+  const std::string path = output.pathFor(input, 0);
+  output.write(cloud, path);
+
+  const Result result = resultOf(shapes, about_points, usable.leftOut());
+  print(result, plan, settings, path);
+  frame.summary["points"] = result.points;
+  frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
   frame.summary["scale_unit"] = plan.scale_unit;
   frame.summary["radii"] = plan.radii;
   frame.summary["engine"] = nameOf(settings.engine);
   frame.summary["noise_rate"] = result.noise_rate;
   frame.summary["noise_width"] = result.noise_width;
   frame.summary["unknown"] = result.unknown;
+}
+
+/** \brief Several inputs: the radii of the first for all, and neighbors across their
+ * borders. */
+void
+runSeveral(CloudInput& input,
+           CloudOutput& output,
+           MultiScaleSettings& settings,
+           Frame& frame)
+{
+  MultiScaleShapes plan;
+  std::size_t points = 0, withheld = 0, ignored = 0, unknown = 0;
+  auto files = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < input.files().size(); ++i) {
+    io::Cloud cloud = input.read(i);
+    const io::UsablePoints usable = input.usable(cloud);
+    if (i == 0) {
+      plan = multiScaleRadii(usable.points(), settings, &frame.monitor);
+      settings.radii = plan.radii;
+    }
+    const CloudInput::Surroundings all =
+        input.surroundings(i, cloud, usable, multiScaleMargin(settings.radii));
+    if (settings.engine == ScaleEngine::Auto)
+      settings.engine =
+          chosenScaleEngine(all.points, all.points, settings.radii.back(), settings);
+    announceMultiScale(all.points, all.points, settings, frame);
+    const auto measured = [&](const MultiScaleSettings& s) {
+      return pieceShapes(all.points, all.piece, s, &frame.monitor).shapes;
+    };
+    const auto shapes = measured(settings);
+    const auto about_points = settings.centroid == Centroid::QueryPoint
+                                  ? shapes
+                                  : measured(aboutPoints(settings));
+    frame.lap("multiscale");
+    addColumns(cloud, shapes);
+    const std::string path = output.pathFor(input, i);
+    output.write(cloud, path);
+
+    const Result result = resultOf(shapes, about_points, usable.leftOut());
+    print(result, plan, settings, path);
+    files.push_back({{"file", path},
+                     {"points", result.points},
+                     {"noise_rate", result.noise_rate},
+                     {"noise_width", result.noise_width},
+                     {"unknown", result.unknown}});
+    points += result.points;
+    unknown += result.unknown;
+    withheld += usable.withheld();
+    ignored += usable.ignored();
+  }
+  frame.summary["points"] = points;
+  frame.summary["withheld"] = withheld;
+  frame.summary["ignored"] = ignored;
+  frame.summary["scale_unit"] = plan.scale_unit;
+  frame.summary["radii"] = plan.radii;
+  frame.summary["engine"] = nameOf(settings.engine);
+  frame.summary["unknown"] = unknown;
+  frame.summary["files"] = files;
 }
 
 } // namespace
@@ -169,59 +279,39 @@ runMultiscale(const std::vector<std::string>& arguments)
       "Time grows with the number of points within the largest radius: on wires "
       "in proportion to it, on surfaces to its square. A job of more than a few "
       "seconds says before it starts how many neighbors a point has and how "
-      "long it will take.");
+      "long it will take. Several inputs take the radii of the first, unless --radii "
+      "or "
+      "--scale-unit say them; neighbors are found across their borders.");
   MultiScaleSettings settings;
   CentroidShiftSettings shift;
   std::string graphs;
+  auto fourth_order = FourthOrderOption::None;
   CloudInput input(frame);
   CloudOutput output(frame);
   addOptions(frame.app, settings);
   const OptionAdder add(frame.app);
   add("graphs", graphs, "CSV file for the graphs of every point");
   frame.writes(graphs);
-  add("centroid-shift",
-      shift.radius,
-      "first move every point to the mean of its neighbors within this radius (the "
-      "output has the moved points); 0: do not");
+  add("fourth-order",
+      fourth_order,
+      "also write the fourth-order tensor over all radii, weighted by this factor, and "
+      "its major eigentensor");
+  describe(shift, "centroid-shift", "shift-", add);
   frame.parse(arguments);
   settings.threads = shift.threads = frame.threads;
-  if (input.several() && input.files().size() > 1)
-    throw std::runtime_error("multiscale takes one input at a time");
+  const bool several = input.files().size() > 1;
+  if (several && (!graphs.empty() || shift.radius != 0 || settings.stop_change > 0 ||
+                  fourth_order != FourthOrderOption::None))
+    throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
+                             "--stop-change look at one cloud; give one input, or "
+                             "leave them out");
   output.check(input);
   if (!graphs.empty())
     io::checkWritable(graphs);
-
-  io::Cloud cloud = input.read();
-  const io::UsablePoints usable = input.usable(cloud);
-  const Points points = shiftedPoints(cloud, usable, shift, &frame.monitor);
-  const MultiScaleShapes plan = multiScaleRadii(points, settings, &frame.monitor);
-  settings.radii = plan.radii;
-  settings.stop_change = 0; // it has had its say
-  settings.engine = chosenScaleEngine(points, points, settings.radii.back(), settings);
-  announceMultiScale(points, points, settings, frame);
-  const auto shapes = measure(points, settings, graphs, &frame.monitor);
-  const auto about_points =
-      settings.centroid == Centroid::QueryPoint
-          ? shapes
-          : measure(points, aboutPoints(settings), {}, &frame.monitor);
-  const auto without_scale =
-      std::count_if(shapes.begin(), shapes.end(), [](const MultiScaleShape& shape) {
-        return shape.scale < 0;
-      });
-  frame.lap("multiscale");
-  addColumns(cloud, shapes);
-  output.write(cloud, output.pathFor(input, 0));
-
-  frame.summary["points"] = cloud.points.size();
-  frame.summary["withheld"] = usable.withheld();
-  frame.summary["ignored"] = usable.ignored();
-  report({noiseRate(about_points),
-          noiseWidth(about_points),
-          static_cast<std::size_t>(without_scale) - usable.leftOut()},
-         plan,
-         settings,
-         output.pathFor(input, 0),
-         frame);
+  if (several)
+    runSeveral(input, output, settings, frame);
+  else
+    runOne(input, output, settings, shift, graphs, fourth_order, frame);
   return frame.finish();
 }
 

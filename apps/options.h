@@ -15,6 +15,7 @@
 
 #include <linelet/io/usable_points.h>
 #include <linelet/support/names.h>
+#include <linelet/support/points.h>
 
 namespace linelet::apps {
 
@@ -65,6 +66,15 @@ public:
     else if constexpr (std::is_same_v<T, std::vector<double>>)
       add(app_.add_option(option, value)->delimiter(',')->allow_extra_args(false),
           "X,...",
+          help);
+    else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+      add(app_.add_option(option, value)->allow_extra_args(false), "TEXT", help);
+    else if constexpr (std::is_same_v<T, Indices>)
+      add(app_.add_option(option, value)
+              ->delimiter(',')
+              ->allow_extra_args(false)
+              ->check(notNegative),
+          "N,...",
           help);
     else if constexpr (std::is_same_v<T, io::ClassList>) {
       const auto set = [&value](const std::string& text) { value = T(text); };

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include <linelet/powerline/extract_power_lines.h>
+#include <linelet/powerline/hazards.h>
 #include <linelet/powerline_output/output_files.h>
 
 #include "cloud_files.h"
@@ -106,6 +107,21 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
 }
 
 void
+print(const powerline::Hazards& hazards)
+{
+  std::size_t high = 0;
+  for (const powerline::Encroachment& one : hazards.clearances)
+    high += one.severity == powerline::Severity::High ? 1 : 0;
+  std::printf("%-22s %zu hazards (%zu severe), %zu trees that could fall in, %zu "
+              "crossings\n",
+              hazards.state.c_str(),
+              hazards.clearances.size(),
+              high,
+              hazards.fall_in.size(),
+              hazards.crossings.size());
+}
+
+void
 summarize(nlohmann::ordered_json& summary,
           const PowerLineNetwork& network,
           const Totals& totals)
@@ -144,9 +160,14 @@ runPowerlines(const std::vector<std::string>& arguments)
                    "classes are not needed");
   frame.addOutput("OUTDIR",
                   folder,
-                  "folder for classified.las or .laz, wires.geojson, wires.gpkg, "
-                  "wires.dxf, summary.json and report.html; made if need be");
+                  "folder for classified.las or .laz, wires and hazards as .geojson, "
+                  ".gpkg and .dxf, clearances.csv, crossings.csv, fall_in.csv, "
+                  "summary.json and report.html; made if need be");
   addOptions(frame.app, settings);
+  powerline::HazardSettings hazards;
+  addOptions(frame.app, hazards);
+  frame.reads(hazards.limits);
+  frame.reads(hazards.conductor);
   addOptions(frame.app, output.classes);
   OptionAdder(frame.app)(
       "overwrite", overwrite, "replace results of another input in OUTDIR");
@@ -163,6 +184,7 @@ runPowerlines(const std::vector<std::string>& arguments)
   frame.checkOutputs(powerline::powerLineFiles(folder, output.compress));
   check(output.classes);
   settings.threads = frame.threads;
+  powerline::check(hazards);
 
   io::Cloud cloud = input.read();
   output.source = std::filesystem::path(input.path()).filename().string();
@@ -185,6 +207,15 @@ runPowerlines(const std::vector<std::string>& arguments)
       powerline::extractPowerLines(cloud, settings, &frame.monitor);
   output.clearance = settings.clearance;
   frame.lap("powerlines");
+  frame.monitor.begin("hazards", 0);
+  output.hazards = powerline::findHazardsAtStates(network,
+                                                  cloud,
+                                                  usable,
+                                                  hazards,
+                                                  settings.clearance,
+                                                  frame.threads,
+                                                  &frame.monitor);
+  frame.lap("hazards");
   std::vector<std::string> warnings;
   const std::vector<std::string> files = powerline::writePowerLineFiles(
       folder, std::move(cloud), network, output, &warnings, &frame.monitor);
@@ -194,8 +225,11 @@ runPowerlines(const std::vector<std::string>& arguments)
   const Totals totals = totalsOf(network, settings.clearance);
   if (network.wires.empty())
     std::printf("no wires found in %zu points\n", points);
-  else
+  else {
     print(network, totals, settings.clearance);
+    for (const powerline::Hazards& state : output.hazards)
+      print(state);
+  }
   for (const std::string& file : files)
     std::printf("%s\n", file.c_str());
 
@@ -203,6 +237,11 @@ runPowerlines(const std::vector<std::string>& arguments)
   frame.summary["withheld"] = withheld;
   frame.summary["ignored"] = ignored;
   summarize(frame.summary, network, totals);
+  for (const powerline::Hazards& state : output.hazards)
+    frame.summary["hazards"].push_back({{"state", state.state},
+                                        {"clearances", state.clearances.size()},
+                                        {"crossings", state.crossings.size()},
+                                        {"fall_in", state.fall_in.size()}});
   frame.summary["files"] = files;
   return frame.finish();
 }

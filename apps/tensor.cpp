@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
+#include <linelet/search/kd_tree.h>
 #include <linelet/search/scale_unit.h>
 
 #include "cloud_files.h"
@@ -28,37 +31,24 @@ using Records = std::vector<PointDistributionTensor>;
 /** \brief Fields of the cloud that size the neighborhoods point by point. */
 struct SizeFields {
   std::string radius, knn; // names; empty: none
+
+  const std::string&
+  name() const
+  {
+    return radius.empty() ? knn : radius;
+  }
 };
 
-const io::Column&
-fieldOf(const io::Cloud& cloud, const std::string& name, const std::string& file)
-{
-  if (const io::Column* column = cloud.find(name))
-    return *column;
-  std::string names;
-  for (const io::Column& column : cloud.columns)
-    names += " " + column.name;
-  throw std::runtime_error(file + ": there is no field '" + name + "'; it has" +
-                           (names.empty() ? " none" : names));
-}
-
-/** \brief Sizes of neighborhoods from \a fields of the cloud, where there are any. */
+/** \brief Sizes of neighborhoods from the values of \a fields, where there are any. */
 NeighborhoodSizes
-sizesFrom(const io::Cloud& cloud, const SizeFields& fields, const std::string& file)
+sizesFrom(const std::vector<double>& values, const SizeFields& fields)
 {
   NeighborhoodSizes sizes;
-  if (!fields.radius.empty()) {
-    const io::Column& column = fieldOf(cloud, fields.radius, file);
-    for (std::size_t i = 0; i < cloud.points.size(); ++i)
-      sizes.radii.push_back(io::valueAt(column, i));
-  }
-  if (!fields.knn.empty()) {
-    const io::Column& column = fieldOf(cloud, fields.knn, file);
-    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-      const double k = io::valueAt(column, i);
+  if (!fields.radius.empty())
+    sizes.radii = values;
+  if (!fields.knn.empty())
+    for (const double k : values)
       sizes.counts.push_back(k >= 1 && k < 4e9 ? static_cast<unsigned>(k) : 0);
-    }
-  }
   return sizes;
 }
 
@@ -224,29 +214,80 @@ estimate(const Points& points,
   return run(points, points, settings, finder, sizes, frame);
 }
 
+/** \brief How far around the box of \a points their nearest points may be: no farther
+ * than where the points alone have as many. */
+double
+nearestMargin(const Points& points,
+              const TensorSettings& settings,
+              const NeighborhoodSizes& sizes)
+{
+  constexpr double everywhere = std::numeric_limits<double>::infinity();
+  const KdTree tree(points);
+  Point low = Point::Constant(everywhere), high = -low;
+  for (const Point& point : points)
+    if (point.allFinite()) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+  double margin = 0;
+  Indices found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite())
+      continue;
+    const std::size_t k = settings.k > 0 ? settings.k : sizes.counts[i];
+    const double radius = tree.nearest(points[i], k, found);
+    if (found.size() < k)
+      return everywhere;
+    const double depth =
+        std::min((points[i] - low).minCoeff(), (high - points[i]).minCoeff());
+    margin = std::max(margin, radius - depth);
+  }
+  return margin * (1 + 1e-9); // a point at the very distance counts
+}
+
 /** \brief The records of the points of file \a number, whose neighbors may be in other
  * files. */
 Records
-estimateWithBorder(CloudInput& input,
-                   std::size_t number,
-                   const io::Cloud& cloud,
-                   const io::UsablePoints& usable,
-                   TensorSettings& settings,
-                   Finder& finder,
-                   const NeighborhoodSizes& sizes,
-                   Frame& frame)
+estimateAmongOthers(CloudInput& input,
+                    std::size_t number,
+                    const io::Cloud& cloud,
+                    const io::UsablePoints& usable,
+                    TensorSettings& settings,
+                    Finder& finder,
+                    const SizeFields& fields,
+                    Frame& frame)
 {
+  std::vector<double> values;
+  if (!fields.name().empty())
+    values = valuesOf(cloud, fields.name(), input.files()[number]);
+  const NeighborhoodSizes own = sizesFrom(values, fields);
   if (input.files().size() == 1)
-    return estimate(usable.points(), settings, finder, sizes, frame);
-  const CloudInput::Border border = input.border(number, cloud, settings.radius);
-  // In the order of all files together, so that sums are those of the merged cloud.
-  Points points = border.before;
-  points.insert(points.end(), usable.points().begin(), usable.points().end());
-  points.insert(points.end(), border.after.begin(), border.after.end());
-  const Records records = estimate(points, settings, finder, sizes, frame);
-  const auto first =
-      records.begin() + static_cast<std::ptrdiff_t>(border.before.size());
-  return {first, first + static_cast<std::ptrdiff_t>(cloud.points.size())};
+    return estimate(usable.points(), settings, finder, own, frame);
+
+  validate(settings, own, cloud.points.size());
+  const bool nearest = settings.k > 0 || !own.counts.empty();
+  const double margin = nearest ? nearestMargin(usable.points(), settings, own)
+                                : tensorMargin(settings, own);
+  const CloudInput::Surroundings all =
+      input.surroundings(number, cloud, usable, margin, fields.name());
+  const NeighborhoodSizes sizes = sizesFrom(all.values, fields);
+  if (finder.engine == EngineOption::Auto) {
+    // The one that all files together would take, on the processor.
+    EngineWork work = engineWork(all.points, all.points, settings, sizes);
+    work.points = work.queries = 0;
+    for (const io::FileSummary& file : input.summaries())
+      work.points = work.queries += file.points;
+    finder.engine =
+        cheapestEngine(work) == Engine::Grid ? EngineOption::Grid : EngineOption::Tree;
+  }
+  announceTensors(all.points, settings, finder, sizes, frame);
+  if (finder.engine == EngineOption::OpenCL || isOfPcl(finder.search)) {
+    const Records records = run(all.points, all.points, settings, finder, sizes, frame);
+    return {records.begin() + static_cast<std::ptrdiff_t>(all.piece.begin),
+            records.begin() + static_cast<std::ptrdiff_t>(all.piece.end)};
+  }
+  settings.engine = finder.engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
+  return pieceTensors(all.points, all.piece, settings, sizes, &frame.monitor);
 }
 
 std::string
@@ -384,10 +425,6 @@ runTensor(const std::vector<std::string>& arguments)
   settings.threads = frame.threads;
   settle(finder);
   output.check(input);
-  if (input.several() &&
-      (settings.k > 0 || !fields.radius.empty() || !fields.knn.empty()))
-    throw std::runtime_error("neighbors across the borders of several inputs are those "
-                             "within --radius; give that, or one input");
 
   Tally total;
   double scale_unit = std::nan("");
@@ -395,7 +432,6 @@ runTensor(const std::vector<std::string>& arguments)
   for (std::size_t i = 0; i < input.files().size(); ++i) {
     io::Cloud cloud = input.read(i);
     const io::UsablePoints usable = input.usable(cloud);
-    const NeighborhoodSizes sizes = sizesFrom(cloud, fields, input.files()[i]);
     if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
         fields.knn.empty()) {
       scale_unit = scaleUnit(usable.points(), 1024, 1, frame.threads);
@@ -403,7 +439,7 @@ runTensor(const std::vector<std::string>& arguments)
       settings.radius = chooseRadius(scale_unit, input.files()[i]);
     }
     const Records records =
-        estimateWithBorder(input, i, cloud, usable, settings, finder, sizes, frame);
+        estimateAmongOthers(input, i, cloud, usable, settings, finder, fields, frame);
     frame.lap("tensor");
     addColumns(cloud, records);
     const std::string path = output.pathFor(input, i);

@@ -56,7 +56,10 @@ if(TARGET linelet_pcl)
     LIBS pcl REQUIRES linelet-core pcl_common pcl_kdtree pcl_octree pcl_search)
 endif()
 if(TARGET linelet_io)
-  linelet_component(io "Point files" LIBS io REQUIRES linelet-core)
+  if(LINELET_HDF5_FOUND)
+    set(io_private PRIVATE_REQUIRES hdf5-serial)
+  endif()
+  linelet_component(io "Point files" LIBS io REQUIRES linelet-core ${io_private})
   linelet_component(vector "Vector files and reference systems"
     LIBS vector REQUIRES linelet-io PRIVATE_REQUIRES gdal)
   linelet_component(powerline "Power lines of point clouds"

@@ -79,10 +79,42 @@ drawBar(Canvas& canvas,
               ink::frame);
 }
 
+/// No smaller distance than this is told from none.
+constexpr double least_distance = 1e-3, most_distance = 10;
+
 void
-drawPanel(Canvas& canvas, const Panel& panel, const std::vector<SummaryGroup>& methods)
+drawBox(Canvas& canvas,
+        const Axis& y,
+        double left,
+        double width,
+        const RunSummary& summary,
+        const Color& color)
 {
-  const Axis y(0, 1, panel.bottom, panel.top, false);
+  std::array<double, 5> at{};
+  for (std::size_t q = 0; q < at.size(); ++q) {
+    if (!std::isfinite(summary.e_v_quantiles[q]))
+      return;
+    at[q] =
+        y.pixel(std::clamp(summary.e_v_quantiles[q], least_distance, most_distance));
+  }
+  const double middle = left + width / 2;
+  canvas.line({middle, at[0]}, {middle, at[4]}, 1.5, ink::frame);
+  for (const double end : {at[0], at[4]})
+    canvas.line({left + width / 4, end}, {left + 3 * width / 4, end}, 1.5, ink::frame);
+  canvas.rectangle({left, at[3]}, width, at[1] - at[3], color);
+  canvas.line({left, at[2]}, {left + width, at[2]}, 2.5, ink::text);
+}
+
+void
+drawPanel(Canvas& canvas,
+          const Panel& panel,
+          const std::vector<SummaryGroup>& methods,
+          BenchmarkView view)
+{
+  const bool boxes = view == BenchmarkView::Distances;
+  const Axis y =
+      boxes ? Axis(least_distance, most_distance, panel.bottom, panel.top, true)
+            : Axis(0, 1, panel.bottom, panel.top, false);
   for (const double value : y.ticks()) {
     canvas.line(
         {panel.left, y.pixel(value)}, {panel.right, y.pixel(value)}, 1, ink::grid);
@@ -103,12 +135,12 @@ drawPanel(Canvas& canvas, const Panel& panel, const std::vector<SummaryGroup>& m
     for (std::size_t m = 0; m < methods.size(); ++m)
       for (const auto& [name, summary] : methods[m].entries)
         if (name == names[i])
-          drawBar(canvas,
-                  y,
-                  begin + .1 * step + static_cast<double>(m) * bar,
-                  bar,
-                  summary,
-                  barColor(m));
+          (boxes ? drawBox : drawBar)(canvas,
+                                      y,
+                                      begin + .1 * step + static_cast<double>(m) * bar,
+                                      bar,
+                                      summary,
+                                      barColor(m));
     if (crowded)
       canvas.text({begin + step / 2, panel.bottom + 8},
                   names[i],
@@ -125,7 +157,7 @@ drawPanel(Canvas& canvas, const Panel& panel, const std::vector<SummaryGroup>& m
   }
   canvas.line({panel.left, panel.bottom}, {panel.right, panel.bottom}, 1, ink::frame);
   canvas.text({(panel.left + panel.right) / 2, panel.top - 16},
-              "success by " + axisLabel(methods.front().title),
+              (boxes ? "E_V by " : "success by ") + axisLabel(methods.front().title),
               text_size,
               ink::text,
               Align::Center,
@@ -136,7 +168,10 @@ drawPanel(Canvas& canvas, const Panel& panel, const std::vector<SummaryGroup>& m
 } // namespace
 
 Canvas
-drawBenchmark(const std::vector<MethodRows>& methods, int width, int height)
+drawBenchmark(const std::vector<MethodRows>& methods,
+              BenchmarkView view,
+              int width,
+              int height)
 {
   constexpr double head = 80, margin = 46, gap = 70, foot = 95, title = 34;
   constexpr int columns = 3, lines = 2;
@@ -151,7 +186,10 @@ drawBenchmark(const std::vector<MethodRows>& methods, int width, int height)
     groups.push_back(bench::summarizeByProperty(rows));
   }
   canvas.text({margin, 26},
-              "Success of reconstructions",
+              view == BenchmarkView::Success
+                  ? "Success of reconstructions"
+                  : "Mean distance E_V of reconstructions from their curves: median, "
+                    "quartiles, 5 and 95 %",
               title_size,
               ink::text,
               Align::Left,
@@ -170,7 +208,8 @@ drawBenchmark(const std::vector<MethodRows>& methods, int width, int height)
     const double top = head + static_cast<double>(property / columns) * panel_height;
     drawPanel(canvas,
               {left, left + panel_width, top + title, top + panel_height - foot},
-              same);
+              same,
+              view);
   }
   return canvas;
 }

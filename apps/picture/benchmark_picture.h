@@ -16,9 +16,17 @@ namespace linelet::apps {
 /** \brief A method and its rows, at least one. */
 using MethodRows = std::pair<std::string, std::vector<bench::BenchmarkRow>>;
 
-/** \brief Success by geometry, number of points, noise and noise rate: a panel each,
- * a bar a method, whiskers of one standard error. */
+/** \brief What a picture of a benchmark shows by geometry, number of points, noise and
+ * noise rate, a panel each. */
+enum class BenchmarkView {
+  Success,  ///< a bar a method, whiskers of one standard error
+  Distances ///< of E_V, a box a method: quartiles and median; whiskers of 5 and 95 %
+};
+
 Canvas
-drawBenchmark(const std::vector<MethodRows>& methods, int width, int height);
+drawBenchmark(const std::vector<MethodRows>& methods,
+              BenchmarkView view,
+              int width,
+              int height);
 
 } // namespace linelet::apps

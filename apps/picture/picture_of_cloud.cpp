@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include <linelet/features/fourth_order.h>
 #include <linelet/io/vector_file.h>
+#include <linelet/tensor/eigen_analysis.h>
+#include <linelet/tensor/shape_factors.h>
 
 #include "axes.h"
 #include "cloud_view.h"
 #include "pictures.h"
 #include "scale_cost.h"
+#include "svg_picture.h"
 
 namespace linelet::apps {
 
@@ -179,14 +184,14 @@ drawScalarLegend(Canvas& canvas, const Scalars& scalars)
   canvas.text({left + bar_width + 16, top + bar_height / 2}, scalars.name, text_size);
 }
 
-} // namespace
-
-Canvas
-pictureOfCloud(const io::Cloud& cloud,
-               const PictureSettings& settings,
-               const MultiScaleSettings& shapes,
-               const std::string& file,
-               Frame& frame)
+/// The cloud as it is to be shown, and the values that it is colored by, if any.
+CloudView
+viewOf(const io::Cloud& cloud,
+       const PictureSettings& settings,
+       const MultiScaleSettings& shapes,
+       const std::string& file,
+       Frame& frame,
+       Scalars& values)
 {
   CloudView view;
   view.points = cloud.points;
@@ -200,17 +205,73 @@ pictureOfCloud(const io::Cloud& cloud,
   if (!settings.curves.empty())
     view.curves = io::readCurves(settings.curves, cloud.shift);
 
-  const bool by_shape = settings.color == "shape", by_rgb = settings.color == "rgb";
-  const bool gray = settings.color == "grey";
-  Scalars values;
-  if (by_shape)
+  if (settings.color == "shape")
     view.colors = colorsByShape(cloud.points, shapes, settings.colors, frame);
-  else if (by_rgb)
+  else if (settings.color == "rgb")
     view.colors = colorsByRgb(cloud, file);
   else {
     values = scalars(cloud, settings.color, file);
-    view.colors = colorsByScalar(values, gray);
+    view.colors = colorsByScalar(values, settings.color == "grey");
   }
+  return view;
+}
+
+/// The major eigentensors of the fourth-order tensors of all points, of largest
+/// eigenvalue 1, and their colors.
+SvgTensors
+majorEigentensors(const Points& points,
+                  const MultiScaleSettings& shapes,
+                  ShapeColors colors,
+                  Frame& frame)
+{
+  SvgTensors result;
+  const double unit = multiScaleRadii(points, shapes, &frame.monitor).scale_unit;
+  result.size = unit > 0 ? unit : 1;
+  for (const FourthOrderTensor& tensor : fourthOrderTensors(
+           points, points, shapes, ScaleWeight::Linearity, &frame.monitor)) {
+    const Eigen::Matrix3d major = tensor.eigenTensors().major();
+    const EigenSystem system = eigenAnalysis(
+        {major(0, 0), major(0, 1), major(0, 2), major(1, 1), major(1, 2), major(2, 2)});
+    const ShapeFactors factors = shapeFactors(system.values);
+    result.tensors.push_back(major / system.values[2]);
+    result.colors.push_back(
+        shapeColor(colors, factors.linearity, factors.planarity, factors.sphericity));
+  }
+  return result;
+}
+
+} // namespace
+
+std::string
+svgPictureOfCloud(const io::Cloud& cloud,
+                  const PictureSettings& settings,
+                  const MultiScaleSettings& shapes,
+                  const std::string& file,
+                  Frame& frame)
+{
+  Scalars values;
+  const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
+  SvgTensors tensors;
+  if (settings.fourth_order)
+    tensors = majorEigentensors(cloud.points, shapes, settings.colors, frame);
+  return svgOfCloud(view,
+                    tensors,
+                    settings.colors,
+                    static_cast<int>(settings.width),
+                    static_cast<int>(settings.height));
+}
+
+Canvas
+pictureOfCloud(const io::Cloud& cloud,
+               const PictureSettings& settings,
+               const MultiScaleSettings& shapes,
+               const std::string& file,
+               Frame& frame)
+{
+  const bool by_shape = settings.color == "shape", by_rgb = settings.color == "rgb";
+  const bool gray = settings.color == "grey";
+  Scalars values;
+  const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
   const bool legend = by_shape || (!by_rgb && !gray);
   Canvas canvas = drawCloud(view,
                             static_cast<int>(settings.width),

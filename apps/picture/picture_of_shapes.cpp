@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include <linelet/io/vector_file.h>
-#include <linelet/search/uniform_grid.h>
+#include <linelet/search/kd_tree.h>
 
 #include "axes.h"
 #include "pictures.h"
@@ -151,7 +151,7 @@ probeLine(const io::Cloud& cloud,
     return probeThroughPoint(cloud, settings, shapes, file);
   else
     throw std::runtime_error("a profile needs its line: give --along FILE, --probe "
-                             "x,y,z,x,y,z or --point x,y,z");
+                             "x,y,z,x,y,z, --point x,y,z or --by-index");
   return probe;
 }
 
@@ -176,6 +176,70 @@ resample(const Points& line, unsigned count, std::vector<double>& positions)
   return places;
 }
 
+/// Places evenly along the line that the settings name, and their positions.
+Points
+placesOnLine(const io::Cloud& cloud,
+             const PictureSettings& settings,
+             const MultiScaleSettings& shapes,
+             const std::string& file,
+             ShapeProfile& profile)
+{
+  const Probe probe = probeLine(cloud, settings, shapes, file);
+  if (settings.columns < 2 || probe.line.size() < 2)
+    throw std::runtime_error("a profile needs a line of two places and 2 columns");
+  profile.title = settings.title.empty() ? probe.title : settings.title;
+  profile.position_label = "position along the line";
+  const Points places = resample(probe.line, settings.columns, profile.positions);
+  if (!(profile.positions.back() > 0))
+    throw std::runtime_error("the line of the profile has no length");
+  return places;
+}
+
+/// The points of the cloud as the file has them; every n-th where there are more than
+/// columns.
+Points
+pointsInOrder(const io::Cloud& cloud,
+              const PictureSettings& settings,
+              const std::string& file,
+              ShapeProfile& profile)
+{
+  if (settings.columns < 2 || cloud.points.size() < 2)
+    throw std::runtime_error(file + ": a profile needs two points and 2 columns");
+  const std::size_t step =
+      (cloud.points.size() + settings.columns - 1) / settings.columns;
+  Points places;
+  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
+    places.push_back(cloud.points[i]);
+    profile.positions.push_back(static_cast<double>(i));
+  }
+  profile.title = settings.title.empty() ? "Shape over scales of the points of " + file
+                                         : settings.title;
+  profile.position_label = "number of the point";
+  return places;
+}
+
+/// The graphs of the points around one, within its optimal radius: those nearest to it
+/// where they are many.
+std::vector<ShapeGraph>
+graphsAround(const Points& cloud,
+             const Point& point,
+             double radius,
+             const MultiScaleSettings& shapes,
+             const std::vector<double>& radii,
+             ProgressMonitor* monitor)
+{
+  constexpr std::size_t most = 256;
+  Indices found;
+  const KdTree tree(cloud);
+  tree.within(point, radius, found);
+  if (found.size() > most)
+    tree.nearest(point, most, found);
+  Points neighbors;
+  for (const Index i : found)
+    neighbors.push_back(cloud[i]);
+  return graphsAt(cloud, neighbors, shapes, radii, monitor);
+}
+
 } // namespace
 
 Canvas
@@ -185,15 +249,10 @@ pictureOfProfile(const io::Cloud& cloud,
                  const std::string& file,
                  Frame& frame)
 {
-  const Probe probe = probeLine(cloud, settings, shapes, file);
-  if (settings.columns < 2 || probe.line.size() < 2)
-    throw std::runtime_error("a profile needs a line of two places and 2 columns");
   ShapeProfile profile;
-  profile.title = settings.title.empty() ? probe.title : settings.title;
-  profile.position_label = "position along the line";
-  const Points places = resample(probe.line, settings.columns, profile.positions);
-  if (!(profile.positions.back() > 0))
-    throw std::runtime_error("the line of the profile has no length");
+  const Points places = settings.by_index
+                            ? pointsInOrder(cloud, settings, file, profile)
+                            : placesOnLine(cloud, settings, shapes, file, profile);
 
   ProgressMonitor* const monitor = &frame.monitor;
   MultiScaleSettings planned = shapes;
@@ -204,8 +263,10 @@ pictureOfProfile(const io::Cloud& cloud,
   announceMultiScale(cloud.points, places, planned, frame);
   const MultiScaleShapes scales =
       multiScaleShapes(cloud.points, places, planned, {}, monitor);
-  for (const MultiScaleShape& shape : scales.shapes)
+  for (const MultiScaleShape& shape : scales.shapes) {
     profile.chosen.push_back(static_cast<double>(shape.optimal_radius));
+    profile.sums.push_back(static_cast<double>(shape.linearity_sum));
+  }
   profile.radii =
       shapes.radii.empty() ? fineRadii(scales.radii, settings.rows) : scales.radii;
   profile.graphs = graphsAt(cloud.points, places, shapes, profile.radii, monitor);
@@ -246,6 +307,13 @@ pictureOfPoint(const io::Cloud& cloud,
   }
   picture.analysis =
       readLinearityGraph(linearity, neighbors, picture.radii, shapes.graph);
+  if (picture.analysis.scale() != LinearityGraph::none)
+    picture.around = graphsAround(cloud.points,
+                                  point,
+                                  picture.radii[picture.analysis.scale()],
+                                  shapes,
+                                  picture.fine_radii,
+                                  &frame.monitor);
   return drawPointGraphs(picture,
                          settings.colors,
                          static_cast<int>(settings.width),

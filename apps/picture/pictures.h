@@ -36,8 +36,10 @@ struct PictureSettings {
   double azimuth = 210, elevation = 35;
   double point_size = 0;
   double curve_width = 3;
+  bool fourth_order = false;
   // Profile and graphs
   std::string along;
+  bool by_index = false;
   std::vector<double> probe;
   std::vector<double> point;
   double length = 0;
@@ -66,7 +68,12 @@ describe(PictureSettings& s, Visit&& visit)
   visit("elevation", s.elevation, "cloud: of the eye, degrees; 90: from above");
   visit("point-size", s.point_size, "cloud: pixels; 0: by density");
   visit("curve-width", s.curve_width, "cloud: pixels");
+  visit("fourth-order",
+        s.fourth_order,
+        "cloud as .svg: an ellipse at every point, the major eigentensor of its "
+        "fourth-order tensor over all radii");
   visit("along", s.along, "profile: along the first curve of this file");
+  visit("by-index", s.by_index, "profile: over the points, in the order of the file");
   visit("probe", s.probe, "profile: along the polyline x,y,z,x,y,z,...");
   visit("point",
         s.point,
@@ -86,6 +93,14 @@ pictureOfCloud(const io::Cloud& cloud,
                const MultiScaleSettings& shapes,
                const std::string& file,
                Frame& frame);
+
+/** \brief The same as the text of an SVG file; see svg_picture.h. */
+std::string
+svgPictureOfCloud(const io::Cloud& cloud,
+                  const PictureSettings& settings,
+                  const MultiScaleSettings& shapes,
+                  const std::string& file,
+                  Frame& frame);
 
 /** \brief The multi-scale feature image along the line that \a settings name. */
 Canvas

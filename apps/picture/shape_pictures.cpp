@@ -55,6 +55,85 @@ borders(const Axis& axis, const std::vector<double>& values)
   return result;
 }
 
+/// Apart from all colors of the shapes, in gray as well.
+constexpr Color sum_color = {0.75, 0.10, 0.55};
+
+double
+largestOf(const std::vector<double>& values)
+{
+  double largest = 0;
+  for (const double value : values)
+    largest = std::fmax(largest, value);
+  return largest;
+}
+
+/// The linearity sums of the columns as a line over the whole height.
+void
+drawSums(Canvas& canvas,
+         const std::vector<double>& sums,
+         const std::vector<double>& columns,
+         const Axis& y)
+{
+  const double largest = largestOf(sums);
+  std::vector<Spot> line;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (std::isnan(sums[i]) || !(largest > 0)) {
+      canvas.polyline(line, 2, sum_color);
+      line.clear();
+      continue;
+    }
+    line.push_back({(columns[i] + columns[i + 1]) / 2,
+                    y.begin() + (y.end() - y.begin()) * sums[i] / largest});
+  }
+  canvas.polyline(line, 2, sum_color);
+}
+
+/// Mean and standard deviation of a factor over some graphs at scale \a k; NaN where
+/// fewer than two have it.
+std::pair<double, double>
+spreadOf(const std::vector<ShapeGraph>& graphs, std::size_t k, std::size_t factor)
+{
+  double sum = 0, squares = 0, count = 0;
+  for (const ShapeGraph& graph : graphs)
+    if (const double value = factorOf(graph[k], factor); !std::isnan(value)) {
+      sum += value;
+      squares += value * value;
+      ++count;
+    }
+  if (count < 2) {
+    const double nan = std::nan("");
+    return {nan, nan};
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(0.0, (squares - sum * mean) / (count - 1)))};
+}
+
+/// Light lines a standard deviation above and below the mean of the neighbors.
+void
+drawSpread(Canvas& canvas,
+           const PointGraphs& graphs,
+           ShapeColors colors,
+           const Axis& x,
+           const Axis& y)
+{
+  for (std::size_t factor = 0; factor < 3; ++factor)
+    for (const double sign : {-1.0, 1.0}) {
+      const Color color = mix(lineColor(colors, factor), ink::paper, 0.55);
+      std::vector<Spot> line;
+      for (std::size_t k = 0; k < graphs.fine_radii.size(); ++k) {
+        const auto [mean, deviation] = spreadOf(graphs.around, k, factor);
+        const double value = std::clamp(mean + sign * deviation, 0.0, 1.0);
+        if (std::isnan(mean)) {
+          canvas.polyline(line, 1.2, color);
+          line.clear();
+        }
+        else
+          line.push_back({x.pixel(graphs.fine_radii[k]), y.pixel(value)});
+      }
+      canvas.polyline(line, 1.2, color);
+    }
+}
+
 } // namespace
 
 Canvas
@@ -92,6 +171,7 @@ drawShapeProfile(const ShapeProfile& profile, ShapeColors colors, int width, int
       canvas.disc(at, 2.2, ink::paper);
       canvas.disc(at, 1.5, ink::text);
     }
+  drawSums(canvas, profile.sums, columns, y);
   drawAxes(canvas, x, profile.position_label, y, "radius r", false);
   canvas.text({left_margin, 26},
               profile.title,
@@ -104,6 +184,12 @@ drawShapeProfile(const ShapeProfile& profile, ShapeColors colors, int width, int
   if (!profile.chosen.empty()) {
     canvas.disc({left_margin + 487, 62}, 3, ink::text);
     canvas.text({left_margin + 500, 62}, "optimal radius", text_size);
+  }
+  if (!profile.sums.empty()) {
+    canvas.line({left_margin + 640, 62}, {left_margin + 664, 62}, 2, sum_color);
+    canvas.text({left_margin + 671, 62},
+                "linearity sum A, 0 to " + numberText(largestOf(profile.sums), 3),
+                text_size);
   }
   return canvas;
 }
@@ -133,6 +219,7 @@ drawPointGraphs(const PointGraphs& graphs, ShapeColors colors, int width, int he
                 ink::mark,
                 left ? Align::Right : Align::Left);
   }
+  drawSpread(canvas, graphs, colors, x, y);
   for (std::size_t factor = 3; factor-- > 0;) {
     const Color color = lineColor(colors, factor);
     std::vector<Spot> line;

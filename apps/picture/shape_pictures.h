@@ -22,10 +22,12 @@ struct ShapeProfile {
   std::vector<double> radii;      ///< of the rows, rising
   std::vector<ShapeGraph> graphs; ///< one a column
   std::vector<double> chosen;     ///< optimal radius of each column, NaN: none
+  std::vector<double> sums;       ///< linearity sum A of each column, NaN: none
 };
 
 /** \brief Multi-scale feature image: one column per position, one row per radius (small
- * at the bottom), colored by shape; the optimal radius as a dotted line. White where
+ * at the bottom), colored by shape; the optimal radius as a dotted line, the
+ * linearity sum as a line from 0 at the bottom to its largest at the top. White where
  * there is no shape. */
 Canvas
 drawShapeProfile(const ShapeProfile& profile,
@@ -39,12 +41,14 @@ struct PointGraphs {
   std::vector<double> radii; ///< of the scales
   ShapeGraph graph;          ///< at these
   std::vector<double> fine_radii;
-  ShapeGraph fine_graph;   ///< at many radii, for the lines between the scales
-  LinearityGraph analysis; ///< of the graph at the scales
+  ShapeGraph fine_graph;          ///< at many radii, for the lines between the scales
+  std::vector<ShapeGraph> around; ///< of its neighbors, at the many radii; may be empty
+  LinearityGraph analysis;        ///< of the graph at the scales
 };
 
 /** \brief CL, CP and CS of a point over the radius, with the local extrema of the
- * linearity and the chosen radius marked. */
+ * linearity and the chosen radius marked; light lines one standard deviation above and
+ * below the mean of its neighbors. */
 Canvas
 drawPointGraphs(const PointGraphs& graphs, ShapeColors colors, int width, int height);
 

@@ -239,8 +239,13 @@ heldOutGeometries()
 CurveNetwork
 truthOf(Geometry geometry, double out_of_plane)
 {
-  CurveNetwork network = flatTruthOf(geometry);
-  if (out_of_plane == 0)
+  return bentOutOfPlane(flatTruthOf(geometry), out_of_plane);
+}
+
+CurveNetwork
+bentOutOfPlane(CurveNetwork network, double out_of_plane)
+{
+  if (out_of_plane == 0 || network.curves.empty())
     return network;
   double low = network.curves.front().points.front().y(), high = low;
   for (const Curve& curve : network.curves)

@@ -90,6 +90,10 @@ heldOutGeometries();
 CurveNetwork
 truthOf(Geometry geometry, double out_of_plane = 0);
 
+/** \brief \a network bent like that. */
+CurveNetwork
+bentOutOfPlane(CurveNetwork network, double out_of_plane);
+
 /** \brief Share of the samples per length at arc position t of [0, 1] of \a geometry,
  * relative to its start: 1 but where its density varies. */
 double

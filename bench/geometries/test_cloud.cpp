@@ -53,14 +53,14 @@ private:
   std::vector<double> end_; // arc position of to_
 };
 
-/** \brief Turns even positions of [0, 1] into such that follow densityOf. */
+/** \brief Turns even positions of [0, 1] into such that follow a density. */
 class DensityWarp {
 public:
-  explicit DensityWarp(Geometry geometry) : sum_(steps + 1, 0.0)
+  template <class Density>
+  explicit DensityWarp(const Density& density) : sum_(steps + 1, 0.0)
   {
     for (std::size_t i = 0; i < steps; ++i)
-      sum_[i + 1] =
-          sum_[i] + densityOf(geometry, (static_cast<double>(i) + 0.5) / steps);
+      sum_[i + 1] = sum_[i] + density((static_cast<double>(i) + 0.5) / steps);
     for (double& value : sum_)
       value /= sum_.back();
   }
@@ -94,18 +94,18 @@ check(const SamplingSettings& s)
           "hole A,B must satisfy 0 <= A <= B <= 1");
 }
 
-} // namespace
-
+template <class Density>
 Points
-sample(Geometry geometry,
-       const SamplingSettings& settings,
-       const ProgressMonitor* monitor)
+sampleAlong(const CurveNetwork& network,
+            const Density& density,
+            const SamplingSettings& settings,
+            const ProgressMonitor* monitor)
 {
   check(settings);
   boost::random::mt19937_64 random(settings.seed);
   boost::random::uniform_01<double> uniform;
-  const Arc arc(truthOf(geometry, settings.out_of_plane));
-  const DensityWarp warp(geometry);
+  const Arc arc(network);
+  const DensityWarp warp(density);
 
   std::vector<double> r(settings.points);
   for (double& value : r)
@@ -152,6 +152,31 @@ sample(Geometry geometry,
     points.push_back(p);
   }
   return points;
+}
+
+} // namespace
+
+Points
+sample(Geometry geometry,
+       const SamplingSettings& settings,
+       const ProgressMonitor* monitor)
+{
+  return sampleAlong(
+      truthOf(geometry, settings.out_of_plane),
+      [geometry](double t) { return densityOf(geometry, t); },
+      settings,
+      monitor);
+}
+
+Points
+sample(const CurveNetwork& network,
+       const SamplingSettings& settings,
+       const ProgressMonitor* monitor)
+{
+  if (!(length(network) > 0))
+    throw std::invalid_argument("the curves have no length to sample");
+  return sampleAlong(
+      network, [](double) { return 1.0; }, settings, monitor);
 }
 
 } // namespace linelet::bench

@@ -59,4 +59,10 @@ sample(Geometry geometry,
        const SamplingSettings& settings,
        const ProgressMonitor* monitor = nullptr);
 
+/** \brief The same of any curves, which are not bent here: out_of_plane has no say. */
+Points
+sample(const CurveNetwork& network,
+       const SamplingSettings& settings,
+       const ProgressMonitor* monitor = nullptr);
+
 } // namespace linelet::bench

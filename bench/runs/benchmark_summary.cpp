@@ -28,6 +28,32 @@ meanOf(const Rows& rows, Value&& value)
   return sum / count;
 }
 
+/** \brief Values below which 5, 25, 50, 75 and 95 % of the finite ones lie, between
+ * neighbors in proportion. */
+template <class Value>
+std::array<double, 5>
+quantilesOf(const Rows& rows, Value&& value)
+{
+  std::vector<double> values;
+  for (const BenchmarkRow* row : rows)
+    if (const double v = value(*row); std::isfinite(v))
+      values.push_back(v);
+  std::sort(values.begin(), values.end());
+  std::array<double, 5> result;
+  result.fill(std::numeric_limits<double>::quiet_NaN());
+  if (values.empty())
+    return result;
+  constexpr double shares[] = {0.05, 0.25, 0.5, 0.75, 0.95};
+  for (std::size_t q = 0; q < result.size(); ++q) {
+    const double place = shares[q] * static_cast<double>(values.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, values.size() - 1);
+    result[q] =
+        values[low] + (values[high] - values[low]) * (place - static_cast<double>(low));
+  }
+  return result;
+}
+
 RunSummary
 summaryOf(const Rows& rows)
 {
@@ -35,7 +61,9 @@ summaryOf(const Rows& rows)
   summary.runs = rows.size();
   summary.success =
       meanOf(rows, [](const auto& r) { return r.measures.success ? 1.0 : 0.0; });
-  summary.e_v = meanOf(rows, [](const auto& r) { return r.measures.e_v; });
+  const auto distance = [](const auto& r) { return r.measures.e_v; };
+  summary.e_v = meanOf(rows, distance);
+  summary.e_v_quantiles = quantilesOf(rows, distance);
   summary.e_h = meanOf(rows, [](const auto& r) { return r.measures.e_h; });
   summary.e_len = meanOf(rows, [](const auto& r) { return r.measures.e_len; });
   summary.e_com = meanOf(rows, [](const auto& r) { return r.measures.e_com; });

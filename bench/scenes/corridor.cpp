@@ -59,6 +59,7 @@ check(const CorridorSettings& s)
   within(s.gaps, 0, 200, "gaps");
   within(s.outliers, 0, 1, "outliers");
   within(s.thin_ground, 1, 1000000, "thin-ground");
+  within(s.planted, 0, 10000, "planted");
 }
 
 /** The part of a wire that the scan covers; false where that is nothing. */
@@ -153,6 +154,8 @@ toWorld(CorridorScan& scan,
   for (CorridorWire& wire : scan.wires)
     for (Point& p : wire.points)
       turn(p);
+  for (PlantedHazard& hazard : scan.planted)
+    turn(hazard.wire);
 }
 
 } // namespace
@@ -169,11 +172,13 @@ simulateCorridor(const CorridorSettings& settings, ProgressMonitor* monitor)
   throwIfCanceled(monitor);
   addGaps(scene, settings.gaps, random);
   addObjects(scene, settings, random);
+  std::vector<PlantedHazard> planted = plantHazards(scene, settings, random);
   throwIfCanceled(monitor);
   // Before the scan, so that another scan of the same scene lies at the same place.
   const Placement placement(random);
   CorridorScan result = scan(scene, settings, random, monitor);
   clipWires(result, std::move(scene.wires), settings);
+  result.planted = std::move(planted);
   toWorld(result, settings, placement);
   return result;
 }

@@ -70,6 +70,7 @@ struct CorridorSettings {
   double gaps = 4;          ///< stretches of wire that return nothing, per kilometer
   double outliers = 2e-5;   ///< fraction of pulses that return from empty air
   unsigned thin_ground = 1; ///< keep one ground point in n
+  unsigned planted = 0;     ///< trees and houses put too near to wires
   std::uint32_t seed = 1;
 };
 
@@ -106,6 +107,7 @@ describe(CorridorSettings& s, Visit&& visit)
   visit("gaps", s.gaps, "stretches of wire without returns, per kilometer");
   visit("outliers", s.outliers, "fraction of pulses that return from empty air");
   visit("thin-ground", s.thin_ground, "keep one ground point in n");
+  visit("planted", s.planted, "trees and houses put too near to wires, .8 to 4 meters");
   visit("seed", s.seed, "the same seed gives the same scene");
 }
 
@@ -122,6 +124,13 @@ struct CorridorWire {
   bool front_attached = false; ///< points.front() is an attachment (else: cut by the
                                ///< border of the scan)
   bool back_attached = false;  ///< the same of points.back()
+};
+
+/** \brief Something that was put too near to a wire. */
+struct PlantedHazard {
+  std::uint8_t classification = 0; ///< 5 tree, 6 house
+  Point wire = Point::Zero();      ///< place on the wire
+  double distance = 0;             ///< from there to its surface, meters
 };
 
 /** \brief A simulated scan with its truth. Points are relative to \ref shift. */
@@ -143,6 +152,7 @@ struct CorridorScan {
   /// @}
 
   std::vector<CorridorWire> wires;
+  std::vector<PlantedHazard> planted; ///< as many of CorridorSettings::planted as fit
   double beam_radius = 0; ///< at the altitude: how far a return may lie beside a wire
 };
 

@@ -136,6 +136,10 @@ addGaps(Scene& scene, double per_kilometer, Random& random);
 void
 addObjects(Scene& scene, const CorridorSettings& settings, Random& random);
 
+/** \brief Puts trees and houses too near to wires. */
+std::vector<PlantedHazard>
+plantHazards(Scene& scene, const CorridorSettings& settings, Random& random);
+
 /** \brief Scans the scene strip by strip. Points are those of the scene's own frame. */
 CorridorScan
 scan(const Scene& scene,

@@ -13,11 +13,13 @@ namespace {
 CurveNetwork
 reconstruct(const NeighborSearch* search,
             const Points& points,
-            const ReconstructionSettings& settings,
+            ReconstructionSettings settings,
             ProgressMonitor* monitor)
 {
   validate(settings);
-  if (settings.preset == Preset::Published)
+  if (settings.preset == Preset::PublishedQuick && settings.largest_radius == 0)
+    settings.largest_radius = quick_largest_radius;
+  if (isPublished(settings.preset))
     return search != nullptr ? reconstructPublished(*search, points, settings, monitor)
                              : reconstructPublished(points, settings, monitor);
   RefinedSettings refined;

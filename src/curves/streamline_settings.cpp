@@ -39,7 +39,13 @@ void
 validate(const StreamlineSettings& s)
 {
   requireNotNegative("distance-cutoff", s.distance_cutoff);
-  requirePositive("largest-radius", s.largest_radius);
+  requireNotNegative("largest-radius", s.largest_radius);
+  requirePositive("tolerance", s.tolerance);
+  requireNotNegative("start-threshold", s.start_threshold);
+  require(s.seed_direction.empty() || s.seed_direction.size() == 3,
+          "seed-direction",
+          static_cast<double>(s.seed_direction.size()),
+          "three numbers X,Y,Z");
   requireNotNegative("interpolation-radius", s.interpolation_radius);
   requirePositive("step", s.step);
   requirePositive("search-radius", s.search_radius);
@@ -49,10 +55,10 @@ validate(const StreamlineSettings& s)
           s.branch_angle,
           "of (0, 180] degrees");
   requireNotNegative("prune-distance", s.prune_distance);
-  requirePositive("cover-distance", s.cover_distance);
+  requireNotNegative("cover-distance", s.cover_distance);
   requireNotNegative("stump-length", s.stump_length);
   requireNotNegative("start-neighbor-exponent", s.start_neighbor_exponent);
-  requireNotNegative("prefilter-radius", s.prefilter_radius);
+  requireNotNegative("prefilter-radius", s.prefilter.radius);
 }
 
 } // namespace linelet

@@ -3,6 +3,8 @@
 
 #include "columns.h"
 
+#include <linelet/io/whole_shift.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -142,15 +144,6 @@ floatGap(double value)
   return static_cast<double>(std::nextafter(number, INFINITY) - number);
 }
 
-double
-wholeShift(double low, double high)
-{
-  constexpr double near_enough = 1000;
-  if (low > near_enough)
-    return std::floor(low);
-  return high < -near_enough ? std::ceil(high) : 0;
-}
-
 } // namespace
 
 std::vector<std::string>
@@ -205,7 +198,7 @@ cloudFromColumns(const Source& source, std::vector<Column> columns)
           }
         },
         column->values);
-    cloud.shift[axis] = low <= high ? wholeShift(low, high) : 0;
+    cloud.shift[axis] = wholeShift(low, high);
     if (low <= high) {
       extent = std::max(extent, high - low);
       if (std::holds_alternative<std::vector<float>>(column->values))

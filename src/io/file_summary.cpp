@@ -21,9 +21,9 @@ summaryOfLas(const Source& source)
   summary.format = formatName(header, origin);
   summary.points = header.count;
   for (int axis = 0; axis < 3; ++axis) {
-    const char* at = origin.header.data() + las_at::bounds + 16 * axis;
-    summary.high[axis] = load<double>(at);
-    summary.low[axis] = load<double>(at + 8);
+    const auto [low, high] = lasBounds(origin, axis);
+    summary.low[axis] = low;
+    summary.high[axis] = high;
   }
   std::string problem;
   summary.wkt = lasReferenceSystem(origin, problem);

@@ -22,7 +22,7 @@ bool
 isPointFile(const fs::path& path)
 {
   static const char* const endings[] = {
-      ".las", ".laz", ".pcd", ".ply", ".xyz", ".txt", ".csv", ".xy"};
+      ".las", ".laz", ".pcd", ".ply", ".h5", ".xyz", ".txt", ".csv", ".xy"};
   const std::string ending = endingOf(path.string());
   return std::any_of(std::begin(endings), std::end(endings), [&](const char* known) {
     return ending == known;

@@ -26,11 +26,12 @@ struct Format {
   void (*write)(const Target& target, const Cloud& cloud);
 };
 
-constexpr std::array<Format, 9> formats = {
+constexpr std::array<Format, 10> formats = {
     {{".las", readLas, writeLas},
      {".laz", readLas, writeLaz},
      {".pcd", readPcd, writePcd},
      {".ply", readPly, writePly},
+     {".h5", readHdf5, writeHdf5},
      {".xyz", readText, writeText},
      {".txt", readText, writeText},
      {".csv", readText, writeText},
@@ -46,7 +47,7 @@ formatOf(const std::string& path)
       return format;
   throw FileError(
       path + ": the ending '" + ending +
-      "' names no format; use .las, .laz, .pcd, .ply, .xyz, .txt, .csv or .obj");
+      "' names no format; use .las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv or .obj");
 }
 
 const Format&
@@ -74,6 +75,18 @@ declareReference(Cloud& cloud,
   cloud.wkt = wkt;
 }
 
+/** Makes \a shift that of \a cloud. */
+void
+moveShift(Cloud& cloud, const Point& shift)
+{
+  const Point step = cloud.shift - shift;
+  if (step == Point::Zero())
+    return;
+  for (Point& point : cloud.points)
+    point += step;
+  cloud.shift = shift;
+}
+
 } // namespace
 
 void
@@ -99,6 +112,8 @@ readCloud(const std::string& path,
   Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});
   if (format.read != readLas) {
     cloud.shift += readShift(path);
+    if (options.shift)
+      moveShift(cloud, *options.shift);
     crop(cloud, window);
   }
   if (!options.crs.empty())
@@ -114,8 +129,9 @@ writeCloud(const std::string& path,
            ProgressMonitor* monitor)
 {
   const Format& format = writtenFormatOf(path);
-  if (options.shifted && format.read == readLas)
-    throw FileError(path + ": LAS carries a shift of its own; leave out --shifted");
+  if (options.shifted && (format.read == readLas || format.read == readHdf5))
+    throw FileError(path + ": " + (format.read == readLas ? "LAS" : "HDF5") +
+                    " carries a shift of its own; leave out --shifted");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
   const Target target = {path, warnings, monitor};

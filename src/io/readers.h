@@ -19,6 +19,10 @@ readPcd(const Source& source);
 Cloud
 readPly(const Source& source);
 
+/** \brief The points of a fibre bundle in HDF5. */
+Cloud
+readHdf5(const Source& source);
+
 /** \brief Rows of numbers, with or without a line of names. */
 Cloud
 readText(const Source& source);

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <string>
+
+#include "io/las/las_format.h"
 
 namespace linelet::io {
 
@@ -73,6 +77,16 @@ crop(Cloud& cloud, const Window& window)
   choose(cloud.points);
   for (Column& column : cloud.columns)
     std::visit(choose, column.values);
+  if (cloud.las == nullptr)
+    return;
+  auto las = std::make_shared<LasOrigin>(*cloud.las);
+  for (LasExtra& extra : las->extras) {
+    std::string raw;
+    for (std::size_t k = 0; k < kept.size() && !extra.raw.empty(); ++k)
+      raw.append(extra.raw, kept[k] * extra.bytes, extra.bytes);
+    extra.raw = std::move(raw);
+  }
+  cloud.las = std::move(las);
 }
 
 } // namespace linelet::io

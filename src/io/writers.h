@@ -24,6 +24,9 @@ void
 writePly(const Target& target, const Cloud& cloud);
 
 void
+writeHdf5(const Target& target, const Cloud& cloud);
+
+void
 writeText(const Target& target, const Cloud& cloud);
 
 void

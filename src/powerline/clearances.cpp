@@ -23,6 +23,21 @@ constexpr double free_zone = 1;
 
 } // namespace
 
+Clearance
+lowestAboveGround(const Catenary& curve, const Ground& ground)
+{
+  Clearance lowest;
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil((curve.to - curve.from) / sample_step)));
+  for (int k = 0; k <= steps; ++k) {
+    const Point p = curve.at(curve.from + (curve.to - curve.from) * k / steps);
+    const double terrain = ground.heightAt(p.x(), p.y());
+    if (!(p.z() - terrain >= lowest.distance))
+      lowest = {p.z() - terrain, p, {p.x(), p.y(), terrain}};
+  }
+  return lowest;
+}
+
 void
 measureClearances(PowerLineNetwork& network,
                   const Candidates& candidates,
@@ -43,6 +58,7 @@ measureClearances(PowerLineNetwork& network,
   for (std::ptrdiff_t w = 0; w < count; ++w) {
     Wire& wire = network.wires[static_cast<std::size_t>(w)];
     const Catenary& c = wire.curve;
+    wire.ground = lowestAboveGround(c, network.ground);
     const int steps =
         std::max(1, static_cast<int>(std::ceil((c.to - c.from) / sample_step)));
     const double from = c.from + (wire.front_support == 0 ? free_zone : 0);
@@ -50,10 +66,6 @@ measureClearances(PowerLineNetwork& network,
     for (int k = 0; k <= steps; ++k) {
       const double s = c.from + (c.to - c.from) * k / steps;
       const Point p = c.at(s);
-      const double terrain = network.ground.heightAt(p.x(), p.y());
-      if (!(p.z() - terrain >= wire.ground.distance)) {
-        wire.ground = {p.z() - terrain, p, {p.x(), p.y(), terrain}};
-      }
       if ((wire.front_support != 0 && s - c.from < support_zone) ||
           (wire.back_support != 0 && c.to - s < support_zone))
         continue;

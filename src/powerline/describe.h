@@ -36,6 +36,11 @@ labelPoints(PowerLineNetwork& network,
             const std::vector<Tower>& towers,
             const Growth& growth);
 
+/** \brief The least height of a wire above the terrain, by places a meter apart; not
+ * known where the terrain is not. */
+Clearance
+lowestAboveGround(const Catenary& curve, const Ground& ground);
+
 /** \brief Measures the clearances of every wire. Vegetation is what stands above
  * ground, has company, and is neither wire nor support. */
 void

@@ -95,6 +95,12 @@ powerLineFiles(const std::string& folder, bool compress)
                            "wires.geojson",
                            "wires.gpkg",
                            "wires.dxf",
+                           "hazards.geojson",
+                           "hazards.gpkg",
+                           "hazards.dxf",
+                           "clearances.csv",
+                           "crossings.csv",
+                           "fall_in.csv",
                            "summary.json",
                            "report.html"})
     paths.push_back((std::filesystem::path(folder) / name).string());
@@ -128,9 +134,18 @@ writePowerLineFiles(const std::string& folder,
   const auto layers = powerLineLayers(cloud, network, options);
   for (std::size_t i = 1; i <= 3; ++i)
     io::writeLayers(paths[i], layers, cloud.wkt, warnings, monitor);
-  writeText(paths[4], powerLineSummary(cloud, network, options));
+  const auto hazards = hazardLayers(cloud, options.hazards);
+  for (std::size_t i = 4; i <= 6; ++i)
+    io::writeLayers(paths[i], hazards, cloud.wkt, nullptr, monitor);
+  for (std::size_t i = 7; i <= 9; ++i) {
+    const auto name = std::filesystem::path(paths[i]).stem().string();
+    for (const io::VectorLayer& layer : hazards)
+      if (layer.name == name)
+        io::writeLayers(paths[i], {layer}, cloud.wkt, nullptr, monitor);
+  }
+  writeText(paths[10], powerLineSummary(cloud, network, options));
   throwIfCanceled(monitor);
-  writeText(paths[5], powerLineReport(cloud, network, options, monitor));
+  writeText(paths[11], powerLineReport(cloud, network, options, monitor));
   const std::size_t unconfirmed = classify(cloud, network, options.classes);
   if (unconfirmed > 0 && warnings != nullptr &&
       options.classes.existing == ExistingClasses::Keep)

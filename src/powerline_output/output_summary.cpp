@@ -16,6 +16,8 @@
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline_output/output_files.h>
 
+#include "hazard_summary.h"
+
 namespace linelet::powerline {
 
 namespace {
@@ -217,6 +219,8 @@ powerLineSummary(const io::Cloud& cloud,
   summary["spans"] = std::move(spans);
   summary["wires"] = std::move(wires);
   summary["pylons"] = std::move(pylons);
+  if (!options.hazards.empty())
+    summary["hazards"] = hazardSummary(cloud, options.hazards);
   // A file name need not be UTF-8; JSON must be.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

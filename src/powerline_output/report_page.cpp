@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -69,6 +70,17 @@ wireColor(int number)
                                                              "#3b3b3b",
                                                              "#cc79a7"};
   return colors[static_cast<std::size_t>(number > 0 ? number - 1 : 0) % colors.size()];
+}
+
+std::string
+Content::length(double meters, int decimals) const
+{
+  const std::string text = number(meters, decimals);
+  const double foot = metric.units().plan;
+  // International and US survey feet differ by 2e-6.
+  return std::abs(foot - 0.3048) < 1e-5 && std::isfinite(meters)
+             ? text + " (" + number(meters / foot, std::max(0, decimals - 1)) + " ft)"
+             : text;
 }
 
 std::string

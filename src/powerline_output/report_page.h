@@ -106,6 +106,11 @@ struct Content {
     return network.wires[static_cast<std::size_t>(id) - 1];
   }
 
+  /** \brief \a meters with \a decimals, beside them feet where the file counts in feet:
+   * "3.21 (10.5 ft)". */
+  std::string
+  length(double meters, int decimals) const;
+
   /** \brief "P3", or "edge" for an end without a support. */
   std::string
   supportName(int id) const;

@@ -80,33 +80,23 @@ layAcross(Frame& frame, const std::vector<Wire>& wires)
   frame.v = Point(-std::sin(angle), std::cos(angle), 0);
 }
 
-/** All of the line and, of the cloud, what lies within reach of it. */
+/** All of the line and all of the cloud. */
 Frame
 frameOf(const Content& content)
 {
-  Frame turned;
-  layAcross(turned, content.network.wires);
-  Frame cloud = turned, line = turned, frame = turned;
-  for (const Wire& wire : content.network.wires) {
-    line.take(wire.front);
-    line.take(wire.back);
-  }
+  Frame frame;
+  layAcross(frame, content.network.wires);
+  for (std::size_t i = 0; i < content.cloud.points.size(); ++i)
+    if (const Point p = content.point(i); p.allFinite())
+      frame.take(p);
+  const Point rim = Point::Constant(8);
+  for (const Wire& wire : content.network.wires)
+    for (const Point& end : {wire.front, wire.back}) {
+      frame.take(end - rim);
+      frame.take(end + rim);
+    }
   for (const Support& support : content.network.supports)
-    line.take(support.base);
-  const bool any = line.low.x() <= line.high.x();
-  const Point reach = Point::Constant(60), rim = Point::Constant(8);
-  const Point low = line.low - reach, high = line.high + reach;
-  for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
-    const Point p = content.point(i);
-    if (!p.allFinite())
-      continue;
-    const Point q = turned.turned(p);
-    if (!any ||
-        (q.x() > low.x() && q.y() > low.y() && q.x() < high.x() && q.y() < high.y()))
-      cloud.take(p);
-  }
-  frame.low = any ? cloud.low.cwiseMin(line.low - rim) : cloud.low;
-  frame.high = any ? cloud.high.cwiseMax(line.high + rim) : cloud.high;
+    frame.take(support.base);
   const Point size = frame.high - frame.low;
   frame.scale =
       std::min(widest / std::max(size.x(), 1.0), highest / std::max(size.y(), 1.0));
@@ -135,7 +125,7 @@ void
 addPicture(Markup& page, const Content& content, const Frame& frame)
 {
   const Point size = frame.high - frame.low;
-  const double cell = std::max(0.75, std::max(size.x(), size.y()) / 500);
+  const double cell = std::max(0.75, std::max(size.x(), size.y()) / 800);
   const auto columns = static_cast<std::size_t>(std::ceil(size.x() / cell));
   const auto rows = static_cast<std::size_t>(std::ceil(size.y() / cell));
   if (columns == 0 || rows == 0)
@@ -186,13 +176,43 @@ addWires(Markup& page, const Content& content, const Frame& frame)
       page << frame.x(p) << " " << frame.y(p) << " ";
     page << "\"><title>wire " << wire.number << ", span " << wire.span
          << "</title></path>\n";
-    if (!bad)
+    if (!bad || !content.options.hazards.empty())
       continue;
     const Clearance& worst = wire.vegetation.distance < content.options.clearance
                                  ? wire.vegetation
                                  : wire.ground;
     page << "<circle class=\"hazard\" cx=\"" << frame.x(worst.wire) << "\" cy=\""
          << frame.y(worst.wire) << "\" r=\"6\"/>\n";
+  }
+}
+
+/** Stretches and trees of the scanned state, each a link to its row. */
+void
+addHazardMarks(Markup& page, const Content& content, const Frame& frame)
+{
+  if (content.options.hazards.empty())
+    return;
+  const Hazards& hazards = content.options.hazards.front();
+  // The severe ones on top.
+  for (const Severity severity : {Severity::Low, Severity::Medium, Severity::High}) {
+    const std::string look(nameOf(severity));
+    for (const Encroachment& one : hazards.clearances) {
+      if (one.severity != severity || one.line.empty())
+        continue;
+      page << "<a href=\"#hazard" << one.id << "\" id=\"plan" << one.id
+           << "\"><path class=\"stretch " << look << "\" d=\"M";
+      for (const Point& p : {one.line.front(), one.line.back()})
+        page << frame.x(p) << " " << frame.y(p) << " ";
+      page << "\"><title>hazard " << one.id << ", " << std::string(nameOf(one.kind))
+           << " " << content.length(one.nearest.distance, 2)
+           << " m</title></path></a>\n";
+    }
+    for (const FallIn& one : hazards.fall_in)
+      if (one.severity == severity)
+        page << "<a href=\"#tree" << one.id << "\" id=\"plantree" << one.id
+             << "\"><path class=\"tree " << look << "\" d=\"M" << frame.x(one.top)
+             << " " << frame.y(one.top) - 4 << " l4 7 h-8 z\"><title>tree " << one.id
+             << "</title></path></a>\n";
   }
 }
 
@@ -253,6 +273,7 @@ addPlan(Markup& page, const Content& content)
        << "px\" role=\"img\" aria-label=\"Plan\">\n";
   addPicture(page, content, frame);
   addWires(page, content, frame);
+  addHazardMarks(page, content, frame);
   addNames(page, content, frame);
   addScaleAndNorth(page, frame);
   page << "</svg>\n";

@@ -175,6 +175,31 @@ addWireCurves(Markup& page,
   }
 }
 
+/** Stretches of the scanned state along the wires, each a link to its row. */
+void
+addStretches(Markup& page,
+             const Content& content,
+             const Span& span,
+             const SpanFrame& frame,
+             const View& view)
+{
+  if (content.options.hazards.empty())
+    return;
+  for (const Encroachment& one : content.options.hazards.front().clearances) {
+    if (one.span != span.id)
+      continue;
+    page << "<a href=\"#hazard" << one.id << "\"><path class=\"stretch "
+         << std::string(nameOf(one.severity)) << "\" d=\"";
+    bool first = true;
+    for (const Point& p : one.line) {
+      page << (first ? "M" : " L") << view.x(frame.along(p)) << " " << view.y(p.z());
+      first = false;
+    }
+    page << "\"><title>hazard " << one.id << ", " << std::string(nameOf(one.kind))
+         << " " << content.length(one.nearest.distance, 2) << " m</title></path></a>\n";
+  }
+}
+
 /** The lowest clearance of the span: a line from the wire to what is below it. */
 void
 addClearance(Markup& page,
@@ -226,6 +251,7 @@ addProfile(Markup& page,
   addGround(page, content, frame, view);
   addPoints(page, content, frame, view, points);
   addWireCurves(page, content, span, frame, view);
+  addStretches(page, content, span, frame, view);
   addClearance(page, content, span, frame, view);
   const double factor = view.y_scale / view.x_scale;
   const bool narrow = view.right() - left < narrow_chart;

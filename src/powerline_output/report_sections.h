@@ -31,6 +31,15 @@ planSection(const Content& content);
 Section
 clearancesSection(const Content& content);
 
+/** \brief What comes too near to the wires as they were scanned: stretches, trees that
+ * could fall in, crossings, limits. Needs hazards. */
+Section
+hazardsSection(const Content& content);
+
+/** \brief The same for every other state of the conductors, and how they got there. */
+Section
+statesSection(const Content& content);
+
 /** \brief Table of all spans. */
 Section
 spansSection(const Content& content);

@@ -189,7 +189,7 @@ TEST_P(CurveReconstructionInPcl, AGivenSearchServesIndicesAndMovedPointsToo)
         cloud->at(static_cast<std::size_t>(i)).getVector3fMap().cast<double>());
   }
   ReconstructionSettings settings = reconstruction.getSettings();
-  settings.prefilter_radius = 0.2;
+  settings.prefilter.radius = 0.2;
   reconstruction.setSettings(settings);
   reconstruction.setInputCloud(cloud);
   reconstruction.setIndices(indices);

@@ -31,6 +31,12 @@ constexpr const char* names[] = {"classified.las",
                                  "wires.geojson",
                                  "wires.gpkg",
                                  "wires.dxf",
+                                 "hazards.geojson",
+                                 "hazards.gpkg",
+                                 "hazards.dxf",
+                                 "clearances.csv",
+                                 "crossings.csv",
+                                 "fall_in.csv",
                                  "summary.json",
                                  "report.html"};
 
@@ -97,8 +103,8 @@ protected:
 TEST_F(OutputFiles, AreThoseThatAreReturned)
 {
   const auto paths = write();
-  ASSERT_EQ(paths.size(), 6U);
-  for (std::size_t i = 0; i < 6; ++i) {
+  ASSERT_EQ(paths.size(), std::size(names));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
     EXPECT_EQ(std::filesystem::path(paths[i]).filename(), names[i]);
     EXPECT_GT(std::filesystem::file_size(paths[i]), 0U);
   }

@@ -15,22 +15,24 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Explicit schemes that integrate a direction field with a constant step. */
+/** \brief Explicit schemes that integrate a direction field, all but the last with a
+ * constant step. */
 enum class IntegrationScheme {
-  Euler,      ///< order 1
-  Rk32,       ///< order 3, the propagating half of Bogacki-Shampine's pair
-  Rk38,       ///< order 4, Kutta's 3/8 rule
-  Rk4,        ///< order 4, the classical one
-  Merson45,   ///< order 4, Merson
-  Fehlberg45, ///< order 5, Fehlberg
-  Dopri5,     ///< order 5, Dormand & Prince 1980
-  Dop853      ///< order 8, Dormand & Prince (Hairer, Norsett, Wanner)
+  Euler,         ///< order 1
+  Rk32,          ///< order 3, the propagating half of Bogacki-Shampine's pair
+  Rk38,          ///< order 4, Kutta's 3/8 rule
+  Rk4,           ///< order 4, the classical one
+  Merson45,      ///< order 4, Merson
+  Fehlberg45,    ///< order 5, Fehlberg
+  Dopri5,        ///< order 5, Dormand & Prince 1980
+  Dop853,        ///< order 8, Dormand & Prince (Hairer, Norsett, Wanner)
+  Dop853Adaptive ///< the same with steps by its error, and dense output between them
 };
 
 template <>
 struct Names<IntegrationScheme> {
   static constexpr std::string_view kind = "integration scheme";
-  static constexpr std::array<std::pair<IntegrationScheme, std::string_view>, 8> table =
+  static constexpr std::array<std::pair<IntegrationScheme, std::string_view>, 9> table =
       {{{IntegrationScheme::Euler, "euler"},
         {IntegrationScheme::Rk32, "rk32"},
         {IntegrationScheme::Rk38, "rk38"},
@@ -38,7 +40,8 @@ struct Names<IntegrationScheme> {
         {IntegrationScheme::Merson45, "merson45"},
         {IntegrationScheme::Fehlberg45, "fehlberg45"},
         {IntegrationScheme::Dopri5, "dopri5"},
-        {IntegrationScheme::Dop853, "dop853"}}};
+        {IntegrationScheme::Dop853, "dop853"},
+        {IntegrationScheme::Dop853Adaptive, "dop853-adaptive"}}};
 };
 
 /** \brief The Butcher table of an explicit Runge-Kutta scheme. */
@@ -48,7 +51,7 @@ struct ButcherTable {
   int order = 0;
 };
 
-/** \brief The table of \a scheme. */
+/** \brief The table of \a scheme; of the adaptive one that of a step. */
 const ButcherTable&
 butcherTable(IntegrationScheme scheme);
 

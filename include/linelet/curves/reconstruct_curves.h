@@ -19,21 +19,31 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief The methods of curve reconstruction. */
 enum class Preset {
-  Refined,  ///< ridges refitted as noisy polylines; the default
-  Published ///< line-lets as published in 2021, what every gain is measured against
+  Refined,   ///< ridges refitted as noisy polylines; the default
+  Published, ///< line-lets as published in 2021, what every gain is measured against
+  PublishedQuick ///< the same with scales up to 10 D instead of 60, four times as fast
 };
+
+/** \brief Whether \a preset is the published method or a variant of it. */
+inline bool
+isPublished(Preset preset)
+{
+  return preset != Preset::Refined;
+}
 
 template <>
 struct Names<Preset> {
   static constexpr std::string_view kind = "preset";
-  static constexpr std::array<std::pair<Preset, std::string_view>, 2> table = {
-      {{Preset::Refined, "refined"}, {Preset::Published, "published"}}};
+  static constexpr std::array<std::pair<Preset, std::string_view>, 3> table = {
+      {{Preset::Refined, "refined"},
+       {Preset::Published, "published"},
+       {Preset::PublishedQuick, "published-quick"}}};
 };
 
 /** \brief How curves are reconstructed.
  *
  * start_points, max_iterations, distance_cutoff and threads serve every preset; the
- * other parameters are those of Preset::Published. */
+ * other parameters are those of the published presets. */
 struct ReconstructionSettings : StreamlineSettings {
   Preset preset = Preset::Refined;
 };

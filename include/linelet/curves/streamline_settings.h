@@ -7,10 +7,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <linelet/curves/integration_scheme.h>
+#include <linelet/features/centroid_shift.h>
 #include <linelet/features/multi_scale.h>
 #include <linelet/support/names.h>
+#include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
 #include <linelet/tensor/weighting.h>
 
@@ -19,60 +22,84 @@ namespace LINELET_PUBLIC linelet {
 /** \brief Where the direction of a step comes from. d_E is the interpolated
  * eigenvector, d_A the mean of the directions toward the neighbors ahead. */
 enum class DirectionMode {
-  Eigenvector,        ///< d_E
-  Tensor,             ///< major eigenvector of the interpolated tensor
-  Angular,            ///< d_A
-  EigenvectorAngular, ///< mu d_E + (1 - mu) d_A
-  TensorDeflection,   ///< interpolated tensor times last direction (TEND)
-  AngularDistance     ///< d_A with neighbors weighted by their distance as well
+  Eigenvector,                ///< d_E
+  Tensor,                     ///< major eigenvector of the interpolated tensor
+  Angular,                    ///< d_A
+  EigenvectorAngular,         ///< mu d_E + (1 - mu) d_A
+  EigenvectorAngularDistance, ///< the same, d_A weighted by distance as well
+  TensorDeflection,           ///< interpolated tensor times last direction (TEND)
+  ClosestAngular,             ///< mu e3 + (1 - mu) d_A, e3 of the nearest point
+  MultiScaleAngular, ///< the same with the multi-scale feature of the place itself,
+                     ///< mu included: computed anew at every step
+  ComputedAngular    ///< the same with e3 of the place itself at the optimal radius
+                     ///< of the nearest point
 };
 
 template <>
 struct Names<DirectionMode> {
   static constexpr std::string_view kind = "direction mode";
-  static constexpr std::array<std::pair<DirectionMode, std::string_view>, 6> table = {
+  static constexpr std::array<std::pair<DirectionMode, std::string_view>, 9> table = {
       {{DirectionMode::Eigenvector, "eigenvector"},
        {DirectionMode::Tensor, "tensor"},
        {DirectionMode::Angular, "angular"},
        {DirectionMode::EigenvectorAngular, "eigenvector+angular"},
+       {DirectionMode::EigenvectorAngularDistance, "eigenvector+angular-distance"},
        {DirectionMode::TensorDeflection, "tensor-deflection"},
-       {DirectionMode::AngularDistance, "angular-distance"}}};
+       {DirectionMode::ClosestAngular, "closest+angular"},
+       {DirectionMode::MultiScaleAngular, "multi-scale+angular"},
+       {DirectionMode::ComputedAngular, "computed+angular"}}};
 };
+
+/** \brief The largest scale of the published method and of its faster variant, in D. */
+constexpr double published_largest_radius = 60, quick_largest_radius = 10;
 
 /** \brief Parameters of the published method (Ritter, Schiffner, Harders 2021). D is
  * the scale unit of the cloud, h the step length. */
 struct StreamlineSettings {
   // What a user decides; 0 lets the method choose.
-  unsigned start_points = 0;   ///< line-lets begun; 0: 8, then wherever points are not
-                               ///< covered
+  unsigned start_points = 0;   ///< line-lets begun; 0: by start_threshold
   unsigned max_iterations = 0; ///< steps of each end of a line-let; 0: as many as fit
                                ///< into the cloud's bounding box four times
   double distance_cutoff = 0;  ///< a line-let ends farther than this from every point;
                                ///< 0: 2 D
 
+  Indices starts; ///< points that line-lets begin at, by index; empty: by their score
+  /// Direction, three numbers, in which alone the line-lets grow from their starts
+  /// (Ritter & Benger 2012); empty: both ways.
+  std::vector<double> seed_direction;
   IntegrationScheme scheme = IntegrationScheme::Rk32;
+  double tolerance = 1e-3; ///< in D: error of a step of the adaptive scheme
   DirectionMode direction = DirectionMode::EigenvectorAngular;
   MultiScaleSettings shape; ///< features of the points, with weighted-mean centroid
+  /// Reference of the shapes by which start points are scored: as published always the
+  /// points themselves, whatever the features have.
+  Centroid start_centroid = Centroid::QueryPoint;
   Weighting interpolation_weighting = Kernel::FermiDirac2; ///< w_I
   Weighting angle_weighting = Kernel::FermiDirac2;         ///< w_A
-  /// In D: largest scale, where shape.max_radius is 0. As published: 60, which takes
-  /// four times as long and succeeds less often on the benchmark.
-  double largest_radius = 10;
+  /// Whether d_E has length 1. As published (eq. 4) it is shorter where the neighbors
+  /// disagree, so that d_A tells more there.
+  bool unit_eigenvector = false;
+  /// In D: largest scale, where shape.max_radius is 0; 0: published_largest_radius.
+  double largest_radius = 0;
   double interpolation_radius = 2.5; ///< in D; 0: optimal radius of the nearest point
   double step = 0.5;                 ///< h, in D
   double search_radius = 1.25;       ///< in D: reach of the nearest point that gives mu
   double merge_distance = 1.4;       ///< in h: ends meet, lines cross
   double branch_angle = 70; ///< degrees: a sharper turn ends a line-let, begins another
   double prune_distance = 1.2; ///< in h: open ends are cut back to the points
-  double cover_distance = 8; ///< in D: points farther from every line-let begin others
-  double stump_length = 4;   ///< in h: shorter loose ends and pieces are dropped
+  /// Where start_points is 0: starts are taken while their score exceeds this part of
+  /// the second one's (that of the first has another unit, as its distance is 1).
+  double start_threshold = 0.2;
+  /// In D: beyond it from every line-let, points begin others; 0: none.
+  double cover_distance = 8;
+  double stump_length = 4;          ///< in h: shorter loose ends and pieces are dropped
   unsigned min_start_neighbors = 6; ///< N1 of a start point, where any point has it
   /// Of N1 in the score of start points. On 330 runs of the benchmark (seed 11) 0.01
   /// succeeds in .321, 1 in .339; mean E_V .438 and .447. 12 runs differ in success, 9
   /// of them for 1: within chance (p = .15), so the published value stays.
   double start_neighbor_exponent = 0.01;
-  double prefilter_radius = 0; ///< points move to the mean of those within; 0: none
-  unsigned threads = 0;        ///< 0: all
+  CentroidShiftSettings prefilter; ///< what is done to the points before all this
+  unsigned threads = 0;            ///< 0: all
 
   StreamlineSettings() { shape.centroid = Centroid::WeightedMean; }
 };
@@ -86,13 +113,28 @@ describe(StreamlineSettings& s, Visit&& visit)
   visit("distance-cutoff",
         s.distance_cutoff,
         "widest gap that is bridged, in the unit of the points; 0: chosen");
+  visit("start",
+        s.starts,
+        "published: points to begin at, by their place in the file, from 0");
+  visit("seed-direction",
+        s.seed_direction,
+        "published: direction X,Y,Z in which alone curves grow from their starts");
   visit("scheme", s.scheme, "published: integration scheme");
+  visit("tolerance", s.tolerance, "published: error of an adaptive step, in D");
   visit("direction", s.direction, "published: where a step's direction comes from");
+  visit("start-centroid",
+        s.start_centroid,
+        "published: point of reference for the scores of start points");
+  visit("unit-eigenvector",
+        s.unit_eigenvector,
+        "published: give the interpolated eigenvector length 1");
   visit("interpolation-weight", s.interpolation_weighting, "published: kernel w_I");
   visit("angle-weight", s.angle_weighting, "published: kernel w_A");
-  visit("largest-radius",
-        s.largest_radius,
-        "published: largest scale in D, unless --max-radius is given");
+  visit(
+      "largest-radius",
+      s.largest_radius,
+      "published: largest scale in D, unless --max-radius is given; 0: 60, or 10 with "
+      "--preset published-quick");
   visit("interpolation-radius",
         s.interpolation_radius,
         "published: in D; 0: the nearest point's optimal radius");
@@ -102,9 +144,14 @@ describe(StreamlineSettings& s, Visit&& visit)
   visit("merge-distance", s.merge_distance, "published: ends meet within, in h");
   visit("branch-angle", s.branch_angle, "published: turn that branches, degrees");
   visit("prune-distance", s.prune_distance, "published: open ends are cut to, in h");
+  visit("start-threshold",
+        s.start_threshold,
+        "published: without --start-points, those whose score exceeds this part of the "
+        "second one's");
   visit("cover-distance",
         s.cover_distance,
-        "published: points farther from every curve begin others, in D");
+        "published: without --start-points, points farther from every curve begin "
+        "others, in D; 0: none");
   visit("stump-length", s.stump_length, "published: shorter pieces are dropped, in h");
   visit("min-start-neighbors",
         s.min_start_neighbors,
@@ -112,9 +159,12 @@ describe(StreamlineSettings& s, Visit&& visit)
   visit("start-neighbor-exponent",
         s.start_neighbor_exponent,
         "published: of the number of neighbors in the score of start points");
-  visit("prefilter-radius",
-        s.prefilter_radius,
-        "published: move points to the mean of those within; 0: none");
+  describe(s.prefilter,
+           "prefilter-radius",
+           "prefilter-",
+           [&](const char* name, auto& value, const char* help) {
+             visit(name, value, (std::string("published: ") + help).c_str());
+           });
   describe(s.shape, [&](const char* name, auto& value, std::string help) {
     // Where it is 0, largest_radius takes its place.
     if (std::string_view(name) == "max-radius")

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <string>
+
 #include <linelet/search/neighbor_search.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
@@ -19,6 +21,23 @@ struct CentroidShiftSettings {
   Weighting weighting = Kernel::QuadraticInverse; ///< of the weighted centroids
   unsigned threads = 0;                           ///< 0: all
 };
+
+/** \param[in] radius name of the radius
+ * \param[in] prefix before the other names, with its dash */
+template <class Visit>
+void
+describe(CentroidShiftSettings& s,
+         const char* radius,
+         const std::string& prefix,
+         Visit&& visit)
+{
+  visit(radius,
+        s.radius,
+        "first move every point to the centroid of its neighbors within this radius; "
+        "0: do not");
+  visit((prefix + "centroid").c_str(), s.centroid, "centroid it is moved to");
+  visit((prefix + "weight").c_str(), s.weighting, "kernel where that is weighted");
+}
 
 /** \brief Moves every point to the centroid of its neighborhood, which thins out noise
  * across curves before the multi-scale feature or a reconstruction.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/features/tensor_record.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
@@ -14,8 +15,10 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief Engine::Grid for radii: \ref estimateTensors at the speed of the machine.
  *
- * Points are sorted into blocks about as wide as the radius; the inner loops run over
- * vectors of candidates, on the best instruction set found at run time. Sums are in
+ * Points are sorted into blocks twice as wide as the radius, whose corners are
+ * multiples of their width; the inner loops run over vectors of candidates, on the best
+ * instruction set found at run time. A record depends on the points in the block and
+ * the blocks around it, and on nothing else. Sums are in
  * float relative to the query's surroundings and in double beyond them; numbers of
  * neighbors are exactly those of the other engines, shape factors agree to 1e-4
  * (median and step: exactly). Memory beside input and output is 30 to 40 bytes per
@@ -30,6 +33,22 @@ estimateTensorsOnGrid(const Points& surface,
                       const TensorSettings& settings,
                       const NeighborhoodSizes& sizes = {},
                       ProgressMonitor* monitor = nullptr);
+
+/** \brief The same for the points of a piece, around which \a points holds all that are
+ * nearer than \ref gridMargin.
+ * \param[in] sizes one for each of \a points, or none
+ * \return one record for each point of the piece */
+std::vector<PointDistributionTensor>
+pieceTensorsOnGrid(const Points& points,
+                   const CloudPiece& piece,
+                   const TensorSettings& settings,
+                   const NeighborhoodSizes& sizes = {},
+                   ProgressMonitor* monitor = nullptr);
+
+/** \brief How far around a piece its points must be known: two blocks of the largest
+ * radius. */
+double
+gridMargin(const TensorSettings& settings, const NeighborhoodSizes& sizes = {});
 
 /** \brief Name of the instruction set that the grid engine runs on here. */
 std::string_view

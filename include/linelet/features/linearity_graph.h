@@ -53,6 +53,27 @@ struct Names<GraphIntegral> {
        {GraphIntegral::Radius, "radius"}}};
 };
 
+/** \brief What the blend mu of a direction is made of, held to [0.05, 0.95]. The thesis
+ * names these among seven variants without formulas of the others. */
+enum class BlendMode {
+  Published, ///< A_j / (2 A) + CL_j - 1/2 (eq. 10)
+  Integral,  ///< A_j / A
+  Sum,       ///< A / K, the mean linearity of all scales
+  Linearity, ///< CL_j
+  Index      ///< 1 - k_j / K
+};
+
+template <>
+struct Names<BlendMode> {
+  static constexpr std::string_view kind = "blend";
+  static constexpr std::array<std::pair<BlendMode, std::string_view>, 5> table = {
+      {{BlendMode::Published, "published"},
+       {BlendMode::Integral, "integral"},
+       {BlendMode::Sum, "sum"},
+       {BlendMode::Linearity, "linearity"},
+       {BlendMode::Index, "index"}}};
+};
+
 /** \brief How a linearity graph is read. */
 struct LinearityGraphSettings {
   ScaleScore score = ScaleScore::Product;
@@ -60,6 +81,7 @@ struct LinearityGraphSettings {
   /// Smallest neighborhood whose scale may become the optimal one; the point itself
   /// counts, so that 7 is what the scale unit D holds in the median.
   unsigned min_neighbors = 7;
+  BlendMode blend = BlendMode::Published;
 };
 
 template <class Visit>
@@ -71,6 +93,7 @@ describe(LinearityGraphSettings& s, Visit&& visit)
   visit("min-neighbors",
         s.min_neighbors,
         "smallest neighborhood of an optimal scale, the point itself included");
+  visit("blend", s.blend, "what the blend of the optimal scale is made of");
 }
 
 /** \brief A local maximum of a linearity graph. Scales count from 0. */

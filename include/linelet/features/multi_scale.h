@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/features/linearity_graph.h>
 #include <linelet/features/multi_scale_radii.h>
 #include <linelet/features/multi_scale_types.h>
@@ -149,5 +150,20 @@ multiScaleShapes(const NeighborSearch& search,
                  const MultiScaleSettings& settings = {},
                  const ShapeGraphSink& sink = {},
                  ProgressMonitor* monitor = nullptr);
+
+/** \brief The same for the points of a piece of a cloud: of \a points, which holds all
+ * around it that are nearer than \ref multiScaleMargin.
+ * \param[in] settings with radii, and the engine that the whole cloud would take
+ * \return with a shape for each point of the piece, in order
+ * \throws std::invalid_argument without radii, or with a stop rule; Canceled */
+MultiScaleShapes
+pieceShapes(const Points& points,
+            const CloudPiece& piece,
+            const MultiScaleSettings& settings,
+            ProgressMonitor* monitor = nullptr);
+
+/** \brief How far around a piece its points must be known. */
+double
+multiScaleMargin(const std::vector<double>& radii);
 
 } // namespace linelet

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/features/tensor_record.h>
 #include <linelet/features/tensor_search.h>
 #include <linelet/support/visibility.h>
@@ -26,5 +27,22 @@ estimateTensors(const Points& surface,
                 const TensorSettings& settings,
                 const NeighborhoodSizes& sizes = {},
                 ProgressMonitor* monitor = nullptr);
+
+/** \brief The same for the points of a piece of a cloud.
+ * \param[in] points the piece, and around it all that are nearer than \ref tensorMargin
+ * \param[in] settings with the engine that the whole cloud would take
+ * \param[in] sizes one for each of \a points, or none
+ * \return one record for each point of the piece, in order */
+std::vector<PointDistributionTensor>
+pieceTensors(const Points& points,
+             const CloudPiece& piece,
+             const TensorSettings& settings,
+             const NeighborhoodSizes& sizes = {},
+             ProgressMonitor* monitor = nullptr);
+
+/** \brief How far around a piece its points must be known, for neighborhoods by radius;
+ * those of the nearest points reach as far as these are. */
+double
+tensorMargin(const TensorSettings& settings, const NeighborhoodSizes& sizes = {});
 
 } // namespace linelet

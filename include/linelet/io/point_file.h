@@ -57,12 +57,13 @@ describe(WriteOptions& s, Visit&& visit)
   visit("shifted",
         s.shifted,
         "write coordinates less a shift, small enough for the floats of PCL, and the "
-        "shift to OUTPUT.shift, where linelet finds it again (not for .las and .laz)");
+        "shift to OUTPUT.shift, where linelet finds it again (not for .las, .laz and "
+        ".h5)");
 }
 
-/** \brief Reads .las, .laz (and .copc.laz), .pcd, .ply, .xyz/.txt/.csv or the vertices
- * of .obj, by ending; with a file of its shift beside it (see \ref WriteOptions) in
- * world coordinates.
+/** \brief Reads .las, .laz (and .copc.laz), .pcd, .ply, .h5, .xyz/.txt/.csv or the
+ * vertices of .obj, by ending; with a file of its shift beside it (see \ref
+ * WriteOptions) in world coordinates.
  * \param[in] path the file
  * \param[in] options see there
  * \param[out] warnings one sentence for every loss (null: not wanted)

@@ -23,9 +23,10 @@ using Value = std::variant<std::int64_t, double, std::string>;
 /** \brief Named attributes, in the order of columns. */
 using Attributes = std::vector<std::pair<std::string, Value>>;
 
-/** \brief A point (one vertex) or a polyline with named attributes. */
+/** \brief A point (one vertex), a polyline or a polygon with named attributes. */
 struct VectorFeature {
-  Points vertices; ///< world coordinates; a closed line repeats its first vertex
+  Points vertices; ///< world coordinates; a closed line and the ring of a polygon
+                   ///< repeat their first vertex
   Attributes attributes;
   std::string drawing_layer; ///< its layer in a DXF drawing; empty: that of the layer
   std::string label;         ///< text beside it in a DXF drawing; empty: none
@@ -33,7 +34,7 @@ struct VectorFeature {
 
 /** \brief Features of one kind under one name. */
 struct VectorLayer {
-  enum class Kind { Points, Lines };
+  enum class Kind { Points, Lines, Polygons };
   std::string name;
   Kind kind = Kind::Lines;
   std::vector<VectorFeature> features; ///< all with the same attribute names and types
@@ -41,13 +42,14 @@ struct VectorLayer {
   double text_height = 0.5; ///< of labels in a DXF drawing, in the unit of coordinates
 };
 
-/** \brief Writes layers as .geojson, .gpkg or .dxf: 3D, in full precision, in the given
+/** \brief Writes layers as .geojson, .gpkg, .dxf or, a single one, .csv: 3D, in full precision, in the given
  * reference system. An existing file is replaced; the same input gives the same bytes.
  *
  * GeoJSON holds all layers in one collection, each feature with a property `layer`, and
  * names the reference system in its `crs` member. DXF holds no attributes: there a
  * feature has its VectorFeature::drawing_layer, and its label becomes a text on the
- * layer `labels`.
+ * layer `labels`; a polygon is a closed line. CSV has the attributes, unknown numbers
+ * left empty, and the geometry as WKT in the last column, `WKT`.
  * \param[in] wkt reference system, empty: unknown
  * \param[out] warnings one sentence where readers will take the coordinates for what
  * they are not
@@ -60,7 +62,7 @@ writeLayers(const std::string& path,
             ProgressMonitor* monitor = nullptr);
 
 /** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
- * (lines), .csv, .geojson, .gpkg, .dxf.
+ * (lines), .csv, .geojson, .gpkg, .dxf, .h5 (with junctions, see hdf5_file.h).
  * \param[in] shift added to every vertex: the output is in world coordinates
  * \param[in] wkt see \ref writeLayers, as for \a warnings
  * \throws FileError, Canceled */

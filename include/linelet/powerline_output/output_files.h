@@ -13,6 +13,7 @@
 #include <linelet/io/cloud.h>
 #include <linelet/io/usable_points.h>
 #include <linelet/io/vector_file.h>
+#include <linelet/powerline/hazards.h>
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/support/names.h>
 #include <linelet/support/progress_monitor.h>
@@ -63,9 +64,11 @@ struct OutputOptions {
   std::string source;   ///< name of the input, for headings; may be empty
   double clearance = 5; ///< a clearance below this is a hazard, meters
   ClassScheme classes;
-  io::ClassFilter points; ///< which of the cloud took part
-  bool compress = false;  ///< classified.laz instead of classified.las
-  Provenance provenance;  ///< for the report
+  io::ClassFilter points;       ///< which of the cloud took part
+  bool compress = false;        ///< classified.laz instead of classified.las
+  Provenance provenance;        ///< for the report
+  std::vector<Hazards> hazards; ///< at each state of the wires, first as scanned;
+                                ///< empty: not looked for
 };
 
 /** \brief Whether a clearance of \a wire, to the ground or to vegetation, is known and
@@ -94,6 +97,14 @@ std::vector<io::VectorLayer>
 powerLineLayers(const io::Cloud& cloud,
                 const PowerLineNetwork& network,
                 const OutputOptions& options);
+
+/** \brief The hazards of all states as layers in world coordinates: `clearances` (lines
+ * along the wires), `clearance_areas` (polygons in plan, the same attributes),
+ * `crossings` (from the upper wire to the lower, where they are closest) and `fall_in`
+ * (from the top of the tree to the wire), each feature with its ids, distances,
+ * severity and the coordinates of both ends; also without a feature. */
+std::vector<io::VectorLayer>
+hazardLayers(const io::Cloud& cloud, const std::vector<Hazards>& states);
 
 /** \brief The network as JSON text: totals, circuits, spans, wires, pylons; keys in
  * snake_case, null for what is unknown, world coordinates in the units of \a cloud,
@@ -128,9 +139,10 @@ otherResultsIn(const std::string& folder,
 void
 makeOutputFolder(const std::string& folder, bool compress = false);
 
-/** \brief Writes `classified.las` (or `.laz`), `wires.geojson`, `wires.gpkg`,
- * `wires.dxf`, `summary.json` and `report.html` into \a folder, which is made if need
- * be. An empty network gives the same files, valid and without wires.
+/** \brief Writes `classified.las` (or `.laz`), wires and hazards as .geojson, .gpkg and
+ * .dxf, `clearances.csv`, `crossings.csv`, `fall_in.csv`, `summary.json` and
+ * `report.html` into \a folder, which is made if need be. An empty network gives the
+ * same files, valid and without wires.
  * \param[in] folder where to; older files of these names are replaced
  * \param[in] cloud what the network was extracted from; move it in to save memory
  * \param[out] warnings one sentence for everything that a format cannot hold

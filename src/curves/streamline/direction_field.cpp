@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <features/multi_scale/scale_sweep.h>
+#include <linelet/features/linearity_graph.h>
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/tensor/eigen_analysis.h>
 
@@ -29,17 +31,25 @@ toward(const Point& direction, const Point& last)
   return direction.dot(last) < 0 ? Point(-direction) : direction;
 }
 
-std::vector<SymmetricTensor>
-optimalTensors(const Points& points,
-               const NeighborSearch* search,
-               const std::vector<LocalScale>& scales,
-               const StreamlineSettings& settings)
+/** \brief The tensor that the features of the points are made with. */
+TensorSettings
+tensorSettings(const StreamlineSettings& settings)
 {
   TensorSettings tensor;
   tensor.weighting = settings.shape.weighting;
   tensor.centroid = settings.shape.centroid;
   tensor.centroid_weighting = settings.shape.centroid_weighting;
   tensor.threads = settings.threads;
+  return tensor;
+}
+
+std::vector<SymmetricTensor>
+optimalTensors(const Points& points,
+               const NeighborSearch* search,
+               const std::vector<LocalScale>& scales,
+               const StreamlineSettings& settings)
+{
+  const TensorSettings tensor = tensorSettings(settings);
   NeighborhoodSizes sizes;
   for (const LocalScale& scale : scales)
     sizes.radii.push_back(scale.radius);
@@ -66,13 +76,19 @@ DirectionField::DirectionField(const Points& points,
     : points_(points),
       neighbors_(neighbors),
       settings_(settings),
-      scale_unit_(shapes.scale_unit)
+      scale_unit_(shapes.scale_unit),
+      radii_(shapes.radii)
 {
   for (const MultiScaleShape& shape : shapes.shapes) {
     eigenvectors_.emplace_back(shape.major_x, shape.major_y, shape.major_z);
     const bool known = std::isfinite(shape.optimal_radius);
-    scales_.push_back({known ? double(shape.optimal_radius) : 0.0,
-                       known ? double(shape.blend) : 0.0});
+    LocalScale scale;
+    if (known) {
+      scale.radius = scale.optimal_radius = double(shape.optimal_radius);
+      scale.blend = double(shape.blend);
+      scale.nearest = static_cast<Index>(scales_.size());
+    }
+    scales_.push_back(scale);
   }
   if (settings.direction == DirectionMode::Tensor ||
       settings.direction == DirectionMode::TensorDeflection)
@@ -119,12 +135,66 @@ DirectionField::at(const Point& position,
   case DirectionMode::TensorDeflection:
     direction = interpolatedTensor(position, scale.radius) * last;
     break;
-  case DirectionMode::AngularDistance:
-    direction = angular(position, last, scale.radius, true);
+  case DirectionMode::EigenvectorAngularDistance:
+    direction = scale.blend * interpolatedEigenvector(position, last, scale.radius) +
+                (1 - scale.blend) * angular(position, last, scale.radius, true);
+    break;
+  case DirectionMode::ClosestAngular:
+    if (scale.nearest != CloudNeighbors::none)
+      direction = scale.blend * toward(eigenvectors_[scale.nearest], last);
+    direction += (1 - scale.blend) * angular(position, last, scale.radius, false);
+    break;
+  case DirectionMode::MultiScaleAngular: {
+    double blend = scale.blend;
+    const Point e3 = multiScaleEigenvector(position, last, blend);
+    direction = blend * e3 + (1 - blend) * angular(position, last, scale.radius, false);
+    break;
+  }
+  case DirectionMode::ComputedAngular:
+    direction =
+        scale.blend * computedEigenvector(position, last, scale.optimal_radius) +
+        (1 - scale.blend) * angular(position, last, scale.radius, false);
     break;
   }
   direction = unit(direction);
   return direction.isZero() ? last : direction;
+}
+
+Point
+DirectionField::computedEigenvector(const Point& position,
+                                    const Point& last,
+                                    double radius) const
+{
+  if (!(radius > 0))
+    return Point::Zero();
+  thread_local Points offsets;
+  offsets.clear();
+  neighbors_.forEachWithin(position, radius, [&](Index i, double) {
+    offsets.push_back(points_[i] - position);
+  });
+  const PointDistributionTensor record =
+      tensorOf(offsets, radius, tensorSettings(settings_));
+  const Point major(record.major_x, record.major_y, record.major_z);
+  return major.allFinite() ? toward(major, last) : Point(Point::Zero());
+}
+
+Point
+DirectionField::multiScaleEigenvector(const Point& position,
+                                      const Point& last,
+                                      double& blend) const
+{
+  MultiScaleSettings shape = settings_.shape;
+  ScaleSweep sweep(radii_, shape);
+  neighbors_.forEachWithin(position, radii_.back(), [&](Index i, double squared) {
+    sweep.add(points_[i] - position, squared);
+  });
+  sweep.run();
+  const LinearityGraph graph =
+      readLinearityGraph(sweep.linearity(), sweep.neighbors(), radii_, shape.graph);
+  if (graph.scale() == LinearityGraph::none)
+    return Point::Zero();
+  blend = graph.blend;
+  return toward(sweep.majors()[graph.scale()], last);
 }
 
 Point
@@ -133,13 +203,18 @@ DirectionField::interpolatedEigenvector(const Point& position,
                                         double radius) const
 {
   Point sum = Point::Zero();
+  double weights = 0;
   neighbors_.forEachWithin(position, radius, [&](Index i, double squared) {
-    const Point& e3 = eigenvectors_[i];
-    if (scales_[i].radius > 0)
-      sum += settings_.interpolation_weighting(std::sqrt(squared) / radius) *
-             toward(e3, last);
+    if (scales_[i].radius == 0)
+      return;
+    const double weight =
+        settings_.interpolation_weighting(std::sqrt(squared) / radius);
+    sum += weight * toward(eigenvectors_[i], last);
+    weights += weight;
   });
-  return unit(sum);
+  if (settings_.unit_eigenvector)
+    return unit(sum);
+  return weights > 0 ? Point(sum / weights) : Point(Point::Zero());
 }
 
 Point

@@ -18,8 +18,10 @@ namespace linelet {
 
 /** \brief What the direction of a step is made of at one place. */
 struct LocalScale {
-  double radius = 0; ///< of the neighborhood
-  double blend = 0;  ///< mu: share of the eigenvector
+  double radius = 0;                    ///< of the neighborhood
+  double blend = 0;                     ///< mu: share of the eigenvector
+  double optimal_radius = 0;            ///< of the nearest point; 0: not known
+  Index nearest = CloudNeighbors::none; ///< that point
 };
 
 /** \brief Directions in which curves go on, at any place near the points (Ritter,
@@ -58,6 +60,14 @@ public:
   }
 
 private:
+  /** \brief e3 of the place itself at one radius; zero where it has none. */
+  Point
+  computedEigenvector(const Point& position, const Point& last, double radius) const;
+
+  /** \brief e3 of the place itself at its own optimal scale, and its blend. */
+  Point
+  multiScaleEigenvector(const Point& position, const Point& last, double& blend) const;
+
   Point
   interpolatedEigenvector(const Point& position,
                           const Point& last,
@@ -74,6 +84,7 @@ private:
   const CloudNeighbors& neighbors_;
   const StreamlineSettings& settings_;
   double scale_unit_;
+  std::vector<double> radii_;            // of the scales
   Points eigenvectors_;                  // NaN: none
   std::vector<LocalScale> scales_;       // radius 0: none
   std::vector<SymmetricTensor> tensors_; // of trace 1; only for the modes that use them

@@ -4,21 +4,29 @@
 #include "growth.h"
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <linelet/support/threads.h>
 
+#include "adaptive_dop853.h"
 #include "meeting.h"
 
 namespace linelet {
 
 namespace {
 
+// In h. Noise makes the field rough, where small steps would gain nothing; a step must
+// not outrun the points that its direction was taken from.
+constexpr double least_adaptive_step = 1. / 16, most_adaptive_step = 5;
+
 struct GrowingEnd {
   Index line = 0;
   LineLetSide side = back_side;
   LocalScale scale; // last known
+  std::optional<AdaptiveDop853>
+      adaptive; // its own streamline, where steps are not constant
 
   // The step that it is about to take.
   Point position = Point::Zero();
@@ -43,11 +51,13 @@ propose(GrowingEnd& growing,
 {
   const LineLetEnd& end = lets.lines[growing.line].ends[growing.side];
   const Point from = lets.vertices[end.vertex].position;
-  const Point step = integrationStep(table, from, limits.step, [&](const Point& x) {
+  const auto direction = [&](const Point& x) {
     growing.scale = field.scaleAt(x, growing.scale);
     return field.at(x, end.direction, growing.scale);
-  });
-  growing.position = from + step;
+  };
+  growing.position = growing.adaptive
+                         ? growing.adaptive->advance(limits.step, direction)
+                         : from + integrationStep(table, from, limits.step, direction);
   growing.near_points = neighbors.nearest(growing.position, limits.distance_cutoff) !=
                         CloudNeighbors::none;
 }
@@ -106,6 +116,10 @@ grow(LineLets& lets,
                    field.scaleUnit();
   unknown.blend = 0.5;
 
+  const StepControl control = {settings.tolerance * field.scaleUnit(),
+                               limits.step,
+                               limits.step * least_adaptive_step,
+                               limits.step * most_adaptive_step};
   std::vector<GrowingEnd> ends;
   std::size_t seen = 0; // line-lets whose ends were collected
   const auto collect = [&] {
@@ -116,6 +130,9 @@ grow(LineLets& lets,
           end.line = static_cast<Index>(seen);
           end.side = side;
           end.scale = unknown;
+          if (settings.scheme == IntegrationScheme::Dop853Adaptive)
+            end.adaptive.emplace(
+                lets.vertices[lets.lines[seen].ends[side].vertex].position, control);
           ends.push_back(end);
         }
   };

@@ -100,8 +100,15 @@ dop853()
 const ButcherTable&
 butcherTable(IntegrationScheme scheme)
 {
-  static const ButcherTable tables[] = {
-      euler(), rk32(), rk38(), rk4(), merson45(), fehlberg45(), dopri5(), dop853()};
+  static const ButcherTable tables[] = {euler(),
+                                        rk32(),
+                                        rk38(),
+                                        rk4(),
+                                        merson45(),
+                                        fehlberg45(),
+                                        dopri5(),
+                                        dop853(),
+                                        dop853()};
   return tables[static_cast<std::size_t>(scheme)];
 }
 

@@ -53,10 +53,10 @@ StartPoints::take(Index point)
 }
 
 Index
-StartPoints::next()
+StartPoints::next(double least)
 {
   std::size_t best = candidates_.size();
-  double best_score = 0;
+  double best_score = least;
   for (std::size_t c = 0; c < candidates_.size(); ++c) {
     const double score = std::sqrt(squared_[c]) * score_[c];
     if (score > best_score) {
@@ -67,6 +67,7 @@ StartPoints::next()
   if (best == candidates_.size())
     return none;
   take(candidates_[best]);
+  last_score_ = best_score;
   return candidates_[best];
 }
 

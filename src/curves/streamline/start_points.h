@@ -27,9 +27,17 @@ public:
 
   /** \brief The point of the best score, taken: the next score counts the distance to
    * it. With the first, d is 1. No point is taken twice.
+   * \param[in] least the score must be greater
    * \return its index, or none (see \ref none) where no candidate is left */
   Index
-  next();
+  next(double least = 0);
+
+  /** \brief The score of the last \ref next that was not none. */
+  double
+  lastScore() const
+  {
+    return last_score_;
+  }
 
   /** \brief Up to \a count candidates for which \a wanted holds, best score without d
    * first, no two nearer to each other than \a spacing. They are taken. */
@@ -46,6 +54,7 @@ private:
   Indices candidates_;          // by score without d, best first
   std::vector<double> score_;   // of each candidate, without d
   std::vector<double> squared_; // of each candidate: distance to the nearest start
+  double last_score_ = 0;
   bool any_ = false;
 };
 

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <linelet/features/centroid_shift.h>
@@ -28,7 +30,6 @@ namespace linelet {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr unsigned first_starts = 8;  // where their number is left open
 constexpr unsigned cover_rounds = 20; // of further ones
 constexpr double most_pairs = 3e8;    // point and neighbor, in the features
 
@@ -76,9 +77,8 @@ public:
     }
     if (!(scale_unit > 0))
       return;
-    if (settings.prefilter_radius > 0) {
-      CentroidShiftSettings shift;
-      shift.radius = settings.prefilter_radius;
+    if (settings.prefilter.radius > 0) {
+      CentroidShiftSettings shift = settings.prefilter;
       shift.threads = settings.threads;
       points = search_ != nullptr ? shiftToCentroids(*search_, points, shift)
                                   : shiftToCentroids(points, shift);
@@ -89,6 +89,23 @@ public:
   StreamlinePoints(const StreamlinePoints&) = delete;
   StreamlinePoints&
   operator=(const StreamlinePoints&) = delete;
+
+  /** \brief The place among \ref points of the one that has \a index among all.
+   * \throws std::invalid_argument where it is none of them */
+  Index
+  placeOf(Index index, std::size_t all) const
+  {
+    if (index >= all)
+      throw std::invalid_argument("start " + std::to_string(index) +
+                                  " is not one of the " + std::to_string(all) +
+                                  " points, which count from 0");
+    const auto found = std::find(chosen_.begin(), chosen_.end(), index);
+    if (found == chosen_.end())
+      throw std::invalid_argument(
+          "start " + std::to_string(index) +
+          " is a point without coordinates, left out, or a copy of another");
+    return static_cast<Index>(found - chosen_.begin());
+  }
 
   Points points;
   double scale_unit = 0; ///< D; where it is not positive, there are no neighbors
@@ -101,6 +118,7 @@ private:
     points.clear();
     for (const Index i : chosen)
       points.push_back(all[i]);
+    chosen_ = chosen;
     if (search_ == nullptr || chosen.size() == all.size())
       return;
     subset_.emplace(*search_, all, chosen);
@@ -125,6 +143,7 @@ private:
   }
 
   const NeighborSearch* search_;
+  Indices chosen_; // of all points
   std::optional<SubsetSearch> subset_;
 };
 
@@ -191,6 +210,108 @@ coverPoints(std::vector<bool>& covered,
       covered[i] = grid.nearest(points[i], distance) != UniformGrid::none;
 }
 
+/** \brief The features of the points; with those of another centroid, where start
+ * points are scored by it. */
+class StreamlineShapes {
+public:
+  StreamlineShapes(const StreamlinePoints& cloud,
+                   const StreamlineSettings& settings,
+                   ProgressMonitor* monitor)
+  {
+    MultiScaleSettings shape = settings.shape;
+    shape.scale_unit = cloud.scale_unit;
+    shape.threads = settings.threads;
+    if (shape.max_radius == 0 && shape.radii.empty()) {
+      const double largest = settings.largest_radius > 0 ? settings.largest_radius
+                                                         : published_largest_radius;
+      shape.max_radius = affordableRadius(cloud.points,
+                                          *cloud.neighbors,
+                                          std::max(largest, 1.0) * cloud.scale_unit,
+                                          cloud.scale_unit);
+    }
+    const auto measure = [&] {
+      const NeighborSearch* search = cloud.neighbors->search();
+      return search != nullptr
+                 ? multiScaleShapes(
+                       *search, cloud.points, cloud.points, shape, {}, monitor)
+                 : multiScaleShapes(cloud.points, cloud.points, shape, {}, monitor);
+    };
+    features = measure();
+    if (settings.start_centroid == shape.centroid || !settings.starts.empty())
+      return;
+    shape.radii = features.radii;
+    shape.stop_change = 0; // it has had its say
+    shape.centroid = settings.start_centroid;
+    for_starts_ = measure();
+  }
+
+  MultiScaleShapes features;
+
+  /** \brief Those by which start points are scored. */
+  const std::vector<MultiScaleShape>&
+  forStarts() const
+  {
+    return for_starts_.shapes.empty() ? features.shapes : for_starts_.shapes;
+  }
+
+private:
+  MultiScaleShapes for_starts_;
+};
+
+/** \brief Begins line-lets where the user says, or at the points of the best score. */
+template <class Begin>
+void
+beginLineLets(const StreamlinePoints& cloud,
+              std::size_t all_points,
+              StartPoints& starts,
+              const StreamlineSettings& settings,
+              const Begin& begin)
+{
+  for (const Index start : settings.starts)
+    begin(cloud.placeOf(start, all_points));
+  if (!settings.starts.empty())
+    return;
+  const std::size_t most =
+      settings.start_points > 0 ? settings.start_points : cloud.points.size();
+  double least = 0;
+  for (std::size_t i = 0; i < most; ++i) {
+    const Index start = starts.next(least);
+    if (start == StartPoints::none)
+      break;
+    begin(start);
+    if (i == 1 && settings.start_points == 0)
+      least = settings.start_threshold * starts.lastScore();
+  }
+}
+
+/** \brief Begins line-lets far from all others and grows them, until the points are
+ * covered. */
+template <class Begin>
+void
+coverRemainder(LineLets& lets,
+               const StreamlinePoints& cloud,
+               const DirectionField& field,
+               StartPoints& starts,
+               GrowthLimits& limits,
+               const StreamlineSettings& settings,
+               ProgressMonitor* monitor,
+               const Begin& begin)
+{
+  const double cover = settings.cover_distance * cloud.scale_unit;
+  std::vector<bool> covered(cloud.points.size(), false);
+  for (unsigned round = 0; round < cover_rounds && limits.total_steps > 0; ++round) {
+    coverPoints(covered, cloud.points, lets, cover);
+    const auto uncovered = [&](Index i) { return !covered[i]; };
+    const Indices more =
+        starts.spread(std::numeric_limits<std::size_t>::max(), 4 * cover, uncovered);
+    if (more.empty())
+      return;
+    for (const Index i : more)
+      begin(i);
+    grow(lets, field, *cloud.neighbors, limits, settings, monitor);
+  }
+}
+
 CurveNetwork
 reconstruct(const Points& input,
             const NeighborSearch* search,
@@ -199,63 +320,39 @@ reconstruct(const Points& input,
 {
   validate(settings);
   const StreamlinePoints cloud(input, search, settings);
-  const double scale_unit = cloud.scale_unit;
-  if (!(scale_unit > 0))
+  if (!(cloud.scale_unit > 0))
     return {};
-  const Points& points = cloud.points;
-  const CloudNeighbors& neighbors = *cloud.neighbors;
-
-  MultiScaleSettings shape_settings = settings.shape;
-  shape_settings.scale_unit = scale_unit;
-  shape_settings.threads = settings.threads;
-  if (shape_settings.max_radius == 0 && shape_settings.radii.empty())
-    shape_settings.max_radius =
-        affordableRadius(points,
-                         neighbors,
-                         std::max(settings.largest_radius, 1.0) * scale_unit,
-                         scale_unit);
-  const MultiScaleShapes shapes =
-      neighbors.search() != nullptr
-          ? multiScaleShapes(
-                *neighbors.search(), points, points, shape_settings, {}, monitor)
-          : multiScaleShapes(points, points, shape_settings, {}, monitor);
-
+  const StreamlineShapes shapes(cloud, settings, monitor);
   if (monitor != nullptr)
     monitor->begin("curves", 0);
-  const DirectionField field(points, shapes, neighbors, settings);
-  StartPoints starts(points,
-                     shapes.shapes,
+  const DirectionField field(cloud.points, shapes.features, *cloud.neighbors, settings);
+  StartPoints starts(cloud.points,
+                     shapes.forStarts(),
                      settings.min_start_neighbors,
                      settings.start_neighbor_exponent);
-  GrowthLimits limits = limitsOf(points, scale_unit, settings);
+  GrowthLimits limits = limitsOf(cloud.points, cloud.scale_unit, settings);
   LineLets lets(std::max(limits.merge_distance, limits.step));
-  const auto begin = [&](Index i) { lets.start(points[i], field.eigenvector(i)); };
+  const auto begin = [&](Index i) {
+    const Point e3 = field.eigenvector(i);
+    if (settings.seed_direction.empty()) {
+      lets.start(cloud.points[i], e3);
+      return;
+    }
+    const Point seed(settings.seed_direction.data());
+    const bool known = e3.allFinite();
+    const Index line = lets.start(cloud.points[i],
+                                  !known             ? Point(seed.normalized())
+                                  : e3.dot(seed) < 0 ? Point(-e3)
+                                                     : e3);
+    lets.lines[line].ends[back_side].growing = false;
+  };
 
-  const unsigned wanted =
-      settings.start_points > 0 ? settings.start_points : first_starts;
-  for (unsigned i = 0; i < wanted; ++i) {
-    const Index start = starts.next();
-    if (start == StartPoints::none)
-      break;
-    begin(start);
-  }
-  grow(lets, field, neighbors, limits, settings, monitor);
-
-  const double cover = settings.cover_distance * scale_unit;
-  std::vector<bool> covered(points.size(), false);
-  for (unsigned round = 0; settings.start_points == 0 && round < cover_rounds;
-       ++round) {
-    coverPoints(covered, points, lets, cover);
-    const auto uncovered = [&](Index i) { return !covered[i]; };
-    const Indices more =
-        starts.spread(std::numeric_limits<std::size_t>::max(), 4 * cover, uncovered);
-    if (more.empty() || limits.total_steps == 0)
-      break;
-    for (const Index i : more)
-      begin(i);
-    grow(lets, field, neighbors, limits, settings, monitor);
-  }
-  pruneOpenEnds(lets, neighbors, settings.prune_distance * limits.step);
+  beginLineLets(cloud, input.size(), starts, settings, begin);
+  grow(lets, field, *cloud.neighbors, limits, settings, monitor);
+  if (settings.start_points == 0 && settings.starts.empty() &&
+      settings.cover_distance > 0)
+    coverRemainder(lets, cloud, field, starts, limits, settings, monitor, begin);
+  pruneOpenEnds(lets, *cloud.neighbors, settings.prune_distance * limits.step);
   return join(lets, settings.stump_length * limits.step);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "graph_reader.h"
@@ -32,6 +33,21 @@ score(ScaleScore kind,
   const double first = kind == ScaleScore::Product ? (1 - relative_scale) * linearity
                                                    : linearity - relative_scale;
   return unit(first) + unit(fraction) - unit(delta / 2);
+}
+
+double
+blend(BlendMode mode,
+      double relative_scale,
+      double linearity,
+      double fraction,
+      double mean_linearity)
+{
+  const double value = mode == BlendMode::Integral    ? fraction
+                       : mode == BlendMode::Sum       ? mean_linearity
+                       : mode == BlendMode::Linearity ? linearity
+                       : mode == BlendMode::Index     ? 1 - relative_scale
+                                                  : fraction / 2 + (linearity - 0.5);
+  return std::clamp(value, 0.05, 0.95);
 }
 
 } // namespace
@@ -141,7 +157,9 @@ GraphReader::addMaximum(const Run& run, std::size_t begin, std::size_t end)
   if (result_.best == LinearityGraph::none ||
       result_.maxima.back().score > result_.maxima[result_.best].score) {
     result_.best = result_.maxima.size() - 1;
-    result_.blend = std::clamp(fraction / 2 + (value - 0.5), 0.05, 0.95);
+    const double mean = std::accumulate(value_.begin(), value_.end(), 0.0) /
+                        static_cast<double>(positions_.size());
+    result_.blend = blend(settings_.blend, relative_scale, value, fraction, mean);
   }
 }
 

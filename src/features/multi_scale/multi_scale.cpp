@@ -130,7 +130,8 @@ shapesOf(const NeighborSearch* search,
   if (search == nullptr &&
       chosenScaleEngine(surface, queries, result.radii.back(), settings) ==
           ScaleEngine::Grid &&
-      multiScaleShapesOnGrid(surface, queries, settings, sink, monitor, result))
+      multiScaleShapesOnGrid(
+          surface, queries, nullptr, settings, sink, monitor, result))
     return result;
   result.shapes.resize(queries.size());
   const SweepNeighbors neighbors(surface, result.radii.back(), search);

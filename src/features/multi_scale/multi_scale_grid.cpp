@@ -202,14 +202,18 @@ chosenScaleEngine(const Points& surface,
 bool
 multiScaleShapesOnGrid(const Points& surface,
                        const Points& queries,
+                       const CloudPiece* piece,
                        const MultiScaleSettings& settings,
                        const ShapeGraphSink& sink,
                        ProgressMonitor* monitor,
                        MultiScaleShapes& result)
 {
   const std::vector<double>& radii = result.radii;
-  const grid::MultiScaleEngine engine(
-      surface, queries, radii.back(), usefulThreads(settings.threads, queries.size()));
+  const grid::MultiScaleEngine engine(surface,
+                                      queries,
+                                      radii.back(),
+                                      usefulThreads(settings.threads, queries.size()),
+                                      piece);
   if (!engine.usable())
     return false;
   result.shapes.assign(queries.size(), MultiScaleShape());

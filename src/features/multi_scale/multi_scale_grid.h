@@ -18,12 +18,14 @@ usefulThreads(unsigned requested, std::size_t queries);
 
 /** \brief The shapes of all queries at the radii of \a result, by one sweep of the grid
  * engine over all scales.
+ * \param[in] piece whose shapes are wanted, then queries are the surface; null: all
  * \param[in,out] result shapes are filled in
  * \return false, and nothing done, where the points cannot be sorted into blocks: the
  * radius is too small beside their extent */
 bool
 multiScaleShapesOnGrid(const Points& surface,
                        const Points& queries,
+                       const CloudPiece* piece,
                        const MultiScaleSettings& settings,
                        const ShapeGraphSink& sink,
                        ProgressMonitor* monitor,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
 
 #include <linelet/features/engine_choice.h>
 #include <linelet/features/grid_tensor_engine.h>
@@ -51,6 +52,34 @@ estimateTensors(const Points& surface,
   }
   const KdTree search(surface);
   return estimateTensors(search, surface, queries, settings, sizes, monitor);
+}
+
+std::vector<PointDistributionTensor>
+pieceTensors(const Points& points,
+             const CloudPiece& piece,
+             const TensorSettings& settings,
+             const NeighborhoodSizes& sizes,
+             ProgressMonitor* monitor)
+{
+  validate(settings, sizes, points.size());
+  const bool nearest = settings.k > 0 || !sizes.counts.empty();
+  if (!nearest && chosenEngine(points, points, settings, sizes) == Engine::Grid)
+    return pieceTensorsOnGrid(points, piece, settings, sizes, monitor);
+  const auto part = [&](const auto& values) {
+    return values.empty()
+               ? values
+               : std::decay_t<decltype(values)>(
+                     values.begin() + static_cast<std::ptrdiff_t>(piece.begin),
+                     values.begin() + static_cast<std::ptrdiff_t>(piece.end));
+  };
+  return estimateTensors(
+      points, part(points), settings, {part(sizes.radii), part(sizes.counts)}, monitor);
+}
+
+double
+tensorMargin(const TensorSettings& settings, const NeighborhoodSizes& sizes)
+{
+  return gridMargin(settings, sizes); // the widest of all engines
 }
 
 } // namespace linelet

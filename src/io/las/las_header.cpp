@@ -222,6 +222,13 @@ takeCompression(const Source& source, const LasHeader& header, LasOrigin& origin
 
 } // namespace
 
+std::pair<double, double>
+lasBounds(const LasOrigin& origin, int axis)
+{
+  const char* at = origin.header.data() + las_at::bounds + 16 * axis;
+  return {load<double>(at + 8), load<double>(at)};
+}
+
 std::string
 formatName(const LasHeader& header, const LasOrigin& origin)
 {

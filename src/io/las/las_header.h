@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "io/source.h"
 #include "las_format.h"
@@ -29,6 +30,10 @@ struct LasHeader {
   std::size_t record_length = 0;
   std::size_t count = 0; ///< points that are there whole; of a compressed file, stated
 };
+
+/** \brief The least and the greatest coordinate that the header states, unchecked. */
+std::pair<double, double>
+lasBounds(const LasOrigin& origin, int axis);
 
 /** \brief What a file is, in words: "LAZ 1.4, point format 7". */
 std::string

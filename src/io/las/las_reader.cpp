@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include <linelet/io/whole_shift.h>
+
 #include "io/copc/copc_index.h"
 #include "io/readers.h"
 #include "io/window.h"
@@ -246,23 +248,32 @@ private:
     }
   }
 
-  /** Puts the shift on a whole number of units near the first point, or near the one
+  /** Puts the shift near the box of the points, so that a part of a cloud can have that
+   * of the whole; near the first point where the header tells no box; or near the one
    * asked for. */
   void
   chooseCorner()
   {
     LasGrid& grid = origin_->grid;
-    const auto& asked = source_.options.shift;
     for (std::size_t axis = 0; axis < 3 && header_.count > 0; ++axis) {
       const auto a = static_cast<int>(axis);
       const auto first = load<std::int32_t>(firstRecord() + 4 * axis);
-      const double wanted =
-          asked ? (*asked)[a] : std::floor(first * grid.scale[a] + grid.offset[a]);
+      const double wanted = wantedShift(first * grid.scale[a] + grid.offset[a], a);
       const double whole = std::round((wanted - grid.offset[a]) / grid.scale[a]);
       const bool near = std::abs(whole - first) < 0x1p31;
       grid.corner[axis] = near ? static_cast<std::int64_t>(whole) : first;
     }
     cloud_.shift = origin_->shift = grid.shift();
+  }
+
+  double
+  wantedShift(double first, int axis) const
+  {
+    if (source_.options.shift)
+      return (*source_.options.shift)[axis];
+    const auto [low, high] = lasBounds(*origin_, axis);
+    const bool sane = first >= low - 1 && first <= high + 1;
+    return sane ? wholeShift(low, high) : std::floor(first);
   }
 
   void

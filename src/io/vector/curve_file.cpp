@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
 
 #include "curve_readers.h"
@@ -60,7 +61,7 @@ noCurveFormat(const std::string& path)
 {
   throw FileError(path + ": the ending '" + endingOf(path) +
                   "' names no format of curves; use .obj, .ply, .vtk, .csv, .geojson, "
-                  ".gpkg or .dxf");
+                  ".gpkg, .dxf or .h5");
 }
 
 } // namespace
@@ -70,7 +71,7 @@ checkCurvesOutput(const std::string& path)
 {
   const std::string ending = endingOf(path);
   for (const char* known :
-       {".obj", ".ply", ".vtk", ".csv", ".geojson", ".gpkg", ".dxf"})
+       {".obj", ".ply", ".vtk", ".csv", ".geojson", ".gpkg", ".dxf", ".h5"})
     if (ending == known)
       return checkWritable(path);
   noCurveFormat(path);
@@ -96,6 +97,8 @@ writeCurves(const std::string& path,
     writeText(path, curvesAsCsv(network, shift));
   else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
     writeLayers(path, {layerOf(network, shift)}, wkt, warnings, monitor);
+  else if (ending == ".h5")
+    writeHdf5Curves(path, network, shift, wkt);
   else
     noCurveFormat(path);
 }
@@ -111,7 +114,12 @@ readCurves(const std::string& path, const Point& shift, std::string* wkt)
   source.name = path;
   source.bytes = file.bytes();
   CurveNetwork network;
-  if (ending == ".obj")
+  if (ending == ".h5") {
+    network = readHdf5Curves(path, wkt);
+    for (Junction& junction : network.junctions)
+      junction.position -= shift;
+  }
+  else if (ending == ".obj")
     network = curvesFromObj(source);
   else if (ending == ".ply")
     network = curvesFromPly(source);

@@ -75,9 +75,11 @@ systemName(const std::string& wkt)
 void
 appendGeometry(std::string& json, VectorLayer::Kind kind, const Points& vertices)
 {
-  const bool line = kind == VectorLayer::Kind::Lines;
-  json += line ? R"({"type":"LineString","coordinates":[)"
-               : R"({"type":"Point","coordinates":)";
+  const bool point = kind == VectorLayer::Kind::Points,
+             ring = kind == VectorLayer::Kind::Polygons;
+  json += point  ? R"({"type":"Point","coordinates":)"
+          : ring ? R"({"type":"Polygon","coordinates":[[)"
+                 : R"({"type":"LineString","coordinates":[)";
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     json += i == 0 ? "[" : ",[";
     for (int axis = 0; axis < 3; ++axis) {
@@ -87,7 +89,7 @@ appendGeometry(std::string& json, VectorLayer::Kind kind, const Points& vertices
     }
     json += ']';
   }
-  json += line ? "]}" : "}";
+  json += point ? "}" : ring ? "]]}" : "]}";
 }
 
 void

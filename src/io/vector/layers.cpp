@@ -16,6 +16,7 @@
 #include "geojson.h"
 #include "io/files.h"
 #include "io/staged_file.h"
+#include "layer_csv.h"
 #include "reference.h"
 
 namespace linelet::io {
@@ -93,10 +94,17 @@ public:
       feature->SetGeometryDirectly(new OGRPoint(at.x(), at.y(), at.z()));
       return feature;
     }
-    auto line = std::make_unique<OGRLineString>();
+    const bool ring = kind == VectorLayer::Kind::Polygons;
+    std::unique_ptr<OGRLineString> line(ring ? new OGRLinearRing : new OGRLineString);
     for (const Point& at : vertices)
       line->addPoint(at.x(), at.y(), at.z());
-    feature->SetGeometryDirectly(line.release());
+    if (ring) {
+      auto polygon = std::make_unique<OGRPolygon>();
+      polygon->addRingDirectly(static_cast<OGRLinearRing*>(line.release()));
+      feature->SetGeometryDirectly(polygon.release());
+    }
+    else
+      feature->SetGeometryDirectly(line.release());
     return feature;
   }
 
@@ -172,9 +180,10 @@ writeGeoPackage(const std::string& path,
   CPLErrorReset();
   LayerWriter writer(path, staged, "GPKG");
   for (const VectorLayer& content : layers) {
-    const bool points = content.kind == VectorLayer::Kind::Points;
+    static constexpr OGRwkbGeometryType types[] = {
+        wkbPoint25D, wkbLineString25D, wkbPolygon25D};
     OGRLayer* layer = writer.makeLayer(
-        content.name, points ? wkbPoint25D : wkbLineString25D, system.get());
+        content.name, types[static_cast<std::size_t>(content.kind)], system.get());
     writer.makeFields(*layer, content);
     for (const VectorFeature& feature : content.features) {
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
@@ -213,7 +222,10 @@ writeDxf(const std::string& path,
   for (const VectorLayer& content : layers)
     for (const VectorFeature& feature : content.features) {
       throwIfCanceled(monitor);
-      const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
+      const auto kind = content.kind == VectorLayer::Kind::Polygons
+                            ? VectorLayer::Kind::Lines
+                            : content.kind;
+      const auto out = writer.makeFeature(*layer, kind, feature.vertices);
       const std::string& own = feature.drawing_layer;
       out->SetField("Layer", own.empty() ? content.name.c_str() : own.c_str());
       writer.add(*layer, *out);
@@ -256,9 +268,17 @@ writeLayers(const std::string& path,
     file.write(layersAsGeoJson(layers, wkt, monitor));
     return file.commit();
   }
+  if (ending == ".csv") {
+    if (layers.size() != 1)
+      throw FileError(path + ": a .csv holds one layer, not " +
+                      std::to_string(layers.size()) + "; use .geojson, .gpkg or .dxf");
+    OutputFile file(path);
+    file.write(layerAsCsv(layers.front()));
+    return file.commit();
+  }
   if (ending != ".gpkg" && ending != ".dxf")
     throw FileError(path + ": the ending '" + ending +
-                    "' names no vector format; use .geojson, .gpkg or .dxf");
+                    "' names no vector format; use .geojson, .gpkg, .dxf or .csv");
   StagedFile staged(path);
   if (ending == ".gpkg")
     writeGeoPackage(path, staged.place(), layers, wkt, monitor);

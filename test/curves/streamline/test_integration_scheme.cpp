@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -97,7 +98,9 @@ INSTANTIATE_TEST_SUITE_P(Schemes,
                          EveryScheme,
                          ::testing::ValuesIn(Names<IntegrationScheme>::table),
                          [](const auto& info) {
-                           return std::string(info.param.second);
+                           std::string name(info.param.second);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
                          });
 
 TEST(IntegrationSchemes, StepAsOdeintDoes)

@@ -82,7 +82,9 @@ TEST(Published, AClosedCurveIsClosed)
 
 TEST(Published, ACrossingHasItsFourArms)
 {
-  const CurveNetwork network = reconstruct(Geometry::Crossing, 256);
+  StreamlineSettings settings;
+  settings.start_points = 4; // a start an arm, as a user would ask for
+  const CurveNetwork network = reconstruct(Geometry::Crossing, 260, settings);
   ASSERT_FALSE(network.junctions.empty());
   for (const Junction& junction : network.junctions)
     EXPECT_LT(junction.position.norm(), 0.5);
@@ -116,6 +118,118 @@ TEST(Published, EverySchemeFollowsAHelix)
     EXPECT_LT(m.e_v, 0.1) << name;
     EXPECT_GT(m.e_com, 0.95) << name;
   }
+}
+
+TEST(Published, EveryBlendFollowsACircle)
+{
+  for (const auto& [blend, name] : Names<BlendMode>::table) {
+    StreamlineSettings settings;
+    settings.shape.graph.blend = blend;
+    const bench::Measures m = bench::measure(
+        reconstruct(Geometry::Circle, 256, settings), bench::truthOf(Geometry::Circle));
+    EXPECT_LT(m.e_v, 0.1) << name;
+    EXPECT_GT(m.e_com, 0.95) << name;
+  }
+}
+
+TEST(Published, StartsCanBeGivenByHand)
+{
+  bench::SamplingSettings sampling;
+  Points points = bench::sample(Geometry::Line, sampling);
+  points.insert(points.begin(),
+                Point(std::nan(""), 0, 0)); // places are those of the input
+  StreamlineSettings settings;
+  settings.starts = {101};
+  settings.max_iterations = 10;
+  const CurveNetwork both = reconstructPublished(points, settings);
+  ASSERT_EQ(both.curves.size(), 1u);
+  const Points& line = both.curves[0].points;
+  EXPECT_LT((line[line.size() / 2] - points[101]).norm(), 1e-9);
+
+  // 2012: a streamline into one direction, whichever way the eigenvector looks.
+  for (const double sign : {1.0, -1.0}) {
+    settings.seed_direction = {sign, 0.1, 0};
+    const CurveNetwork one = reconstructPublished(points, settings);
+    ASSERT_EQ(one.curves.size(), 1u);
+    const Points& way = one.curves[0].points;
+    const bool turned = (way.front() - points[101]).norm() > 1e-9;
+    const Point begin = turned ? way.back() : way.front();
+    const Point end = turned ? way.front() : way.back();
+    EXPECT_LT((begin - points[101]).norm(), 1e-9);
+    EXPECT_GT(sign * (end - begin).x(), 0);
+    EXPECT_EQ(way.size(), 11u);
+  }
+
+  settings.starts = {static_cast<Index>(points.size())};
+  EXPECT_THROW(reconstructPublished(points, settings), std::invalid_argument);
+  settings.starts = {0};
+  EXPECT_THROW(reconstructPublished(points, settings), std::invalid_argument) << "NaN";
+  settings.starts = {1};
+  settings.seed_direction = {1, 0};
+  EXPECT_THROW(reconstructPublished(points, settings), std::invalid_argument);
+}
+
+TEST(Published, AStreamlineOf2012FollowsACable)
+{
+  // One radius, the eigenvector alone, adaptive steps and a start by hand: a catenary
+  // of 280 m, 3 cm noise, as the cable that drifted by .8 m in the paper.
+  Points cable;
+  boost::random::mt19937_64 random(5);
+  boost::random::uniform_01<double> uniform;
+  const auto noise = [&] { return 0.06 * (uniform(random) - 0.5); };
+  const auto sag = [](double x) { return 0.0005 * (x - 140) * (x - 140); };
+  for (int i = 0; i < 1400; ++i) {
+    const double x = 0.2 * i, y = noise();
+    cable.emplace_back(x, y, sag(x) + noise());
+  }
+  StreamlineSettings settings;
+  settings.shape.radii = {2};
+  settings.shape.weighting = Kernel::Quadratic;
+  settings.shape.centroid = Centroid::QueryPoint;
+  settings.direction = DirectionMode::Eigenvector;
+  settings.scheme = IntegrationScheme::Dop853Adaptive;
+  settings.starts = {5};
+  settings.seed_direction = {1, 0, 0};
+  const CurveNetwork network = reconstructPublished(cable, settings);
+  ASSERT_EQ(network.curves.size(), 1u);
+  EXPECT_NEAR(length(network), 280, 5);
+  for (const Point& p : network.curves[0].points)
+    EXPECT_LT(std::hypot(p.y(), p.z() - sag(p.x())), 0.8);
+}
+
+TEST(Published, DirectionsOfDisagreeingNeighborsAreShorter)
+{
+  // Equation 4: eigenvectors that cross weigh less against the angular direction.
+  Points points;
+  MultiScaleShapes shapes;
+  shapes.scale_unit = 1;
+  shapes.radii = {1, 2.5};
+  for (const float side : {-1.0F, 1.0F}) {
+    points.emplace_back(0.1 * side, 0, 0);
+    MultiScaleShape shape;
+    shape.optimal_radius = 2.5F;
+    shape.blend = 0.5F;
+    shape.major_x = shape.major_y = std::sqrt(0.5F);
+    shape.major_y *= side;
+    shape.major_z = 0;
+    shapes.shapes.push_back(shape);
+  }
+  const CloudNeighbors neighbors(points, 2.5);
+  StreamlineSettings settings;
+  const auto share = [&] {
+    const DirectionField field(points, shapes, neighbors, settings);
+    LocalScale scale;
+    scale.radius = 2.5;
+    scale.blend = 0.5;
+    // d_A looks along -x: to the two points, from the right of them.
+    const Point at = field.at(Point(0.5, 0, 0), Point(-0.9, 1, 0).normalized(), scale);
+    return at.y() / at.norm();
+  };
+  // d_E = (-s, s, 0) and (-s, -s, 0) turned toward the last direction: both (-s, s) or
+  // (s, s); their mean has length s = .71, its unit vector length 1.
+  const double published = share();
+  settings.unit_eigenvector = true;
+  EXPECT_LT(std::abs(published), std::abs(share()));
 }
 
 TEST(Published, IsTheSameForAnyNumberOfThreads)

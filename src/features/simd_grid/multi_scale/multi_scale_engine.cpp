@@ -7,15 +7,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 
 namespace linelet::grid {
 
 namespace {
 
-// Blocks hold that many points, or are as wide as float allows.
-constexpr double least_crowding = 16;
-constexpr double widest_block = 4;
+// Edge of a block in largest radii; whatever the density, see grid_tensor_engine.cpp.
+constexpr double block_edge = 1;
 
 /// Queries of one piece of work: few enough to keep all threads busy.
 constexpr std::size_t most_queries = 1024;
@@ -41,33 +39,39 @@ addPieces(std::size_t block,
 MultiScaleEngine::MultiScaleEngine(const Points& surface,
                                    const Points& queries,
                                    double largest_radius,
-                                   int threads)
-    : surface_(surface),
-      unit_(std::min(largest_radius, reachOf(surface, queries))),
-      threads_(threads)
+                                   int threads,
+                                   const CloudPiece* piece)
+    : surface_(surface), piece_(piece), threads_(threads)
 {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Point& point : surface)
-    if (point.allFinite()) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
+  const Bounds bounds(surface), whole(surface, piece);
+  Bounds extent = whole;
+  if (&surface != &queries)
+    extent.add(queries);
+  unit_ = std::min(largest_radius, reachOf(extent));
   // Neighbors lie in the next block at most, for all rounding of its place.
-  double edge = unit_ * (1 + 1e-6);
-  if (!(low.x() <= high.x()) || !BlockFrame::fits(low, high, edge))
+  const double edge = block_edge * unit_ * (1 + 1e-6);
+  if (bounds.empty() || !BlockFrame::fits(whole.low, whole.high, edge))
     return;
-  const auto sort = [&] {
-    surface_order_.reset();
-    frame_ = std::make_unique<BlockFrame>(low, high, edge);
-    surface_order_ = std::make_unique<BlockOrder>(surface, nullptr, *frame_, threads);
-  };
-  sort();
-  while (surface_order_->crowding() < least_crowding &&
-         edge * 2 <= widest_block * unit_) {
-    edge *= 2;
-    sort();
-  }
+  frame_ = std::make_unique<BlockFrame>(bounds.low, bounds.high, edge);
+  surface_order_ = std::make_unique<BlockOrder>(surface, nullptr, *frame_, threads);
   groups_ = std::make_unique<PointGroups>(*surface_order_, threads);
+}
+
+double
+multiScaleGridMargin(double largest_radius)
+{
+  return 2 * block_edge * largest_radius * (1 + 2e-6);
+}
+
+bool
+MultiScaleEngine::isWanted(const BlockOrder& order, const MultiScalePiece& part) const
+{
+  if (piece_ == nullptr)
+    return true;
+  for (std::size_t i = part.begin; i < part.end; ++i)
+    if (order.index(i) >= piece_->begin && order.index(i) < piece_->end)
+      return true;
+  return false;
 }
 
 void
@@ -98,6 +102,8 @@ MultiScaleEngine::run(const Points& queries,
       if (stop)
         continue;
       const MultiScalePiece& piece = pieces[static_cast<std::size_t>(p)];
+      if (!isWanted(order, piece))
+        continue;
       sweep(piece);
       if (monitor != nullptr) {
         monitor->advance(piece.end - piece.begin);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/support/progress_monitor.h>
 
 #include "features/simd_grid/order/block_order.h"
@@ -20,11 +21,14 @@ class MultiScaleEngine {
 public:
   /** \param[in] surface kept by reference
    * \param[in] queries around which it will be asked for shapes
-   * \param[in] largest_radius none that is asked for is larger */
+   * \param[in] largest_radius none that is asked for is larger
+   * \param[in] piece of the surface that alone is visited, with some points around it;
+   * null: all queries are */
   MultiScaleEngine(const Points& surface,
                    const Points& queries,
                    double largest_radius,
-                   int threads);
+                   int threads,
+                   const CloudPiece* piece = nullptr);
 
   /** \brief In units of the square of this are the tensors of LeafShapes. */
   double
@@ -57,12 +61,20 @@ public:
       ProgressMonitor* monitor) const;
 
 private:
+  bool
+  isWanted(const BlockOrder& order, const MultiScalePiece& part) const;
+
   const Points& surface_;
-  double unit_;
+  const CloudPiece* piece_;
+  double unit_ = 0;
   int threads_;
   std::unique_ptr<BlockFrame> frame_;
   std::unique_ptr<BlockOrder> surface_order_;
   std::unique_ptr<PointGroups> groups_; // of these
 };
+
+/** \brief How far around a piece its points must be known: two blocks. */
+double
+multiScaleGridMargin(double largest_radius);
 
 } // namespace linelet::grid

@@ -14,12 +14,25 @@
 
 namespace linelet::grid {
 
+namespace {
+
+/** \brief The largest integer up to \a x; std::floor is a call on old processors. */
+std::int64_t
+floorOf(double x)
+{
+  const auto whole = static_cast<std::int64_t>(x);
+  return whole - (static_cast<double>(whole) > x ? 1 : 0);
+}
+
+} // namespace
+
 BlockFrame::BlockFrame(const Point& low, const Point& high, double edge)
-    : low_(low.array() - edge), edge_(edge), inverse_edge_(1 / edge)
+    : edge_(edge), inverse_edge_(1 / edge)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);
-    counts_[axis] = static_cast<std::int64_t>((high[a] - low_[a]) * inverse_edge_) + 2;
+    first_[axis] = floorOf(low[a] * inverse_edge_) - 1;
+    counts_[axis] = floorOf(high[a] * inverse_edge_) + 2 - first_[axis];
     // Room for the block behind the last one, which is asked for.
     while ((std::int64_t{1} << bits_[axis]) <= counts_[axis])
       ++bits_[axis];
@@ -29,7 +42,10 @@ BlockFrame::BlockFrame(const Point& low, const Point& high, double edge)
 bool
 BlockFrame::fits(const Point& low, const Point& high, double edge)
 {
-  return (high - low).maxCoeff() / edge < most_blocks - 4;
+  const double farthest =
+      std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  return (high - low).maxCoeff() / edge < most_blocks - 4 &&
+         farthest / edge < farthest_block;
 }
 
 bool
@@ -37,10 +53,12 @@ BlockFrame::locate(const Point& point, Cell& cell) const
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);
-    const double place = (point[a] - low_[a]) * inverse_edge_;
-    if (!(place >= 0 && place < static_cast<double>(counts_[axis])))
+    const double place = point[a] * inverse_edge_;
+    if (!(std::abs(place) < 2 * farthest_block))
       return false;
-    cell[axis] = static_cast<std::int64_t>(place);
+    cell[axis] = floorOf(place) - first_[axis];
+    if (cell[axis] < 0 || cell[axis] >= counts_[axis])
+      return false;
   }
   return true;
 }
@@ -60,9 +78,9 @@ BlockFrame::cell(std::uint64_t key) const
 Point
 BlockFrame::center(const Cell& cell) const
 {
-  return low_ + edge_ * Point(static_cast<double>(cell[0]) + 0.5,
-                              static_cast<double>(cell[1]) + 0.5,
-                              static_cast<double>(cell[2]) + 0.5);
+  return edge_ * Point(static_cast<double>(first_[0] + cell[0]) + 0.5,
+                       static_cast<double>(first_[1] + cell[1]) + 0.5,
+                       static_cast<double>(first_[2] + cell[2]) + 0.5);
 }
 
 BlockOrder::BlockOrder(const Points& points,
@@ -135,7 +153,7 @@ BlockOrder::select(
     }
   }
   std::nth_element(begin, middle, end, [axis](const Entry& a, const Entry& b) {
-    return a.place[axis] < b.place[axis];
+    return a.place[axis] != b.place[axis] ? a.place[axis] < b.place[axis] : a < b;
   });
 }
 
@@ -158,6 +176,7 @@ BlockOrder::cut(Entry* begin, Entry* end)
     cut(begin, middle);
     begin = middle;
   }
+  std::sort(begin, end);
 }
 
 void
@@ -212,17 +231,6 @@ BlockOrder::lowerBound(std::uint64_t key, std::size_t hint) const
                        keys_.begin() + static_cast<Offset>(high),
                        key) -
       keys_.begin());
-}
-
-double
-BlockOrder::crowding() const
-{
-  double sum = 0;
-  for (std::size_t b = 0; b < blocks(); ++b) {
-    const auto points = static_cast<double>(begin_[b + 1] - begin_[b]);
-    sum += points * points;
-  }
-  return size() > 0 ? sum / static_cast<double>(size()) : 0;
 }
 
 } // namespace linelet::grid

@@ -13,7 +13,10 @@
 namespace linelet::grid {
 
 /** \brief Cubes of one edge length over the box of a set of points, with a margin of
- * one cube all around, numbered along x first. */
+ * one cube all around, numbered along x first.
+ *
+ * Their corners are multiples of the edge, wherever the box is: a point is in the same
+ * cube whatever other points there are. */
 class BlockFrame {
 public:
   /** \brief Coordinates of a block. */
@@ -25,6 +28,10 @@ public:
   /** \param[in] low, high box of the points, finite
    * \param[in] edge positive; see \ref fits */
   BlockFrame(const Point& low, const Point& high, double edge);
+
+  /** \brief Farthest block from the origin: beyond, rounding would move a point by more
+   * than the edge has to spare. */
+  static constexpr double farthest_block = 1e9;
 
   /** \brief Whether the box can be cut into blocks of this \a edge. */
   static bool
@@ -62,7 +69,7 @@ public:
   }
 
 private:
-  Point low_;
+  Cell first_{}; // the block with coordinates 0, on the lattice of all space
   double edge_, inverse_edge_;
   std::array<std::int64_t, 3> counts_{};
   std::array<int, 3> bits_{};
@@ -71,7 +78,8 @@ private:
 /** \brief Points sorted by block, coordinate by coordinate, for vector loads.
  *
  * The points of a block are cut in two across the longest side of their box, these
- * parts again, down to \ref leaf points: see \ref half.
+ * parts again, down to \ref leaf points: see \ref half. Their order is that of their
+ * places, not of their indices: only points in one place keep the order they came in.
  *
  * 28 bytes per point, and 16 per block that holds any. */
 class BlockOrder {
@@ -142,18 +150,21 @@ public:
     return index_[sorted_index];
   }
 
-  /** \brief Points in the block of a point, averaged over the points. */
-  double
-  crowding() const;
-
 private:
   /** \brief A point of a block. */
   struct Entry {
     std::array<float, 3> place; // relative to the block, to compare
     Index index;
+
+    bool
+    operator<(const Entry& other) const
+    {
+      return place != other.place ? place < other.place : index < other.index;
+    }
   };
 
-  /** \brief Puts the points with the least coordinates before \a middle.
+  /** \brief Puts the points with the least coordinates before \a middle; the same ones
+   * in whatever order they come.
    * \param[in] low, high bounds of the coordinates */
   static void
   select(

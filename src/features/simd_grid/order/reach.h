@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <cmath>
 #include <limits>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/support/points.h>
 
 namespace linelet::grid {
@@ -15,6 +17,17 @@ struct Bounds {
   Point high = -low;
 
   explicit Bounds(const Points& points) { add(points); }
+
+  /** \brief Of the whole cloud, where the points are a piece of one. */
+  Bounds(const Points& points, const CloudPiece* piece)
+  {
+    if (piece == nullptr)
+      add(points);
+    else {
+      low = piece->low;
+      high = piece->high;
+    }
+  }
 
   void
   add(const Points& points)
@@ -33,16 +46,21 @@ struct Bounds {
   }
 };
 
-/** \brief A length beyond any distance of two points, and by so much that no rounding
- * matters to points that lie within it. */
+/** \brief The smallest power of two above \a length. */
 inline double
-reachOf(const Points& surface, const Points& queries)
+powerAbove(double length)
 {
-  Bounds bounds(surface);
-  if (&surface != &queries)
-    bounds.add(queries);
+  return std::ldexp(1, std::ilogb(length) + 1);
+}
+
+/** \brief A length beyond any distance of two points in \a bounds, and by so much that
+ * no rounding matters to points that lie within it, nor to itself. */
+inline double
+reachOf(const Bounds& bounds)
+{
   const double diagonal = bounds.empty() ? 0 : (bounds.high - bounds.low).norm();
-  return diagonal > 0 ? 2 * diagonal : std::numeric_limits<double>::infinity();
+  return diagonal > 0 ? powerAbove(2 * diagonal)
+                      : std::numeric_limits<double>::infinity();
 }
 
 } // namespace linelet::grid

@@ -69,7 +69,7 @@ BlockSweep::operator()(std::size_t block)
   gather_(cell, origin_, queries_, longest + margin, region_);
   certain_.reserve(region_.size);
   certain_.size = 0;
-  refine(part(0, count), region_, QuadraticMoments(), 0);
+  refineParts(0, count, cuts, region_, QuadraticMoments(), 0);
   if (method_ != SweepMethod::Double)
     write();
 }

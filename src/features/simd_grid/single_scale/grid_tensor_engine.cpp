@@ -23,9 +23,9 @@ namespace grid {
 
 namespace {
 
-// Blocks hold that many points, or are as wide as float allows.
-constexpr double least_crowding = 16;
-constexpr double widest_block = 4;
+// Edge of a block in radii: of 1 to 4 the best for thin clouds and for dense ones. It
+// does not follow the density, so that a part of a cloud has the blocks of the whole.
+constexpr double block_edge = 2;
 
 /** \brief No more threads than have something to do: for few queries, waking a thread
  * costs more than it does. */
@@ -45,6 +45,7 @@ public:
            const Points& queries,
            const TensorSettings& settings,
            const NeighborhoodSizes& sizes,
+           const CloudPiece* piece,
            ProgressMonitor* monitor,
            std::vector<PointDistributionTensor>& records)
       : surface_(surface),
@@ -52,10 +53,12 @@ public:
         settings_(settings),
         weight_(settings.weighting),
         sizes_(sizes),
+        piece_(piece),
         monitor_(monitor),
         records_(records),
         bounds_(surface),
-        reach_(reachOf(surface, queries)),
+        whole_(surface, piece),
+        reach_(reachOf(extent())),
         threads_(usefulThreads(settings.threads, queries.size()))
   {
   }
@@ -66,7 +69,7 @@ public:
     return reach_;
   }
 
-  /** \param[in] radius of the queries, or the longest of them
+  /** \param[in] radius of the queries, or one that none exceeds
    * \param[in] chosen indices of the queries, or null for all */
   void
   run(double radius, const Indices* chosen)
@@ -74,24 +77,17 @@ public:
     if (bounds_.empty())
       return;
     radius = std::min(radius, reach_);
-    if (!BlockFrame::fits(bounds_.low, bounds_.high, radius)) {
+    if (!BlockFrame::fits(whole_.low, whole_.high, radius)) {
       plain(radius, chosen);
       return;
     }
     // Neighbors lie in the next block at most, for all rounding of its place.
-    double edge = radius * (1 + 1e-6);
-    BlockFrame frame(bounds_.low, bounds_.high, edge);
-    auto surface = std::make_unique<BlockOrder>(surface_, nullptr, frame, threads_);
-    while (surface->crowding() < least_crowding && edge * 2 <= widest_block * radius) {
-      edge *= 2;
-      frame = BlockFrame(bounds_.low, bounds_.high, edge);
-      surface.reset();
-      surface = std::make_unique<BlockOrder>(surface_, nullptr, frame, threads_);
-    }
+    const BlockFrame frame(bounds_.low, bounds_.high, block_edge * radius);
+    const BlockOrder surface(surface_, nullptr, frame, threads_);
     if (&surface_ == &queries_ && chosen == nullptr)
-      sweep(frame, *surface, *surface, radius);
+      sweep(frame, surface, surface, radius);
     else
-      sweep(frame, *surface, BlockOrder(queries_, chosen, frame, threads_), radius);
+      sweep(frame, surface, BlockOrder(queries_, chosen, frame, threads_), radius);
   }
 
 private:
@@ -122,6 +118,8 @@ private:
         if (stop)
           continue;
         const auto block = static_cast<std::size_t>(b);
+        if (!isWanted(queries, block))
+          continue;
         sweep_block(block);
         if (monitor_ != nullptr) {
           monitor_->advance(queries.begin(block + 1) - queries.begin(block));
@@ -132,6 +130,27 @@ private:
     }
     if (stop)
       throw Canceled();
+  }
+
+  /** \brief Of all points and queries. */
+  Bounds
+  extent() const
+  {
+    Bounds bounds = whole_;
+    if (&queries_ != &surface_)
+      bounds.add(queries_);
+    return bounds;
+  }
+
+  bool
+  isWanted(const BlockOrder& queries, std::size_t block) const
+  {
+    if (piece_ == nullptr)
+      return true;
+    for (std::size_t i = queries.begin(block); i < queries.begin(block + 1); ++i)
+      if (queries.index(i) >= piece_->begin && queries.index(i) < piece_->end)
+        return true;
+    return false;
   }
 
   /** \brief For radii so small beside the extent that blocks cannot be numbered. */
@@ -162,12 +181,45 @@ private:
   const TensorSettings& settings_;
   SweepWeight weight_;
   const NeighborhoodSizes& sizes_;
+  const CloudPiece* piece_; // null: all queries are wanted
   ProgressMonitor* monitor_;
   std::vector<PointDistributionTensor>& records_;
-  Bounds bounds_;
+  Bounds bounds_, whole_;
   double reach_;
   int threads_;
 };
+
+std::vector<PointDistributionTensor>
+recordsOf(const Points& surface,
+          const Points& queries,
+          const TensorSettings& settings,
+          const NeighborhoodSizes& sizes,
+          const CloudPiece* piece,
+          ProgressMonitor* monitor)
+{
+  validate(settings, sizes, queries.size());
+  std::vector<PointDistributionTensor> records;
+  reserveHuge(records, queries.size());
+  records.resize(queries.size(), unknownTensor(0));
+  if (monitor != nullptr)
+    monitor->begin("tensor", queries.size());
+  Estimate estimate(surface, queries, settings, sizes, piece, monitor, records);
+  if (sizes.radii.empty()) {
+    if (!queries.empty())
+      estimate.run(settings.radius, nullptr);
+    return records;
+  }
+  // Queries whose radii lie between the same powers of two go together, in blocks that
+  // no other radius changes, as do those that reach everything.
+  std::map<double, Indices> classes;
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    if (sizes.radii[i] > 0 && std::isfinite(sizes.radii[i]))
+      classes[powerAbove(std::min(sizes.radii[i], estimate.reach() / 2))].push_back(
+          static_cast<Index>(i));
+  for (const auto& [radius, chosen] : classes)
+    estimate.run(radius, &chosen);
+  return records;
+}
 
 } // namespace
 
@@ -180,31 +232,32 @@ estimateTensorsOnGrid(const Points& surface,
                       const NeighborhoodSizes& sizes,
                       ProgressMonitor* monitor)
 {
-  validate(settings, sizes, queries.size());
-  std::vector<PointDistributionTensor> records;
-  grid::reserveHuge(records, queries.size());
-  records.resize(queries.size(), unknownTensor(0));
-  if (monitor != nullptr)
-    monitor->begin("tensor", queries.size());
-  grid::Estimate estimate(surface, queries, settings, sizes, monitor, records);
-  if (sizes.radii.empty()) {
-    if (!queries.empty())
-      estimate.run(settings.radius, nullptr);
-    return records;
-  }
-  // Radii within a factor of two go together, as do those that reach everything.
-  std::map<int, Indices> classes;
-  for (std::size_t i = 0; i < queries.size(); ++i)
-    if (sizes.radii[i] > 0 && std::isfinite(sizes.radii[i]))
-      classes[std::ilogb(std::min(sizes.radii[i], estimate.reach()))].push_back(
-          static_cast<Index>(i));
-  for (const auto& [exponent, chosen] : classes) {
-    double longest = 0;
-    for (const Index i : chosen)
-      longest = std::max(longest, sizes.radii[i]);
-    estimate.run(longest, &chosen);
-  }
+  return grid::recordsOf(surface, queries, settings, sizes, nullptr, monitor);
+}
+
+std::vector<PointDistributionTensor>
+pieceTensorsOnGrid(const Points& points,
+                   const CloudPiece& piece,
+                   const TensorSettings& settings,
+                   const NeighborhoodSizes& sizes,
+                   ProgressMonitor* monitor)
+{
+  auto records = grid::recordsOf(points, points, settings, sizes, &piece, monitor);
+  using Offset = std::vector<PointDistributionTensor>::difference_type;
+  records.resize(piece.end);
+  records.erase(records.begin(), records.begin() + static_cast<Offset>(piece.begin));
   return records;
+}
+
+double
+gridMargin(const TensorSettings& settings, const NeighborhoodSizes& sizes)
+{
+  double longest = settings.radius;
+  for (const double radius : sizes.radii)
+    if (isRadius(radius))
+      longest = std::max(longest, grid::powerAbove(radius));
+  // Beyond all rounding of the places of blocks.
+  return 2 * grid::block_edge * longest * (1 + 1e-6);
 }
 
 std::string_view

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/io/cloud.h>
+#include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
+
+// HDF5 files (.h5) in the layout of a fibre bundle (Benger 2004), in the manner of F5:
+//
+//   /t=0                                     a time slice, attribute Time
+//     /points                                a grid
+//       /Points/StandardCartesianChart3D     its vertices in a chart; attributes shift
+//                                            (three numbers to be added) and wkt
+//         Positions                          compound x, y, z of doubles
+//         NAME                               an attribute of every point; six entries
+//         xx
+//                                            to zz are one compound, a tensor
+//         Fragments                          compound first, count, low, high: the
+//         points
+//                                            of each block, and its box
+//       /LAS                                 what a LAS file keeps beside its points
+//     /curves                                another grid: polylines
+//       /Points/StandardCartesianChart3D     Positions of their vertices
+//       /Lines                               first, count, closed, ... of each polyline
+//       /Junctions                           Positions, and the curves that meet there
+//
+// All datasets are chunked, shuffled and deflated. Where linelet was built without HDF5
+// these functions throw FileError.
+
+/** \brief Whether this linelet reads and writes HDF5. */
+bool
+hasHdf5();
+
+/** \brief Writes a cloud block by block, in memory for one of them. The file is there
+ * as a whole once \ref commit returns, and not at all before. */
+class Hdf5CloudWriter {
+public:
+  /** \param[in] like has the attributes (names, types, descriptions; without values),
+   * shift, reference system and what came from LAS of all blocks
+   * \throws FileError */
+  Hdf5CloudWriter(const std::string& path, const Cloud& like);
+  ~Hdf5CloudWriter();
+  Hdf5CloudWriter(const Hdf5CloudWriter&) = delete;
+  Hdf5CloudWriter&
+  operator=(const Hdf5CloudWriter&) = delete;
+
+  /** \brief Adds the points of \a block as a fragment.
+   * \throws FileError where it does not have the attributes of the others */
+  void
+  append(const Cloud& block);
+
+  /** \brief Adds \a count points of \a cloud from \a first on. */
+  void
+  append(const Cloud& cloud, std::size_t first, std::size_t count);
+
+  /** \brief Adds curves, as a grid of their own. At most once. */
+  void
+  add(const CurveNetwork& network, const Point& shift);
+
+  void
+  commit();
+
+private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+/** \brief A run of points that was written at once. */
+struct Hdf5Fragment {
+  std::uint64_t first = 0, count = 0;
+  Point low = Point::Zero(), high = Point::Zero(); ///< of its finite points, world
+};
+
+/** \brief The fragments of a file, in order; one where it tells of none.
+ * \throws FileError */
+std::vector<Hdf5Fragment>
+hdf5Fragments(const std::string& path);
+
+/** \brief Reads \a count points from \a first on, with all attributes.
+ * \throws FileError also where there are fewer */
+Cloud
+readHdf5Points(const std::string& path,
+               std::size_t first,
+               std::size_t count,
+               std::vector<std::string>* warnings = nullptr);
+
+/** \brief Writes \a cloud and \a network into one file. \throws FileError, Canceled */
+void
+writeHdf5(const std::string& path,
+          const Cloud& cloud,
+          const CurveNetwork& network,
+          ProgressMonitor* monitor = nullptr);
+
+/** \brief Writes \a network alone, with \a shift added by whoever reads it.
+ * \throws FileError */
+void
+writeHdf5Curves(const std::string& path,
+                const CurveNetwork& network,
+                const Point& shift = Point::Zero(),
+                const std::string& wkt = {});
+
+/** \brief The curves of a file in world coordinates, junctions and kinds of ends
+ * included.
+ * \param[out] wkt its reference system; null: not wanted
+ * \throws FileError where it holds none */
+CurveNetwork
+readHdf5Curves(const std::string& path, std::string* wkt = nullptr);
+
+} // namespace io
+} // namespace linelet

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief How long the steps of \ref AdaptiveDop853 are, in the unit of the points. */
+struct StepControl {
+  double tolerance = 0; ///< of the error of a step
+  double first = 0;     ///< step that is tried first
+  double least = 0;     ///< taken whatever the error, where a field is rough
+  double most = 0;
+};
+
+/** \brief The scheme of Dormand and Prince of order 8, its step controlled by the
+ * embedded ones of order 5 and 3, with dense output of order 7 (Hairer, Norsett,
+ * Wanner, Solving Ordinary Differential Equations I, 1993, section II.5 and II.6): a
+ * streamline is asked for at any lengths, whatever steps were made. */
+class AdaptiveDop853 {
+public:
+  /** \brief A direction at a place; it does not change in time. */
+  using Field = std::function<Point(const Point&)>;
+
+  AdaptiveDop853(const Point& begin, const StepControl& control)
+      : control_(control), next_(control.first), from_(begin), to_(begin)
+  {
+    dense_.fill(Point::Zero());
+  }
+
+  /** \brief Goes on by \a length along \a field.
+   * \return the place that is reached */
+  Point
+  advance(double length, const Field& field);
+
+  /** \brief Times that a field was asked so far. */
+  std::size_t
+  evaluations() const
+  {
+    return evaluations_;
+  }
+
+private:
+  void
+  step(const Field& field);
+
+  StepControl control_;
+  double next_;       // step to be tried
+  Point from_, to_;   // of the last step
+  double length_ = 0; // of it
+  double used_ = 0;   // of that, how much has been gone
+  std::size_t evaluations_ = 0;
+  std::array<Point, 7> dense_; // coefficients of the interpolation over it
+};
+
+} // namespace linelet

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <hdf5.h>
+
+#include "io/values.h"
+
+namespace linelet::io::hdf5 {
+
+/** \brief What HDF5 could not do; becomes a FileError that names the file. */
+class Error : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief An identifier of the HDF5 library, given back at the end. */
+class Handle {
+public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+
+  /** \throws Error "cannot WHAT" where \a id is none */
+  Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close)
+  {
+    if (id < 0)
+      throw Error("cannot " + what);
+  }
+  ~Handle() { reset(); }
+  Handle(Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_)
+  {
+  }
+  Handle&
+  operator=(Handle&& other) noexcept
+  {
+    reset();
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    close_ = other.close_;
+    return *this;
+  }
+
+  hid_t
+  id() const
+  {
+    return id_;
+  }
+
+  /** \brief Gives it back and tells whether that worked. */
+  bool
+  reset()
+  {
+    return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0;
+  }
+
+private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/** \throws Error "cannot WHAT" where \a status tells of a failure */
+inline void
+check(herr_t status, const std::string& what)
+{
+  if (status < 0)
+    throw Error("cannot " + what);
+}
+
+/** \brief The library for one thread alone, without messages of its own on stderr: as
+ * Debian builds it, it must not be entered twice. */
+class Session {
+public:
+  Session();
+  ~Session();
+  Session(const Session&) = delete;
+  Session&
+  operator=(const Session&) = delete;
+};
+
+/** \brief The file \a path, to read. */
+Handle
+openFile(const std::string& path);
+
+/** \brief The bytes of a file, to read; they are copied. */
+Handle
+openImage(const void* bytes, std::size_t size);
+
+/** \brief A new file. */
+Handle
+createFile(const std::string& path);
+
+Handle
+openGroup(const Handle& parent, const std::string& name);
+
+/** \brief A new group; those on the way to it are made too. */
+Handle
+createGroup(const Handle& parent, const std::string& name);
+
+bool
+exists(const Handle& parent, const std::string& name);
+
+/** \brief Names of what \a group holds, in alphabetical order. */
+std::vector<std::string>
+namesIn(const Handle& group);
+
+/** \brief The type of values, little-endian in a file and as it is in memory. */
+hid_t
+fileType(ValueType type);
+hid_t
+memoryType(ValueType type);
+
+// Attributes: small values beside a group or a dataset.
+
+void
+setAttribute(const Handle& object, const char* name, const std::string& text);
+void
+setAttribute(const Handle& object, const char* name, const std::vector<double>& values);
+void
+setAttribute(const Handle& object,
+             const char* name,
+             const std::vector<std::int64_t>& values);
+
+/** \brief \a otherwise where there is no such text. */
+std::string
+textAttribute(const Handle& object,
+              const char* name,
+              const std::string& otherwise = {});
+
+/** \brief Exactly \a count finite or other numbers. \throws Error */
+std::vector<double>
+numbersAttribute(const Handle& object, const char* name, std::size_t count);
+
+std::vector<std::int64_t>
+integersAttribute(const Handle& object, const char* name, std::size_t count);
+
+/** \brief \a otherwise where there is no such number. */
+std::int64_t
+integerAttribute(const Handle& object, const char* name, std::int64_t otherwise);
+
+} // namespace linelet::io::hdf5

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include <linelet/io/vector_file.h>
+
+namespace linelet::io {
+
+/** \brief The text of a CSV file (RFC 4180, lines end with LF) that holds \a layer: a
+ * row of names, then a row a feature. */
+std::string
+layerAsCsv(const VectorLayer& layer);
+
+} // namespace linelet::io
