@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# cmake -DOUTPUT=file.cpp -DINPUTS=a.cl;b.cl -P EmbedText.cmake
-# Writes the OpenCL sources one after the other into one string.
+# cmake -DNAME=sources -DOUTPUT=file.cpp -DINPUTS=a.cl;b.cl -P EmbedText.cmake
+# Writes the OpenCL sources one after the other into one string of that name.
 set(text)
 foreach(input IN LISTS INPUTS)
   file(READ ${input} content)
@@ -12,7 +12,7 @@ file(WRITE ${OUTPUT}.new "#include \"kernel_sources.h\"
 
 namespace linelet::opencl {
 
-const char* const kernel_sources =
+const char* const ${NAME} =
 ${text};
 
 } // namespace linelet::opencl

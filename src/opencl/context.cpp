@@ -159,15 +159,14 @@ Context::Context(const std::string& wish, unsigned lanes, bool use_double)
 }
 
 const cl::Program&
-Context::program(const std::string& definitions)
+Context::built(const std::string& key,
+               const std::string& sources,
+               const std::string& options)
 {
-  const auto known = programs_.find(definitions);
+  const auto known = programs_.find(key);
   if (known != programs_.end())
     return known->second;
-  cl::Program program(context_, enumerators() + kernel_sources);
-  const std::string options = build_options +
-                              std::string(device_.double_precision ? "-DEXACT " : "") +
-                              "-DWIDTH=" + std::to_string(lanes_) + " " + definitions;
+  cl::Program program(context_, sources);
   try {
     program.build({cl_device_}, options.c_str());
   }
@@ -177,7 +176,24 @@ Context::program(const std::string& definitions)
                     program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(cl_device_),
                 error.err());
   }
-  return programs_.emplace(definitions, program).first->second;
+  return programs_.emplace(key, program).first->second;
+}
+
+const cl::Program&
+Context::program(const std::string& definitions)
+{
+  return built(definitions,
+               enumerators() + kernel_sources,
+               build_options + std::string(device_.double_precision ? "-DEXACT " : "") +
+                   "-DWIDTH=" + std::to_string(lanes_) + " " + definitions);
+}
+
+cl::Kernel
+Context::exactKernel(const std::string& name)
+{
+  const std::string sources =
+      std::string("#pragma OPENCL FP_CONTRACT OFF\n") + exact_kernel_sources;
+  return {built("exact", sources, "-cl-std=CL1.2"), name.c_str()};
 }
 
 cl::Kernel

@@ -62,6 +62,11 @@ public:
   cl::Kernel
   kernel(const std::string& name, const std::string& definitions = {});
 
+  /** \brief A kernel of the program that computes exactly as written: nothing is fused,
+   * reordered or approximated. */
+  cl::Kernel
+  exactKernel(const std::string& name);
+
   /** \brief A buffer of \a bytes (at least one). */
   cl::Buffer
   buffer(std::size_t bytes) const;
@@ -69,6 +74,8 @@ public:
 private:
   const cl::Program&
   program(const std::string& definitions);
+  const cl::Program&
+  built(const std::string& key, const std::string& sources, const std::string& options);
 
   Device device_;
   unsigned lanes_ = 1;

@@ -8,4 +8,7 @@ namespace linelet::opencl {
 /** \brief The text of all kernels, embedded at build time. */
 extern const char* const kernel_sources;
 
+/** \brief Those of kernels that compute exactly as written. */
+extern const char* const exact_kernel_sources;
+
 } // namespace linelet::opencl

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Clusters beside pcl::VoxelGrid and pcl::ApproximateVoxelGrid.
+//   benchmark_clusters quality FILE LEAF...     equal numbers of representatives
+//   benchmark_clusters speed FILE POINTS...     copies of a tile side by side
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <pcl/filters/approximate_voxel_grid.h>
+#include <pcl/filters/voxel_grid.h>
+
+#include <linelet/clustering/cluster_points.h>
+#include <linelet/io/point_file.h>
+#include <linelet/search/kd_tree.h>
+#include <linelet/tensor/eigen_analysis.h>
+
+using namespace linelet;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+Cloud::Ptr
+cloudOf(const Points& points)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  cloud->reserve(points.size());
+  for (const Point& p : points)
+    cloud->emplace_back(static_cast<float>(p.x()),
+                        static_cast<float>(p.y()),
+                        static_cast<float>(p.z()));
+  return cloud;
+}
+
+/** \brief Roof edges: points of a surface from which a fall of two meters or more
+ * begins within a meter. */
+std::vector<bool>
+edges(const Points& points)
+{
+  Points flat = points;
+  for (Point& p : flat)
+    p.z() = 0;
+  constexpr double reach = 1, fall = 2, roof = 0.3;
+  const KdTree tree(flat);
+  std::vector<bool> edge(points.size());
+  Indices found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::size_t level = 0, lower = 0, between = 0;
+    tree.within(flat[i], reach, found);
+    for (const Index k : found) {
+      const double drop = points[i].z() - points[k].z();
+      level += std::abs(drop) < roof ? 1 : 0;
+      lower += drop > fall ? 1 : 0;
+      between += drop >= roof && drop <= fall ? 1 : 0;
+    }
+    edge[i] = level >= 3 && lower >= 2 && between == 0;
+  }
+  return edge;
+}
+
+struct Score {
+  double mean = 0, edge_mean = 0, edge_kept = 0;
+};
+
+/** \brief Distances of the points to the planes of what they belong to: mean and
+ * smallest eigenvector of the members. */
+Score
+score(const Points& points,
+      const std::vector<bool>& edge,
+      const Indices& cluster_of,
+      std::size_t clusters,
+      double leaf)
+{
+  Points mean(clusters, Point::Zero()), normal(clusters, Point::Zero());
+  std::vector<double> count(clusters);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    mean[cluster_of[i]] += points[i];
+    ++count[cluster_of[i]];
+  }
+  std::vector<SymmetricTensor> tensor(clusters);
+  for (std::size_t k = 0; k < clusters; ++k)
+    mean[k] /= std::max(count[k], 1.0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    tensor[cluster_of[i]].add(1, points[i] - mean[cluster_of[i]]);
+  for (std::size_t k = 0; k < clusters; ++k)
+    normal[k] = eigenAnalysis(tensor[k]).normal();
+  Score score;
+  std::size_t edges = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance =
+        std::abs(normal[cluster_of[i]].dot(points[i] - mean[cluster_of[i]]));
+    score.mean += distance;
+    if (!edge[i])
+      continue;
+    ++edges;
+    score.edge_mean += distance;
+    score.edge_kept += distance < 0.05 * leaf ? 1 : 0;
+  }
+  score.mean /= static_cast<double>(points.size());
+  score.edge_mean /= static_cast<double>(edges);
+  score.edge_kept /= static_cast<double>(edges);
+  return score;
+}
+
+/** \brief Members of the centers that a filter gave, which has no others: the nearest.
+ */
+Indices
+nearest(const Points& points, const Points& centers)
+{
+  const KdTree tree(centers);
+  Indices result;
+  Indices found;
+  for (const Point& point : points) {
+    tree.nearest(point, 1, found);
+    result.push_back(found.front());
+  }
+  return result;
+}
+
+Points
+pointsOf(const Cloud& cloud)
+{
+  Points points;
+  for (const auto& p : cloud)
+    points.emplace_back(p.x, p.y, p.z);
+  return points;
+}
+
+void
+report(const char* name, std::size_t clusters, const Score& score)
+{
+  std::printf("| %-28s | %7zu | %.4f | %.4f | %.3f |\n",
+              name,
+              clusters,
+              score.mean,
+              score.edge_mean,
+              score.edge_kept);
+  std::fflush(stdout);
+}
+
+void
+compareQuality(const std::string& file, float leaf)
+{
+  io::Cloud input = io::readCloud(file);
+  const Points& points = input.points;
+  const std::vector<bool> edge = edges(points);
+  const Cloud::Ptr cloud = cloudOf(points);
+  std::printf("%s, leaf %g, %zu edge points\n"
+              "| method | representatives | mean distance to the plane | at edges | "
+              "edges kept |\n|---|---|---|---|---|\n",
+              file.c_str(),
+              static_cast<double>(leaf),
+              static_cast<std::size_t>(std::count(edge.begin(), edge.end(), true)));
+  Cloud out;
+  pcl::VoxelGrid<pcl::PointXYZ> voxels;
+  voxels.setInputCloud(cloud);
+  voxels.setLeafSize(leaf, leaf, leaf);
+  voxels.setSaveLeafLayout(true);
+  voxels.filter(out);
+  const std::size_t count = out.size();
+  Indices members;
+  for (const auto& p : *cloud)
+    members.push_back(static_cast<Index>(voxels.getCentroidIndex(p)));
+  report("VoxelGrid, its voxels", count, score(points, edge, members, count, leaf));
+  report("VoxelGrid, nearest",
+         count,
+         score(points, edge, nearest(points, pointsOf(out)), count, leaf));
+  // The leaf with which the approximate filter comes to as many.
+  float low = leaf / 4, high = leaf * 8;
+  Cloud other;
+  for (int k = 0; k < 18; ++k) {
+    const float middle = std::sqrt(low * high);
+    pcl::ApproximateVoxelGrid<pcl::PointXYZ> filter;
+    filter.setInputCloud(cloud);
+    filter.setLeafSize(middle, middle, middle);
+    filter.filter(other);
+    (other.size() > count ? low : high) = middle;
+  }
+  report("ApproximateVoxelGrid, nearest",
+         other.size(),
+         score(points, edge, nearest(points, pointsOf(other)), other.size(), leaf));
+  for (const MoveRule rule : {MoveRule::Plane, MoveRule::Population})
+    for (const double border : {0.25, 0.5})
+      for (const unsigned moves : {0U, 1U, 2U, 4U, 8U}) {
+        ClusterSettings settings;
+        settings.count = count;
+        settings.moves = moves;
+        settings.move_by = rule;
+        settings.border = border;
+        const Clusters clusters = clusterPoints(points, settings);
+        const std::size_t number = clusters.representatives.size();
+        const std::string name = "linelet " + std::string(nameOf(rule)) + " border " +
+                                 std::to_string(border).substr(0, 4) + " moves " +
+                                 std::to_string(moves);
+        report(name.c_str(),
+               number,
+               score(points, edge, clusters.cluster_of, number, leaf));
+      }
+}
+
+struct Time {
+  double wall = std::numeric_limits<double>::infinity();
+  double cpu = wall;
+};
+
+template <class Work>
+Time
+fastest(const Work& work)
+{
+  Time best;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t cpu_begin = std::clock();
+    work();
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+    best.wall = std::min(best.wall, wall.count());
+    best.cpu = std::min(best.cpu,
+                        static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+/** \brief Copies of a tile in rows, so many points in all. */
+Points
+copies(const Points& tile, std::size_t count)
+{
+  Point low = tile.front(), high = low;
+  for (const Point& p : tile) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Point size = high - low;
+  const auto side = static_cast<std::size_t>(std::ceil(
+      std::sqrt(static_cast<double>(count) / static_cast<double>(tile.size()))));
+  Points points;
+  points.reserve(count);
+  for (std::size_t copy = 0; points.size() < count; ++copy) {
+    const Point place(size.x() * static_cast<double>(copy % side),
+                      size.y() * static_cast<double>(copy / side),
+                      0);
+    for (std::size_t i = 0; i < tile.size() && points.size() < count; ++i)
+      points.push_back(tile[i] + place);
+  }
+  return points;
+}
+
+void
+compareSpeed(const std::string& file, std::size_t count)
+{
+  const Points points = copies(io::readCloud(file).points, count);
+  const auto row = [&](const char* name, std::size_t clusters, const Time& time) {
+    std::printf("| %9zu | %-34s | %8zu | %7.3f | %7.3f |\n",
+                points.size(),
+                name,
+                clusters,
+                time.wall,
+                time.cpu);
+    std::fflush(stdout);
+  };
+  const std::vector<std::vector<double>> grids = {
+      {75, 75, 15}, {150, 150, 25}, {200, 200, 100}, {300, 300, 100}};
+  for (const auto& grid : grids)
+    for (const int moves : {-1, 0, 1, 2}) {
+      ClusterSettings settings;
+      settings.cells = grid;
+      if (moves < 0)
+        settings.move_by = MoveRule::Population;
+      settings.moves = static_cast<unsigned>(std::abs(moves));
+      std::size_t number = 0;
+      const Time time = fastest(
+          [&] { number = clusterPoints(points, settings).representatives.size(); });
+      char name[64];
+      std::snprintf(name,
+                    sizeof(name),
+                    "%g x %g x %g, %s",
+                    grid[0],
+                    grid[1],
+                    grid[2],
+                    moves < 0    ? "population"
+                    : moves == 0 ? "no moves"
+                    : moves == 1 ? "planes"
+                                 : "planes twice");
+      row(name, number, time);
+      if (&grid != &grids.front() && moves == 0)
+        break;
+    }
+  Point low = points.front(), high = low;
+  for (const Point& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Eigen::Vector3f leaf =
+      (high - low).cwiseQuotient(Point(75, 75, 15)).cast<float>();
+  const Cloud::Ptr cloud = cloudOf(points);
+  Cloud out;
+  row("pcl::VoxelGrid, leaf as 75 x 75 x 15", 0, fastest([&] {
+        pcl::VoxelGrid<pcl::PointXYZ> filter;
+        filter.setInputCloud(cloud);
+        filter.setLeafSize(leaf.x(), leaf.y(), leaf.z());
+        filter.filter(out);
+      }));
+  row("pcl::ApproximateVoxelGrid, the same", 0, fastest([&] {
+        pcl::ApproximateVoxelGrid<pcl::PointXYZ> filter;
+        filter.setInputCloud(cloud);
+        filter.setLeafSize(leaf.x(), leaf.y(), leaf.z());
+        filter.filter(out);
+      }));
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  try {
+    if (argc > 3 && std::strcmp(argv[1], "quality") == 0) {
+      for (int k = 3; k < argc; ++k)
+        compareQuality(argv[2], static_cast<float>(std::atof(argv[k])));
+      return 0;
+    }
+    if (argc > 3 && std::strcmp(argv[1], "speed") == 0) {
+      std::printf(
+          "| points | method | cells | wall s | CPU s |\n|---|---|---|---|---|\n");
+      for (int k = 3; k < argc; ++k)
+        compareSpeed(argv[2], static_cast<std::size_t>(std::atof(argv[k])));
+      return 0;
+    }
+    std::fprintf(stderr,
+                 "benchmark_clusters quality FILE LEAF... | speed FILE POINTS...\n");
+    return 2;
+  }
+  catch (const std::exception& error) {
+    std::fprintf(stderr, "benchmark_clusters: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <linelet/support/camera.h>
+#include <linelet/support/names.h>
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
+
+/** \brief When a point near the border of its cell goes to the cell across. */
+enum class MoveRule {
+  Plane,      ///< where it is nearer to the plane of that cell's members
+  Population, ///< where that cell holds fewer points
+  Field       ///< where that raises the mean of a field in both cells
+};
+
+template <>
+struct Names<MoveRule> {
+  static constexpr std::string_view kind = "rule of moves";
+  static constexpr std::array<std::pair<MoveRule, std::string_view>, 3> table = {{
+      {MoveRule::Plane, "plane"},
+      {MoveRule::Population, "population"},
+      {MoveRule::Field, "field"},
+  }};
+};
+
+/** \brief The grid that points are clustered in, and how its cells adapt to them.
+ *
+ * Exactly one of \ref cells, \ref leaf and \ref count says how fine the grid is. */
+struct ClusterSettings {
+  std::vector<double> cells; ///< number of cells along x, y and z; of a camera: across
+                             ///< the picture, down, and in depth
+  double leaf = 0;           ///< edge of cubic cells
+  std::size_t count = 0;     ///< representatives wanted, of cubic cells
+  unsigned moves = 2;        ///< how often points may move
+  MoveRule move_by = MoveRule::Plane;
+  double border = 0.5; ///< how near to the border of a cell a point moves, in (0, 0.5]
+                       ///< of the cell's width
+  std::optional<Camera> camera; ///< cells fill its view, finer near the eye; \ref cells
+                                ///< then says how many
+  unsigned threads = 0;         ///< 0: all; the result is the same for any number
+};
+
+template <class Visit>
+void
+describe(ClusterSettings& s, Visit&& visit)
+{
+  visit("cells", s.cells, "number of cells along x, y and z");
+  visit("leaf", s.leaf, "edge of cubic cells instead, in the unit of the cloud");
+  visit("count", s.count, "about so many representatives instead, of cubic cells");
+  visit("moves", s.moves, "how often points near a border may go to the cell across");
+  visit("move-by", s.move_by, "what makes a point move");
+  visit("border",
+        s.border,
+        "how near to the border a point must be to move, in widths of its cell, at "
+        "most 0.5");
+}
+
+/** \brief Checks that the grid is said once and makes sense.
+ * \throws std::invalid_argument with the value and what is expected */
+void
+validate(const ClusterSettings& settings);
+
+} // namespace linelet

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
+
+/** \brief A view of a scene: where the eye is, which way it looks, and the picture it
+ * sees. Pixel (0, 0) spans 0 to 1 at the upper left. */
+struct Camera {
+  Point eye = Point::Zero();
+  /// Rows: to the right, downwards, away from the eye; orthonormal.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  double field_of_view = 60; ///< vertical, degrees in (0, 180); 0: parallel projection
+  double view_height = 1;    ///< parallel projection: height of what is seen
+  int width = 640, height = 480; ///< pixels
+  double near = 0;               ///< depth from which on things are seen, units
+  double far = std::numeric_limits<double>::infinity(); ///< and up to which
+
+  /** \brief Turns the camera from \a eye towards \a target, \a up being upwards as far
+   * as that is possible. */
+  void
+  lookAt(const Point& from, const Point& target, const Point& up = Point::UnitZ())
+  {
+    eye = from;
+    const Point forward = (target - from).normalized();
+    Point right = forward.cross(up);
+    if (!(right.norm() > 1e-9)) // straight up or down
+      right = forward.cross(Point::UnitY());
+    right.normalize();
+    axes.row(0) = right;
+    axes.row(1) = forward.cross(right);
+    axes.row(2) = forward;
+  }
+
+  bool
+  perspective() const
+  {
+    return field_of_view > 0;
+  }
+
+  /** \brief Half of the picture's height at depth 1 (perspective), or at any. */
+  double
+  halfHeight() const
+  {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    return perspective() ? std::tan(field_of_view * degree / 2) : view_height / 2;
+  }
+
+  /** \brief Pixels a unit of length takes at depth 1 (perspective), or at any. */
+  double
+  focalLength() const
+  {
+    return height / (2 * halfHeight());
+  }
+
+  /** \brief Pixel coordinates and depth of \a point. */
+  Point
+  project(const Point& point) const
+  {
+    const Point at = axes * (point - eye);
+    const double scale = focalLength() / (perspective() ? at.z() : 1);
+    return {width / 2.0 + scale * at.x(), height / 2.0 + scale * at.y(), at.z()};
+  }
+
+  /** \brief The point at a place of the picture and a depth. */
+  Point
+  unproject(const Point& pixel) const
+  {
+    const double scale = (perspective() ? pixel.z() : 1) / focalLength();
+    return eye + axes.transpose() * Point((pixel.x() - width / 2.0) * scale,
+                                          (pixel.y() - height / 2.0) * scale,
+                                          pixel.z());
+  }
+};
+
+} // namespace linelet

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "cell_directory.h"
+
+#include <algorithm>
+
+namespace linelet::clustering {
+
+void
+RankedBits::rank()
+{
+  before.resize(words.size());
+  std::uint32_t sum = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    before[i] = sum;
+    sum += static_cast<std::uint32_t>(bitCount(words[i]));
+  }
+  count = sum;
+}
+
+CellDirectory::CellDirectory(const Cell& cells) : cells_(cells)
+{
+  for (std::size_t a = 0; a < 3; ++a)
+    bricks_[a] = (static_cast<std::uint64_t>(cells[a]) + 7) / 8;
+  marked.words.resize((bricks_[0] * bricks_[1] * bricks_[2] + 31) / 32);
+}
+
+bool
+CellDirectory::makeDense(std::size_t points)
+{
+  constexpr std::size_t most = 1U << 18;
+  const std::size_t all = bricks_[0] * bricks_[1] * bricks_[2] * brick_cells;
+  if (all > most || all > points / 16)
+    return false;
+  dense_ = true;
+  std::fill(marked.words.begin(), marked.words.end(), ~0U);
+  const std::size_t beyond = marked.words.size() * 32 - all / brick_cells;
+  marked.words.back() >>= beyond;
+  marked.rank();
+  return true;
+}
+
+bool
+CellDirectory::markAll(std::size_t points)
+{
+  constexpr std::size_t words_of_brick = brick_cells / 32;
+  if (marked.words.size() * 32 * words_of_brick > points + (1U << 16))
+    return false;
+  std::fill(marked.words.begin(), marked.words.end(), ~0U);
+  marked.rank();
+  return true;
+}
+
+Index
+CellDirectory::find(const Cell& cell) const
+{
+  for (std::size_t a = 0; a < 3; ++a)
+    if (cell[a] < 0 || cell[a] >= cells_[a])
+      return none;
+  if (dense_)
+    return slot(cell);
+  if (!marked.has(brick(cell)))
+    return none;
+  const std::uint64_t number = bit(cell);
+  return occupied.has(number) ? occupied.smaller(number) : none;
+}
+
+std::vector<Cell>
+CellDirectory::all() const
+{
+  std::vector<Cell> cells;
+  cells.reserve(slots());
+  std::uint64_t place = 0; // of the marked brick
+  const auto part = [](std::uint64_t number) {
+    return static_cast<std::int32_t>(number);
+  };
+  for (std::uint64_t number = 0; number < marked.words.size() * 32; ++number) {
+    if (marked.words[number / 32] == 0)
+      number |= 31;
+    if (!marked.has(number))
+      continue;
+    const Cell corner = {part(number % bricks_[0] * 8),
+                         part(number / bricks_[0] % bricks_[1] * 8),
+                         part(number / bricks_[0] / bricks_[1] * 8)};
+    for (std::uint32_t inside = 0; inside < brick_cells; ++inside)
+      if (dense_ || occupied.has(place * brick_cells + inside))
+        cells.push_back({corner[0] + part(inside & 7),
+                         corner[1] + part((inside >> 3) & 7),
+                         corner[2] + part(inside >> 6)});
+    ++place;
+  }
+  return cells;
+}
+
+} // namespace linelet::clustering

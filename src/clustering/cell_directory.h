@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <linelet/support/points.h>
+
+#include "cell_frame.h"
+
+namespace linelet::clustering {
+
+/** \brief A set of numbers that can tell how many smaller ones it holds: a bit each,
+ * in words of 32, and the count of all bits before a word. */
+struct RankedBits {
+  std::vector<std::uint32_t> words, before;
+  std::size_t count = 0;
+
+  /** \brief Counts the bits of \ref words. */
+  void
+  rank();
+
+  bool
+  has(std::uint64_t number) const
+  {
+    return ((words[number / 32] >> (number % 32)) & 1U) != 0;
+  }
+
+  /** \brief How many members are smaller than \a number. */
+  std::uint32_t
+  smaller(std::uint64_t number) const
+  {
+    const std::uint32_t lower = words[number / 32] & ((1U << (number % 32)) - 1);
+    return before[number / 32] + static_cast<std::uint32_t>(bitCount(lower));
+  }
+
+  static int
+  bitCount(std::uint32_t bits)
+  {
+    bits -= (bits >> 1) & 0x55555555U;
+    bits = (bits & 0x33333333U) + ((bits >> 2) & 0x33333333U);
+    bits = (bits + (bits >> 4)) & 0x0F0F0F0FU;
+    return static_cast<int>((bits * 0x01010101U) >> 24);
+  }
+};
+
+/** \brief Numbers the cells of a grid that hold points, however large the grid: bricks
+ * of 8 x 8 x 8 cells that hold any, and the cells within these. The order is that of
+ * the bricks, so that neighbors are mostly near each other. */
+class CellDirectory {
+public:
+  static constexpr Index none = ~Index{0};
+  static constexpr std::uint32_t brick_cells = 512;
+
+  explicit CellDirectory(const Cell& cells);
+
+  /** \brief Number of the brick of \a cell in the grid. */
+  std::uint64_t
+  brick(const Cell& cell) const
+  {
+    return (static_cast<std::uint64_t>(cell[2] / 8) * bricks_[1] +
+            static_cast<std::uint64_t>(cell[1] / 8)) *
+               bricks_[0] +
+           static_cast<std::uint64_t>(cell[0] / 8);
+  }
+
+  /** \brief Number of \a cell within its brick. */
+  static std::uint32_t
+  within(const Cell& cell)
+  {
+    return static_cast<std::uint32_t>((cell[0] & 7) | ((cell[1] & 7) << 3) |
+                                      ((cell[2] & 7) << 6));
+  }
+
+  /** \brief Number of the bit of a cell whose brick is marked. */
+  std::uint64_t
+  bit(const Cell& cell) const
+  {
+    return std::uint64_t{brick_cells} * marked.smaller(brick(cell)) + within(cell);
+  }
+
+  /** \brief Number of slots: cells that hold points, or all of them. */
+  std::size_t
+  slots() const
+  {
+    return dense_ ? marked.count * brick_cells : occupied.count;
+  }
+
+  /** \brief The number of a cell that holds points, by order of bits. */
+  Index
+  slot(const Cell& cell) const
+  {
+    return dense_ ? static_cast<Index>(brick(cell) * brick_cells + within(cell))
+                  : occupied.smaller(bit(cell));
+  }
+
+  /** \brief The same for any cell, even outside of the grid; \ref none where it has no
+   * slot. */
+  Index
+  find(const Cell& cell) const;
+
+  /** \brief All cells that have a slot, in their order. */
+  std::vector<Cell>
+  all() const;
+
+  RankedBits marked;   ///< bricks that may hold points
+  RankedBits occupied; ///< cells of these bricks that do
+
+  /** \brief Whether all cells have a slot, since they are few beside \a points points.
+   */
+  bool
+  makeDense(std::size_t points);
+
+  /** \brief Marks all bricks where that costs little beside \a points points. */
+  bool
+  markAll(std::size_t points);
+
+  bool
+  dense() const
+  {
+    return dense_;
+  }
+
+  const std::array<std::uint64_t, 3>&
+  bricks() const
+  {
+    return bricks_;
+  }
+
+private:
+  Cell cells_;
+  std::array<std::uint64_t, 3> bricks_;
+  bool dense_ = false;
+};
+
+} // namespace linelet::clustering

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "host_passes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "nearest_face.h"
+#include "support/parallel_failure.h"
+
+namespace linelet::clustering {
+
+namespace {
+
+using Bits = std::vector<std::atomic<std::uint32_t>>;
+
+/** \brief Sets a bit; most are set already, which is cheaper to see than to do. */
+inline void
+mark(Bits& bits, std::uint64_t number)
+{
+  std::atomic<std::uint32_t>& word = bits[number / 32];
+  const std::uint32_t bit = 1U << (number % 32);
+  if ((word.load(std::memory_order_relaxed) & bit) == 0)
+    word.fetch_or(bit, std::memory_order_relaxed);
+}
+
+void
+take(const Bits& bits, RankedBits& set)
+{
+  set.words.resize(bits.size());
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    set.words[i] = bits[i].load(std::memory_order_relaxed);
+  set.rank();
+}
+
+class HostPasses : public PointPasses {
+public:
+  HostPasses(const Points& points, std::vector<std::int32_t> field, int threads)
+      : points_(points), field_(std::move(field)), threads_(threads)
+  {
+  }
+
+  void
+  fill(CellDirectory& directory, const CellFrame& frame) override
+  {
+    frame.perspective ? fillFrom<true>(directory, frame)
+                      : fillFrom<false>(directory, frame);
+  }
+
+  void
+  findHomes(const CellDirectory& directory,
+            const CellFrame& frame,
+            double border,
+            const std::vector<CellOrigin>& origins) override
+  {
+    origins_ = origins;
+    slots_ = directory.slots();
+    assigned_.resize(points_.size());
+    // As they are: filling them would take one thread as long as all that follows.
+    home_.reset(border > 0 ? new Index[points_.size()] : nullptr);
+    face_.reset(border > 0 ? new std::uint8_t[points_.size()] : nullptr);
+    sums_.assign(slots_, {});
+    runs_.clear();
+    frame.perspective ? findFrom<true>(directory, frame, border)
+                      : findFrom<false>(directory, frame, border);
+  }
+
+  void
+  setNeighbors(const Indices& neighbors) override
+  {
+    neighbors_ = neighbors;
+  }
+
+  std::vector<std::uint32_t>
+  borderCounts() override
+  {
+    constexpr std::size_t row = faces * steps;
+    std::vector<std::uint32_t> counts(slots_ * row);
+    forOwned(home_.get(), [&](std::size_t i, Index home) {
+      if (face_[i] != inside_cell)
+        ++counts[home * row + face_[i]];
+    });
+    return counts;
+  }
+
+  std::vector<CellSums>
+  sums() override
+  {
+    if (sumsByThread())
+      return sums_;
+    sums_.assign(slots_, {});
+    forOwned(assigned_.data(),
+             [&](std::size_t i, Index slot) { add<1>(i, slot, sums_); });
+    return sums_;
+  }
+
+  std::vector<FieldSum>
+  fieldSums() override
+  {
+    std::vector<FieldSum> sums(slots_);
+    forOwned(assigned_.data(), [&](std::size_t i, Index slot) {
+      if (field_[i] == no_value)
+        return;
+      ++sums[slot].count;
+      sums[slot].sum += field_[i];
+    });
+    return sums;
+  }
+
+  void
+  moveBySteps(const std::vector<std::uint8_t>& shifts) override
+  {
+    forMovable([&](std::size_t i, Index home, Index behind) {
+      const std::uint32_t face = face_[i] / steps, step = face_[i] % steps;
+      return step < shifts[home * faces + face] ? behind : home;
+    });
+  }
+
+  void
+  moveToPlanes(const std::vector<CellPlane>& planes) override
+  {
+    forMovable([&](std::size_t i, Index home, Index behind) {
+      const Index here = assigned_[i], there = here == home ? behind : home;
+      const double from_here = distance(planes[here], points_[i]);
+      const double from_there = distance(planes[there], points_[i]);
+      return from_there < from_here ? there : here;
+    });
+  }
+
+  void
+  moveByField(const std::vector<double>& means) override
+  {
+    forMovable([&](std::size_t i, Index home, Index behind) {
+      const Index here = assigned_[i], there = here == home ? behind : home;
+      const double value = field_[i];
+      const bool better =
+          field_[i] != no_value && value < means[here] && value > means[there];
+      return better ? there : here;
+    });
+  }
+
+  Indices
+  assigned() override
+  {
+    return std::move(assigned_);
+  }
+
+private:
+  /** \brief NaN where there is no plane, which no comparison passes. */
+  static double
+  distance(const CellPlane& plane, const Point& p)
+  {
+    const double x = (p.x() - plane.point[0]) * plane.normal[0];
+    const double y = (p.y() - plane.point[1]) * plane.normal[1];
+    const double z = (p.z() - plane.point[2]) * plane.normal[2];
+    return std::abs((x + y) + z);
+  }
+
+  template <class Work>
+  void
+  forAll(const Work& work)
+  {
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(points_.size()); ++i)
+      work(static_cast<std::size_t>(i));
+  }
+
+  template <bool Perspective>
+  void
+  fillFrom(CellDirectory& directory, const CellFrame& frame)
+  {
+    if (!directory.markAll(points_.size())) {
+      Bits bits(directory.marked.words.size());
+      forAll([&](std::size_t i) {
+        Cell cell;
+        Point part;
+        if (frame.locate<Perspective>(points_[i], cell, part))
+          mark(bits, directory.brick(cell));
+      });
+      take(bits, directory.marked);
+    }
+    Bits bits(directory.marked.count * CellDirectory::brick_cells / 32);
+    forAll([&](std::size_t i) {
+      Cell cell;
+      Point part;
+      if (frame.locate<Perspective>(points_[i], cell, part))
+        mark(bits, directory.bit(cell));
+    });
+    take(bits, directory.occupied);
+  }
+
+  /** \brief Whether every thread can have sums of its own for all cells. */
+  bool
+  sumsByThread() const
+  {
+    constexpr std::size_t few = 1U << 19;
+    return slots_ * static_cast<std::size_t>(threads_) <=
+           std::max(points_.size() / 4, few);
+  }
+
+  /** \brief Adds a point to the sums of a slot, or takes it away. */
+  template <int Sign>
+  void
+  add(std::size_t i, Index slot, std::vector<CellSums>& sums) const
+  {
+    const CellOrigin& origin = origins_[slot];
+    const auto offset = [&](std::size_t a) {
+      const double at = points_[i][static_cast<Eigen::Index>(a)] - origin.middle[a];
+      return static_cast<std::int64_t>(std::lrint(at * origin.scale[a]));
+    };
+    const std::int64_t x = offset(0), y = offset(1), z = offset(2);
+    CellSums& sum = sums[slot];
+    sum.count += Sign;
+    sum.first[0] += Sign * x;
+    sum.first[1] += Sign * y;
+    sum.first[2] += Sign * z;
+    sum.second[0] += Sign * (x * x);
+    sum.second[1] += Sign * (x * y);
+    sum.second[2] += Sign * (x * z);
+    sum.second[3] += Sign * (y * y);
+    sum.second[4] += Sign * (y * z);
+    sum.second[5] += Sign * (z * z);
+  }
+
+  /** \brief Calls work(point, sums) for all points; what it adds to the sums, those of
+   * a thread, comes to those of all. */
+  template <class Work>
+  void
+  forAllWithSums(const Work& work)
+  {
+    std::vector<std::vector<CellSums>> parts(static_cast<std::size_t>(threads_));
+    ParallelFailure failure;
+#pragma omp parallel for num_threads(threads_) schedule(static, 1)
+    for (int part = 0; part < threads_; ++part)
+      failure.guard([&] {
+        const auto number = static_cast<std::size_t>(part), all = parts.size();
+        parts[number].resize(sumsByThread() ? slots_ : 0);
+        const std::size_t end = points_.size() * (number + 1) / all;
+        for (std::size_t i = points_.size() * number / all; i < end; ++i)
+          work(i, parts[number]);
+      });
+    failure.rethrow();
+    if (!sumsByThread())
+      return;
+    for (const std::vector<CellSums>& sums : parts)
+      for (std::size_t slot = 0; slot < slots_; ++slot)
+        sums_[slot] += sums[slot];
+  }
+
+  template <bool Perspective>
+  void
+  findFrom(const CellDirectory& directory, const CellFrame& frame, double border)
+  {
+    const double step_scale = steps / border;
+    const bool by_thread = sumsByThread();
+    forAllWithSums([&](std::size_t i, std::vector<CellSums>& sums) {
+      Cell cell;
+      Point part;
+      const bool located = frame.locate<Perspective>(points_[i], cell, part);
+      const Index slot = located ? directory.slot(cell) : CellDirectory::none;
+      assigned_[i] = slot;
+      if (home_) {
+        home_[i] = slot;
+        face_[i] = located ? nearestFace(part, border, step_scale) : inside_cell;
+      }
+      if (by_thread && located)
+        add<1>(i, slot, sums);
+    });
+  }
+
+  /** \brief Cuts the slots into as many runs as there are threads, of about as many
+   * points each. */
+  void
+  share()
+  {
+    std::vector<std::uint32_t> counts(slots_);
+    std::size_t located = 0;
+    for (const Index slot : assigned_)
+      if (slot != CellDirectory::none) {
+        ++counts[slot];
+        ++located;
+      }
+    runs_.assign(1, 0);
+    std::size_t sum = 0;
+    const auto parts = static_cast<std::size_t>(threads_);
+    for (std::size_t slot = 0; slot < slots_; ++slot) {
+      sum += counts[slot];
+      if (sum * parts >= located * runs_.size() && runs_.size() < parts)
+        runs_.push_back(static_cast<Index>(slot + 1));
+    }
+    runs_.push_back(static_cast<Index>(slots_));
+  }
+
+  /** \brief Calls work(point, slot) for all points that \a slots gives one; those of
+   * one slot are in one thread's hands. */
+  template <class Work>
+  void
+  forOwned(const Index* slots, const Work& work)
+  {
+    if (runs_.empty())
+      share();
+    const auto runs = static_cast<std::ptrdiff_t>(runs_.size()) - 1;
+#pragma omp parallel for num_threads(threads_) schedule(static, 1)
+    for (std::ptrdiff_t run = 0; run < runs; ++run) {
+      const Index first = runs_[static_cast<std::size_t>(run)];
+      const Index count = runs_[static_cast<std::size_t>(run) + 1] - first;
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        if (slots[i] - first < count)
+          work(i, slots[i]);
+    }
+  }
+
+  /** \brief Assigns anew all points near a border with a cell behind. */
+  template <class Work>
+  void
+  forMovable(const Work& work)
+  {
+    const bool by_thread = sumsByThread();
+    forAllWithSums([&](std::size_t i, std::vector<CellSums>& sums) {
+      if (face_[i] == inside_cell)
+        return;
+      const Index behind = neighbors_[home_[i] * faces + face_[i] / steps];
+      if (behind == CellDirectory::none)
+        return;
+      const Index before = assigned_[i];
+      assigned_[i] = work(i, home_[i], behind);
+      if (!by_thread || assigned_[i] == before)
+        return;
+      add<-1>(i, before, sums);
+      add<1>(i, assigned_[i], sums);
+    });
+  }
+
+  const Points& points_;
+  std::vector<std::int32_t> field_;
+  int threads_;
+  std::size_t slots_ = 0;
+  Indices neighbors_;
+  std::vector<CellOrigin> origins_;
+  std::vector<CellSums> sums_; // of what is assigned, where every thread had its own
+  Indices assigned_;
+  std::unique_ptr<Index[]> home_; // these two where points may move
+  std::unique_ptr<std::uint8_t[]> face_;
+  Indices runs_;
+};
+
+} // namespace
+
+std::unique_ptr<PointPasses>
+hostPasses(const Points& points, std::vector<std::int32_t> field, int threads)
+{
+  return std::make_unique<HostPasses>(points, std::move(field), threads);
+}
+
+} // namespace linelet::clustering

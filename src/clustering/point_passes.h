@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
+
+#include "cell_directory.h"
+#include "cell_frame.h"
+
+namespace linelet {
+namespace LINELET_PUBLIC clustering {
+
+/** \brief Faces of a cell: -x, +x, -y, +y, -z, +z; f ^ 1 is the face across. */
+constexpr std::uint32_t faces = 6;
+
+/** \brief Steps in which the distance to a border is told. */
+constexpr std::uint32_t steps = 8;
+
+/** \brief What a point has to do with the border of its cell: face * steps + step,
+ * nearest steps first; or that no border is near. */
+constexpr std::uint8_t inside_cell = 255;
+
+/** \brief Where the members of a cell are summed up from, and in which unit. */
+struct CellOrigin {
+  std::array<double, 3> middle;
+  std::array<double, 3> scale; ///< integers a unit of length
+};
+
+/** \brief Sums over the members of a cell, of integer offsets from its middle. */
+struct CellSums {
+  std::int64_t count = 0;
+  std::array<std::int64_t, 3> first{};  ///< x y z
+  std::array<std::int64_t, 6> second{}; ///< xx xy xz yy yz zz
+
+  CellSums&
+  operator+=(const CellSums& other)
+  {
+    count += other.count;
+    for (std::size_t a = 0; a < 3; ++a)
+      first[a] += other.first[a];
+    for (std::size_t a = 0; a < 6; ++a)
+      second[a] += other.second[a];
+    return *this;
+  }
+
+  friend bool
+  operator==(const CellSums& a, const CellSums& b)
+  {
+    return a.count == b.count && a.first == b.first && a.second == b.second;
+  }
+};
+
+/** \brief The plane of a cell's members; a normal of 0: they have none. */
+struct CellPlane {
+  std::array<double, 3> point{}, normal{};
+};
+
+/** \brief Sum of the field's integers over the members of a cell that have one. */
+struct FieldSum {
+  std::int64_t count = 0, sum = 0;
+};
+
+/** \brief The value of the field at points that have none. */
+constexpr std::int32_t no_value = INT32_MIN;
+
+/** \brief All that is done point by point. Every engine gives the same bits: what it
+ * sums are integers, and what it decides it computes in double in the order stated. */
+class PointPasses {
+public:
+  virtual ~PointPasses() = default;
+
+  /** \brief Marks and ranks the bricks, then the cells, that hold points. */
+  virtual void
+  fill(CellDirectory& directory, const CellFrame& frame) = 0;
+
+  /** \brief Finds for every point its home cell, to which it is assigned at first, and
+   * its nearest face within \a border widths; 0: points do not move.
+   * \param[in] origins of every slot, for \ref sums */
+  virtual void
+  findHomes(const CellDirectory& directory,
+            const CellFrame& frame,
+            double border,
+            const std::vector<CellOrigin>& origins) = 0;
+
+  /** \brief Says where points can move to.
+   * \param[in] neighbors slots behind the faces of every slot */
+  virtual void
+  setNeighbors(const Indices& neighbors) = 0;
+
+  /** \brief How many points of a home are how far from which face:
+   * (slot * faces + face) * steps + step. */
+  virtual std::vector<std::uint32_t>
+  borderCounts() = 0;
+
+  /** \brief The sums of what is assigned to every slot. */
+  virtual std::vector<CellSums>
+  sums() = 0;
+
+  virtual std::vector<FieldSum>
+  fieldSums() = 0;
+
+  /** \brief Points less than shifts[slot * faces + face] steps from a face are behind
+   * it, all others at home. */
+  virtual void
+  moveBySteps(const std::vector<std::uint8_t>& shifts) = 0;
+
+  /** \brief Points go to the plane that is nearer, if both cells have one: the distance
+   * is |((x - px) nx + (y - py) ny) + (z - pz) nz|. */
+  virtual void
+  moveToPlanes(const std::vector<CellPlane>& planes) = 0;
+
+  /** \brief Points go across where their value is below the mean here and above the
+   * mean there; NaN: a cell without one. */
+  virtual void
+  moveByField(const std::vector<double>& means) = 0;
+
+  /** \brief Slot of every point, \ref CellDirectory::none for those that have none. */
+  virtual Indices
+  assigned() = 0;
+};
+
+} // namespace clustering
+} // namespace linelet

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <linelet/screen/screen_normals.h>
+
+namespace linelet::screen {
+
+/** \brief Samples with a margin of NaN about every layer, wide enough for the largest
+ * pattern and for whole vectors. */
+struct PaddedSamples {
+  static constexpr int margin = 3;
+
+  int width = 0, height = 0, layers = 0;
+  std::ptrdiff_t stride = 0; ///< from row to row
+  std::ptrdiff_t layer = 0;  ///< from layer to layer
+  std::vector<float> x, y, z;
+  std::vector<float> cx, cy, cz; ///< every pixel's own position
+
+  std::ptrdiff_t
+  at(int column, int row) const
+  {
+    return (row + margin) * stride + column + margin;
+  }
+};
+
+/** \brief Pixels done at a time. */
+constexpr int block = 64;
+
+/** \brief Rings of four pixels counter-clockwise, the first in the order of patterns.
+ */
+constexpr int ring_places[6][4][2] = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}},
+                                      {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}},
+                                      {{2, 0}, {0, 2}, {-2, 0}, {0, -2}},
+                                      {{3, 3}, {-3, 3}, {-3, -3}, {3, -3}},
+                                      {{1, 0}, {0, 1}, {-1, 0}, {0, -1}},
+                                      {{3, 0}, {0, 3}, {-3, 0}, {0, -3}}};
+
+/** \brief Rings of a pattern of \a samples pixels. */
+constexpr int
+ringsOf(unsigned samples)
+{
+  return static_cast<int>(samples - 1) / 4;
+}
+
+/** \brief Normals, not yet turned to the eye, of \ref block pixels from \a column on;
+ * NaN where there are none. */
+struct NormalBlock {
+  float x[block], y[block], z[block];
+};
+
+struct NormalKernels {
+  /// Of one block, by the method of the settings.
+  void (*normals)(const PaddedSamples& samples,
+                  const ScreenNormalSettings& settings,
+                  int column,
+                  int row,
+                  NormalBlock& out);
+};
+
+/** \brief The kernels for this processor. */
+NormalKernels
+normalKernels();
+
+} // namespace linelet::screen

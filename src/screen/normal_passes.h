@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/screen/screen_normals.h>
+#include <linelet/support/visibility.h>
+
+#include "normal_kernels.h"
+
+namespace linelet {
+namespace LINELET_PUBLIC screen {
+
+/** \brief The samples with margins, and every pixel's own position. */
+PaddedSamples
+padded(const SampleLayers& samples, double max_distance, int threads);
+
+/** \brief An image without normals. */
+NormalImage
+emptyImage(const PaddedSamples& samples);
+
+/** \brief Turns normals that look away from the eye. */
+void
+turnToEye(const PaddedSamples& samples,
+          const Eigen::Vector3f& eye,
+          NormalImage& image,
+          int threads);
+
+/** \brief Weighted means of 3 x 3 normals, 4 to 2 to 1 from the middle, of pixels
+ * whose positions are near enough. */
+NormalImage
+smoothed(const PaddedSamples& samples,
+         const NormalImage& image,
+         double max_distance,
+         int threads);
+
+} // namespace screen
+} // namespace linelet

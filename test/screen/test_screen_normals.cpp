@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "screen/depth_camera.h"
+
+using namespace linelet;
+using namespace linelet::test;
+
+namespace {
+
+using Method = ScreenNormalMethod;
+constexpr Method methods[] = {Method::LocalDerivatives,
+                              Method::PlaneDiagonals,
+                              Method::PlaneCircle,
+                              Method::Tensor};
+const Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+
+const Surface tilted = [](const Point& ray) {
+  return plane(ray, Point(0.4, -0.3, -0.85).normalized(), -5);
+};
+const Surface ball = [](const Point& ray) {
+  return sphere(ray, Point(0.3, -0.2, 6), 2.2);
+};
+const Surface column = [](const Point& ray) { return cylinder(ray, 6, 2); };
+/// Two planes that meet in an edge.
+const Surface roof = [](const Point& ray) {
+  const Point side = Point(ray.x() < 0 ? -0.6 : 0.6, 0, -0.8);
+  return plane(ray, side, -4);
+};
+
+TEST(ScreenNormals, OfPlanesWithoutNoiseAreTheirs)
+{
+  for (const Method method : methods)
+    for (const unsigned samples : {5U, 9U, 17U, 25U})
+      for (const int layers : {1, 8}) {
+        const DepthPicture picture(96, 64, layers, tilted);
+        const double error = picture.meanError(
+            screenNormals(picture.samples, eye, normalsBy(method, samples)));
+        EXPECT_LT(error, method == Method::Tensor ? 0.1 : 0.5)
+            << nameOf(method) << " " << samples << " x " << layers;
+      }
+}
+
+TEST(ScreenNormals, OfCurvedSurfacesWithoutNoiseAreWithinADegreeOrTwo)
+{
+  for (const Method method : methods)
+    for (const Surface& surface : {ball, column}) {
+      const DepthPicture picture(160, 120, 1, surface);
+      EXPECT_LT(
+          picture.meanError(screenNormals(picture.samples, eye, normalsBy(method))), 2)
+          << nameOf(method);
+    }
+}
+
+TEST(ScreenNormals, UnderNoiseAreBestByDiagonalsAndWorstByDerivatives)
+{
+  constexpr unsigned seed = 5;
+  SCOPED_TRACE(seed);
+  const struct {
+    const char* name;
+    Surface surface;
+  } scenes[] = {
+      {"plane", tilted}, {"sphere", ball}, {"cylinder", column}, {"roof", roof}};
+  for (const auto& scene : scenes)
+    for (const int layers : {1, 8}) {
+      // As large as a third of the distance between pixels.
+      const DepthPicture picture(160, 120, layers, scene.surface, 0.01, seed);
+      const auto error = [&](Method method) {
+        return picture.meanError(
+            screenNormals(picture.samples, eye, normalsBy(method)));
+      };
+      const double ld = error(Method::LocalDerivatives),
+                   pc = error(Method::PlaneCircle), pd = error(Method::PlaneDiagonals),
+                   ti = error(Method::Tensor);
+      SCOPED_TRACE(std::string(scene.name) + ", " + std::to_string(layers) +
+                   " layers: " + std::to_string(ld) + " " + std::to_string(pc) + " " +
+                   std::to_string(pd) + " " + std::to_string(ti));
+      // What a simulation apart from this code (in Python) gives: the diagonals are the
+      // least-squares slope; the tensor counts near samples like far ones.
+      EXPECT_GT(ld, 2 * pc);
+      EXPECT_GT(ld, 2 * ti);
+      EXPECT_GT(pc, pd);
+      EXPECT_LT(ti, 2.5 * pd);
+    }
+}
+
+TEST(ScreenNormals, SmoothingLowersTheErrorUnderNoise)
+{
+  const DepthPicture picture(160, 120, 1, tilted, 0.02, 6);
+  ScreenNormalSettings settings = normalsBy(Method::Tensor);
+  double before = 1e9;
+  for (const unsigned passes : {0U, 1U, 3U}) {
+    settings.smoothing = passes;
+    const double error =
+        picture.meanError(screenNormals(picture.samples, eye, settings));
+    EXPECT_LT(error, 0.85 * before);
+    before = error;
+  }
+}
+
+TEST(ScreenNormals, TheDistanceLimitKeepsStepsApart)
+{
+  const Surface step = [](const Point& ray) {
+    return plane(ray, Point(0, 0, -1), ray.x() < 0 ? -4 : -6);
+  };
+  const DepthPicture picture(80, 60, 1, step);
+  for (const Method method :
+       {Method::PlaneDiagonals, Method::PlaneCircle, Method::Tensor}) {
+    ScreenNormalSettings settings = normalsBy(method);
+    const double without =
+        picture.meanError(screenNormals(picture.samples, eye, settings));
+    settings.max_distance = 0.5;
+    const double with =
+        picture.meanError(screenNormals(picture.samples, eye, settings));
+    EXPECT_GT(without, 1) << nameOf(method);
+    EXPECT_LT(with, 0.1) << nameOf(method);
+  }
+}
+
+TEST(ScreenNormals, AreUnitVectorsTowardsTheEyeForAnyNumberOfThreads)
+{
+  const DepthPicture picture(101, 57, 8, ball, 0.01, 7);
+  for (const Method method : methods) {
+    ScreenNormalSettings settings = normalsBy(method, 17);
+    settings.smoothing = 1;
+    settings.threads = 1;
+    const NormalImage one = screenNormals(picture.samples, eye, settings);
+    settings.threads = 5;
+    const NormalImage many = screenNormals(picture.samples, eye, settings);
+    for (std::size_t k = 0; k < one.x.size(); ++k) {
+      if (std::isnan(one.x[k])) {
+        EXPECT_TRUE(std::isnan(many.x[k]));
+        continue;
+      }
+      EXPECT_EQ(one.x[k], many.x[k]);
+      EXPECT_EQ(one.y[k], many.y[k]);
+      EXPECT_EQ(one.z[k], many.z[k]);
+      const Eigen::Vector3f n(one.x[k], one.y[k], one.z[k]);
+      EXPECT_NEAR(n.norm(), 1, 1e-5);
+    }
+  }
+}
+
+TEST(ScreenNormals, AreUnknownWhereNothingIsSeen)
+{
+  const Surface nothing = [](const Point&) { return Hit(); };
+  const DepthPicture empty(20, 10, 2, nothing);
+  DepthPicture lonely(20, 10, 1, nothing);
+  const std::size_t k = lonely.samples.at(7, 4);
+  lonely.samples.x[k] = lonely.samples.y[k] = lonely.samples.z[k] = 1;
+  DepthPicture coincident(20, 10, 1, tilted);
+  for (auto* values :
+       {&coincident.samples.x, &coincident.samples.y, &coincident.samples.z})
+    values->assign(values->size(), 3.F);
+  for (const Method method : methods)
+    for (const DepthPicture& picture : {empty, lonely, coincident})
+      for (const float value :
+           screenNormals(picture.samples, eye, normalsBy(method, 25)).x)
+        EXPECT_TRUE(std::isnan(value)) << nameOf(method);
+  SampleLayers none;
+  EXPECT_TRUE(screenNormals(none, eye, {}).x.empty());
+}
+
+TEST(ScreenNormals, RefuseSettingsThatMakeNoSense)
+{
+  const DepthPicture picture(8, 8, 1, tilted);
+  ScreenNormalSettings settings;
+  settings.samples = 7;
+  EXPECT_THROW(screenNormals(picture.samples, eye, settings), std::invalid_argument);
+  settings.samples = 9;
+  settings.max_distance = -1;
+  EXPECT_THROW(screenNormals(picture.samples, eye, settings), std::invalid_argument);
+}
+
+} // namespace
