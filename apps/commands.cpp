@@ -13,6 +13,7 @@ commands()
       {"convert", "convert between point file formats", runConvert},
       {"tensor", "measure the shape of every point's neighborhood", runTensor},
       {"multiscale", "measure it over many radii and find the best", runMultiscale},
+      {"cluster", "thin a cloud to representatives of grid cells", runCluster},
       {"curves", "reconstruct curves from a point cloud", runCurves},
       {"powerlines", "find every wire of an airborne or UAV scan", runPowerlines},
       {"generate",

@@ -23,6 +23,8 @@ runConvert(const std::vector<std::string>& arguments);
 int
 runTensor(const std::vector<std::string>& arguments);
 int
+runCluster(const std::vector<std::string>& arguments);
+int
 runMultiscale(const std::vector<std::string>& arguments);
 int
 runImage(const std::vector<std::string>& arguments);

@@ -31,6 +31,9 @@ draw(const io::Cloud& cloud,
     return pictureOfProfile(cloud, settings, shapes, file, frame);
   case PictureKind::Graphs:
     return pictureOfPoint(cloud, settings, shapes, file, frame);
+  case PictureKind::Splats:
+  case PictureKind::Ellipsoids:
+    return pictureOfTensors(cloud, settings, file, frame);
   case PictureKind::Cloud:
     break;
   }
@@ -54,7 +57,9 @@ runImage(const std::vector<std::string>& arguments)
       "lines (from above with --elevation 90, else in perspective): the cloud, colored "
       "and seen "
       "from any side, with curves over it; a multi-scale feature image, whose "
-      "columns are places along a line and whose rows are radii; or the graphs "
+      "columns are places along a line and whose rows are radii; the tensors of the "
+      "points, as splats that fade where they are spherical, or as ellipsoids; or the "
+      "graphs "
       "of linearity, planarity and sphericity of one point over the radius, with "
       "the extrema and the optimal radius. Coordinates on the command line are "
       "those of the file. Points flagged as withheld are not drawn.");

@@ -48,9 +48,9 @@ if(LINELET_BUILD_APPS)
   find_package(CLI11 REQUIRED)
 endif()
 if(LINELET_BUILD_APPS AND LINELET_BUILD_BENCH)
-  # Pictures: raster images, lettering and PNG, nothing that needs a display.
-  find_package(VTK 9 REQUIRED
-    COMPONENTS CommonDataModel IOImage RenderingCore RenderingFreeType)
+  # Pictures: drawing, lettering and PNG, nothing that needs a display.
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 endif()
 if(LINELET_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -8,159 +8,139 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include <vtkAutoInit.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkStdString.h>
-#include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
-#include <vtkUnsignedCharArray.h>
+#include <cairo.h>
 
 #include <linelet/io/output_file.h>
-
-VTK_MODULE_INIT(vtkRenderingFreeType) // registers what the text renderer writes with
 
 namespace linelet::apps {
 
 namespace {
 
-/// Text as an image of coverage, rows upwards.
-struct Lettering {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> coverage;
-};
-
-Lettering
-lettering(const std::string& words, double fine_size, bool bold)
+void
+useFont(cairo_t* cairo, double size, bool bold)
 {
-  constexpr int dots_per_inch = 72; // a point is a pixel
-  vtkNew<vtkTextProperty> property;
-  property->SetFontFamilyToArial();
-  property->SetFontSize(std::max(1, static_cast<int>(std::lround(fine_size))));
-  property->SetBold(bold);
-  property->SetColor(1, 1, 1);
-  vtkNew<vtkImageData> image;
-  Lettering letters;
-  int size[2] = {0, 0};
-  if (words.empty() || !vtkTextRenderer::GetInstance()->RenderString(
-                           property, words, image, size, dots_per_inch))
-    return letters;
-  // The image may be larger than its text, which lies in its lower left corner.
-  letters.width = size[0];
-  letters.height = size[1];
-  int extent[6];
-  image->GetExtent(extent);
-  for (int y = 0; y < letters.height; ++y)
-    for (int x = 0; x < letters.width; ++x)
-      letters.coverage.push_back(static_cast<const std::uint8_t*>(
-          image->GetScalarPointer(extent[0] + x, extent[2] + y, 0))[3]);
-  return letters;
+  cairo_select_font_face(cairo,
+                         "sans-serif",
+                         CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, size);
+}
+
+double
+advance(cairo_t* cairo, const std::string& words)
+{
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo, words.c_str(), &extents);
+  return extents.x_advance;
+}
+
+std::size_t
+offset(int x, int y, int stride)
+{
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) +
+         static_cast<std::size_t>(x) * sizeof(std::uint32_t);
+}
+
+/// 0xRRGGBB, as cairo keeps it.
+std::uint32_t
+packed(const Color& color)
+{
+  std::uint32_t pixel = 0;
+  for (const double channel : color)
+    pixel = pixel << 8 | static_cast<std::uint32_t>(
+                             std::lround(std::clamp(channel, 0.0, 1.0) * 255));
+  return pixel;
 }
 
 } // namespace
 
+void
+Canvas::Destroy::operator()(_cairo_surface* surface) const
+{
+  cairo_surface_destroy(surface);
+}
+
+void
+Canvas::Destroy::operator()(_cairo* cairo) const
+{
+  cairo_destroy(cairo);
+}
+
 Canvas::Canvas(int width, int height)
     : width_(width),
       height_(height),
-      pixels_(static_cast<std::size_t>(fineWidth()) *
-                  static_cast<std::size_t>(fineHeight()) * 3,
-              255)
+      surface_(
+          cairo_image_surface_create(CAIRO_FORMAT_RGB24, fineWidth(), fineHeight())),
+      cairo_(cairo_create(surface_.get()))
 {
+  if (cairo_status(cairo_.get()) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error("no memory for a picture of " + std::to_string(width) +
+                             " x " + std::to_string(height) +
+                             " pixels; make it smaller");
+  cairo_set_source_rgb(cairo_.get(), 1, 1, 1);
+  cairo_paint(cairo_.get());
+  cairo_scale(cairo_.get(), fineness, fineness);
+  cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
 }
 
-void
-Canvas::blend(int x, int y, const Color& color, double alpha)
+_cairo*
+Canvas::pen(const Color& color)
 {
-  if (x < 0 || y < 0 || x >= fineWidth() || y >= fineHeight())
-    return;
-  const std::size_t place =
-      (static_cast<std::size_t>(y) * static_cast<std::size_t>(fineWidth()) +
-       static_cast<std::size_t>(x)) *
-      3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double old = pixels_[place + i];
-    pixels_[place + i] = static_cast<std::uint8_t>(
-        std::lround(old + (std::clamp(color[i], 0.0, 1.0) * 255 - old) * alpha));
-  }
-}
-
-template <class Inside>
-void
-Canvas::fill(
-    double x0, double y0, double x1, double y1, const Color& color, Inside inside)
-{
-  const int left = std::max(0, static_cast<int>(std::floor(x0 * fineness)));
-  const int top = std::max(0, static_cast<int>(std::floor(y0 * fineness)));
-  const int right =
-      std::min(fineWidth() - 1, static_cast<int>(std::ceil(x1 * fineness)));
-  const int bottom =
-      std::min(fineHeight() - 1, static_cast<int>(std::ceil(y1 * fineness)));
-  for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x)
-      if (inside((x + 0.5) / fineness, (y + 0.5) / fineness))
-        blend(x, y, color, 1);
+  if (touched_)
+    cairo_surface_mark_dirty(surface_.get());
+  touched_ = false;
+  cairo_set_source_rgb(cairo_.get(), color[0], color[1], color[2]);
+  cairo_new_path(cairo_.get());
+  return cairo_.get();
 }
 
 void
 Canvas::rectangle(Spot corner, double width, double height, const Color& color)
 {
-  const double right = corner.x + width, bottom = corner.y + height;
-  fill(corner.x, corner.y, right, bottom, color, [&](double x, double y) {
-    return x >= corner.x && x < right && y >= corner.y && y < bottom;
-  });
+  _cairo* cairo = pen(color);
+  // Whole fine pixels, so that those side by side leave no seam.
+  cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+  cairo_rectangle(cairo, corner.x, corner.y, width, height);
+  cairo_fill(cairo);
+  cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
 }
 
 void
 Canvas::line(Spot from, Spot to, double width, const Color& color)
 {
-  const double dx = to.x - from.x, dy = to.y - from.y;
-  const double squared = dx * dx + dy * dy, half = width / 2;
-  fill(std::min(from.x, to.x) - half,
-       std::min(from.y, to.y) - half,
-       std::max(from.x, to.x) + half,
-       std::max(from.y, to.y) + half,
-       color,
-       [&](double x, double y) {
-         const double along =
-             squared > 0 ? ((x - from.x) * dx + (y - from.y) * dy) / squared : 0;
-         const double t = std::clamp(along, 0.0, 1.0);
-         return std::hypot(x - from.x - t * dx, y - from.y - t * dy) <= half;
-       });
+  polyline({from, to}, width, color);
 }
 
 void
 Canvas::polyline(const std::vector<Spot>& spots, double width, const Color& color)
 {
-  for (std::size_t i = 1; i < spots.size(); ++i)
-    line(spots[i - 1], spots[i], width, color);
+  if (spots.size() < 2)
+    return;
+  _cairo* cairo = pen(color);
+  cairo_set_line_width(cairo, width);
+  for (const Spot& spot : spots)
+    cairo_line_to(cairo, spot.x, spot.y);
+  cairo_stroke(cairo);
 }
 
 void
 Canvas::disc(Spot center, double radius, const Color& color)
 {
-  fill(center.x - radius,
-       center.y - radius,
-       center.x + radius,
-       center.y + radius,
-       color,
-       [&](double x, double y) {
-         return std::hypot(x - center.x, y - center.y) <= radius;
-       });
+  _cairo* cairo = pen(color);
+  constexpr double turn = 2 * 3.14159265358979323846;
+  cairo_arc(cairo, center.x, center.y, radius, 0, turn);
+  cairo_fill(cairo);
 }
 
 void
 Canvas::ring(Spot center, double radius, double width, const Color& color)
 {
-  fill(center.x - radius,
-       center.y - radius,
-       center.x + radius,
-       center.y + radius,
-       color,
-       [&](double x, double y) {
-         const double distance = std::hypot(x - center.x, y - center.y);
-         return distance <= radius && distance >= radius - width;
-       });
+  _cairo* cairo = pen(color);
+  constexpr double turn = 2 * 3.14159265358979323846;
+  cairo_set_line_width(cairo, width);
+  cairo_arc(cairo, center.x, center.y, radius - width / 2, 0, turn);
+  cairo_stroke(cairo);
 }
 
 void
@@ -172,61 +152,82 @@ Canvas::text(Spot at,
              bool upwards,
              bool bold)
 {
-  const Lettering letters = lettering(words, size * fineness, bold);
+  _cairo* cairo = pen(color);
+  cairo_save(cairo);
+  useFont(cairo, size, bold);
+  cairo_translate(cairo, at.x, at.y);
+  if (upwards)
+    cairo_rotate(cairo, -3.14159265358979323846 / 2);
   const double part = align == Align::Left ? 0 : align == Align::Center ? 0.5 : 1;
-  // Along and across the writing direction, in fine pixels.
-  const int along = static_cast<int>(std::lround(-part * letters.width));
-  const int across = -letters.height / 2;
-  const int x0 = static_cast<int>(std::lround(at.x * fineness));
-  const int y0 = static_cast<int>(std::lround(at.y * fineness));
-  for (int v = 0; v < letters.height; ++v)
-    for (int u = 0; u < letters.width; ++u) {
-      const double alpha =
-          letters.coverage[static_cast<std::size_t>(v) *
-                               static_cast<std::size_t>(letters.width) +
-                           static_cast<std::size_t>(u)] /
-          255.0;
-      if (alpha <= 0)
-        continue;
-      if (upwards)
-        blend(x0 - across - v, y0 - along - u, color, alpha);
-      else
-        blend(x0 + along + u, y0 - across - v, color, alpha);
-    }
+  // Capitals are about 0.7 of the size: their middle stands at the place.
+  cairo_move_to(cairo, -part * advance(cairo, words), 0.35 * size);
+  cairo_show_text(cairo, words.c_str());
+  cairo_restore(cairo);
 }
 
 double
 Canvas::textWidth(const std::string& words, double size, bool bold)
 {
-  return static_cast<double>(lettering(words, size * fineness, bold).width) / fineness;
+  const Canvas canvas(1, 1);
+  useFont(canvas.cairo_.get(), size, bold);
+  return advance(canvas.cairo_.get(), words);
+}
+
+void
+Canvas::setFine(int x, int y, const Color& color)
+{
+  if (x < 0 || y < 0 || x >= fineWidth() || y >= fineHeight())
+    return;
+  if (!touched_)
+    cairo_surface_flush(surface_.get());
+  touched_ = true;
+  const int stride = cairo_image_surface_get_stride(surface_.get());
+  unsigned char* data = cairo_image_surface_get_data(surface_.get());
+  *reinterpret_cast<std::uint32_t*>(data + offset(x, y, stride)) = packed(color);
 }
 
 void
 Canvas::save(const std::string& path) const
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(width_, height_, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* out = static_cast<std::uint8_t*>(image->GetScalarPointer());
-  const auto fine_row = static_cast<std::size_t>(fineWidth()) * 3;
-  for (int y = height_ - 1; y >= 0; --y) // VTK's rows go upwards
+  const std::unique_ptr<_cairo_surface, Destroy> image(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_));
+  cairo_surface_flush(surface_.get());
+  const int fine_stride = cairo_image_surface_get_stride(surface_.get());
+  const int stride = cairo_image_surface_get_stride(image.get());
+  const unsigned char* fine = cairo_image_surface_get_data(surface_.get());
+  unsigned char* data = cairo_image_surface_get_data(image.get());
+  if (data == nullptr || fine == nullptr)
+    throw std::runtime_error(path + ": no memory for the picture");
+  for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x)
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) { // the fourth byte means nothing
         unsigned sum = 0;
         for (int v = 0; v < fineness; ++v)
-          for (int u = 0; u < fineness; ++u)
-            sum += pixels_[static_cast<std::size_t>(y * fineness + v) * fine_row +
-                           static_cast<std::size_t>(x * fineness + u) * 3 + i];
-        *out++ = static_cast<std::uint8_t>(sum / (fineness * fineness));
+          for (int u = 0; u < fineness; ++u) {
+            const std::size_t pixel =
+                offset(x * fineness + u, y * fineness + v, fine_stride);
+            sum += *reinterpret_cast<const std::uint32_t*>(fine + pixel) >> (8 * c) &
+                   0xFFU;
+          }
+        const unsigned mean = sum / (fineness * fineness);
+        std::uint32_t& out =
+            *reinterpret_cast<std::uint32_t*>(data + offset(x, y, stride));
+        out = (out & ~(0xFFU << (8 * c))) | mean << (8 * c);
       }
-  vtkNew<vtkPNGWriter> writer; // in memory: VTK says on stderr what fails on disk
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray& png = *writer->GetResult();
+  cairo_surface_mark_dirty(image.get());
+  std::string png; // in memory: what fails on disk is told by the file
+  const auto append = [](void* text, const unsigned char* bytes, unsigned count) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes),
+                                            count);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status =
+      cairo_surface_write_to_png_stream(image.get(), append, &png);
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(
+        path + ": the picture cannot be made: " + cairo_status_to_string(status));
   io::OutputFile file(path);
-  file.write({reinterpret_cast<const char*>(png.GetPointer(0)),
-              static_cast<std::size_t>(png.GetNumberOfValues())});
+  file.write(png);
   file.commit();
 }
 

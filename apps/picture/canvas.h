@@ -5,10 +5,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "color.h"
+
+struct _cairo;
+struct _cairo_surface;
 
 namespace linelet::apps {
 
@@ -19,7 +23,7 @@ struct Spot {
 
 enum class Align { Left, Center, Right };
 
-/** \brief A picture drawn in memory, no display needed.
+/** \brief A picture drawn in memory by Cairo, no display needed.
  *
  * Everything is drawn three times as fine as it is written, and averaged. */
 class Canvas {
@@ -78,10 +82,8 @@ public:
 
   /** \brief A fine pixel, for what is computed pixel by pixel. */
   void
-  setFine(int x, int y, const Color& color)
-  {
-    blend(x, y, color, 1);
-  }
+  setFine(int x, int y, const Color& color);
+
   int
   fineWidth() const
   {
@@ -94,15 +96,21 @@ public:
   }
 
 private:
-  void
-  blend(int x, int y, const Color& color, double alpha);
+  struct Destroy {
+    void
+    operator()(_cairo_surface* surface) const;
+    void
+    operator()(_cairo* cairo) const;
+  };
 
-  template <class Inside>
-  void
-  fill(double x0, double y0, double x1, double y1, const Color& color, Inside inside);
+  /** \brief Ready to draw in a color. */
+  _cairo*
+  pen(const Color& color);
 
   int width_, height_;
-  std::vector<std::uint8_t> pixels_; // fine, rows downwards, 3 bytes each
+  std::unique_ptr<_cairo_surface, Destroy> surface_; // fine
+  std::unique_ptr<_cairo, Destroy> cairo_;           // in written pixels
+  bool touched_ = false; // pixels were set beside what Cairo drew
 };
 
 /** \brief Fails at once where saving a picture at \a path would fail after long work.

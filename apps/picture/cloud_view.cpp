@@ -71,6 +71,22 @@ public:
     return scale_;
   }
 
+  /// The same view, \a fineness pixels to one of the picture.
+  Camera
+  camera(int width, int height, int fineness = 1) const
+  {
+    Camera camera;
+    camera.axes = axes_;
+    camera.eye = axes_.transpose() *
+                 (origin_ + (Point(width / 2.0, height / 2.0, 0) - center_) / scale_);
+    camera.field_of_view = 0;
+    camera.view_height = height / scale_;
+    camera.width = width * fineness;
+    camera.height = height * fineness;
+    camera.near = -far_away;
+    return camera;
+  }
+
 private:
   Eigen::Matrix3d axes_;
   Point origin_, center_;
@@ -129,6 +145,46 @@ light(const DepthImage& image, int x, int y, int reach)
   return std::max(0.45, std::exp(-1.8 * shade / ways.size()));
 }
 
+/// The color of a normal that looks at the eye, by its parts to the right, up, and
+/// towards the eye; or light from above the eye's left shoulder.
+Color
+colorOfNormal(const Point& normal, PixelColor by)
+{
+  if (!normal.allFinite())
+    return ink::grid;
+  if (by == PixelColor::Normal)
+    return {0.5 + 0.5 * normal.x(), 0.5 - 0.5 * normal.y(), 0.5 - 0.5 * normal.z()};
+  const Point light = Point(-0.5, -0.6, -0.62).normalized();
+  const double bright = 0.22 + 0.76 * std::max(0.0, normal.dot(light));
+  return {bright, bright, bright};
+}
+
+/// Gives every fine pixel that sees something the color of its pixel's normal.
+void
+colorByNormals(DepthImage& image,
+               const Canvas& canvas,
+               const CloudView& view,
+               const Projection& project,
+               double point_size)
+{
+  const Camera camera = project.camera(canvas.width(), canvas.height());
+  const SampleLayers samples =
+      sampleLayers(view.points, camera, point_size, 0, 8, view.normals.threads);
+  const double behind = camera.height / project.pixelsPerUnit() * 1e3;
+  const Point eye = camera.axes.row(2).transpose() * -behind;
+  const NormalImage normals = screenNormals(samples, eye.cast<float>(), view.normals);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      if (!(image.depth[image.at(x, y)] < far_away))
+        continue;
+      const std::size_t k = samples.at(x / Canvas::fineness, y / Canvas::fineness);
+      const Point normal = camera.axes * Point(static_cast<double>(normals.x[k]),
+                                               static_cast<double>(normals.y[k]),
+                                               static_cast<double>(normals.z[k]));
+      image.color[image.at(x, y)] = colorOfNormal(normal, view.pixels);
+    }
+}
+
 void
 drawPoints(Canvas& canvas, const CloudView& view, const Projection& project)
 {
@@ -138,25 +194,35 @@ drawPoints(Canvas& canvas, const CloudView& view, const Projection& project)
   image.depth.assign(count, far_away);
   image.color.resize(count);
   double size = view.point_size;
-  if (!(size > 0)) // so large that even points cover half of the paper
+  if (!(size > 0)) {
+    // So large that even points cover half of the paper; for normals, themselves many
+    // times over.
+    const bool own = view.pixels == PixelColor::OfPoints;
+    const double count = std::max<double>(1, static_cast<double>(view.points.size()));
     size = std::clamp(
-        std::sqrt(0.5 * canvas.width() * canvas.height() /
-                  std::max<double>(1, static_cast<double>(view.points.size()))),
-        1.4,
-        6.0);
+        std::sqrt((own ? 0.5 : 6) * canvas.width() * canvas.height() / count),
+        own ? 1.4 : 3,
+        own ? 6.0 : 9);
+  }
   const double radius = size / 2 * Canvas::fineness;
   for (std::size_t i = 0; i < view.points.size(); ++i)
     if (view.points[i].allFinite())
-      splat(image, project(view.points[i]) * Canvas::fineness, radius, view.colors[i]);
+      splat(image,
+            project(view.points[i]) * Canvas::fineness,
+            radius,
+            view.colors.empty() ? ink::grid : view.colors[i]);
+  if (view.pixels != PixelColor::OfPoints)
+    colorByNormals(image, canvas, view, project, size);
   const int reach = std::max(2, static_cast<int>(std::lround(1.3 * Canvas::fineness)));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       if (image.depth[image.at(x, y)] < far_away)
-        canvas.setFine(x,
-                       y,
-                       mix({0.05, 0.05, 0.08},
-                           image.color[image.at(x, y)],
-                           light(image, x, y, reach)));
+        canvas.setFine(
+            x,
+            y,
+            mix({0.05, 0.05, 0.08},
+                image.color[image.at(x, y)],
+                view.pixels == PixelColor::Normal ? 1 : light(image, x, y, reach)));
 }
 
 void
@@ -215,6 +281,34 @@ drawCloud(const CloudView& view, int width, int height, double bottom)
   Canvas canvas(width, height);
   const Projection project(view, width, height, bottom + 20);
   drawPoints(canvas, view, project);
+  drawCurves(canvas, view, project);
+  drawScaleBar(canvas, view, project.pixelsPerUnit(), bottom);
+  if (!view.title.empty())
+    canvas.text({24, 26}, view.title, title_size, ink::text, Align::Left, false, true);
+  return canvas;
+}
+
+Canvas
+drawGlyphs(const CloudView& view,
+           const std::vector<TensorGlyph>& glyphs,
+           const DrawGlyphs& draw,
+           int width,
+           int height,
+           double bottom)
+{
+  Canvas canvas(width, height);
+  const Projection project(view, width, height, bottom + 20);
+  const GlyphImage image =
+      draw(glyphs, project.camera(width, height, Canvas::fineness));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const std::array<float, 4>& pixel = image.at(x, y);
+      Color color{};
+      for (std::size_t c = 0; c < 3; ++c)
+        color[c] = static_cast<double>(pixel[c]) +
+                   (1 - static_cast<double>(pixel[3])) * ink::paper[c];
+      canvas.setFine(x, y, color);
+    }
   drawCurves(canvas, view, project);
   drawScaleBar(canvas, view, project.pixelsPerUnit(), bottom);
   if (!view.title.empty())

@@ -3,21 +3,33 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <linelet/curves/curve_network.h>
+#include <linelet/screen/screen_normals.h>
+#include <linelet/screen/tensor_splats.h>
 #include <linelet/support/points.h>
 
 #include "canvas.h"
 
 namespace linelet::apps {
 
+/** \brief What colors the points of a picture. */
+enum class PixelColor {
+  OfPoints, ///< their own colors
+  Normal,   ///< the normal of what a pixel sees, relative to the eye
+  Shaded    ///< light on it
+};
+
 /** \brief A cloud as it is to be shown. */
 struct CloudView {
   Points points;             ///< those that are not finite are left out
   std::vector<Color> colors; ///< one a point
-  CurveNetwork curves;       ///< drawn over the points
+  PixelColor pixels = PixelColor::OfPoints;
+  ScreenNormalSettings normals; ///< for the other two
+  CurveNetwork curves;          ///< drawn over the points
   std::string title;
   std::string unit;       ///< of length, for the scale bar; may be empty
   double azimuth = 210;   ///< where the eye is, degrees clockwise from north (y)
@@ -31,5 +43,18 @@ struct CloudView {
  * free for a legend. */
 Canvas
 drawCloud(const CloudView& view, int width, int height, double bottom);
+
+/** \brief Draws glyphs as seen by a camera. */
+using DrawGlyphs = std::function<GlyphImage(const std::vector<TensorGlyph>& glyphs,
+                                            const Camera& camera)>;
+
+/** \brief The same with glyphs in place of the points, which say where things are. */
+Canvas
+drawGlyphs(const CloudView& view,
+           const std::vector<TensorGlyph>& glyphs,
+           const DrawGlyphs& draw,
+           int width,
+           int height,
+           double bottom);
 
 } // namespace linelet::apps

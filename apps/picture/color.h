@@ -23,6 +23,12 @@ enum class ShapeColors {
   Safe     ///< pale yellow, blue, dark red: apart for color-blind readers and in gray
 };
 
+/** \brief The same for tensor splats, which lie on paper and fade. */
+enum class SplatColors {
+  Safe,   ///< blue, orange, gray: apart for color-blind readers
+  Classic ///< green, red, blue, as published
+};
+
 inline Color
 mix(const Color& a, const Color& b, double part_of_b)
 {
@@ -39,6 +45,14 @@ shapeColors(ShapeColors colors)
   if (colors == ShapeColors::Classic)
     return {{{0.84, 0.84, 0.84}, {0.13, 0.33, 0.85}, {0.10, 0.62, 0.20}}};
   return {{{0.99, 0.91, 0.60}, {0.16, 0.47, 0.84}, {0.55, 0.06, 0.10}}};
+}
+
+inline std::array<Color, 3>
+splatColors(SplatColors colors)
+{
+  if (colors == SplatColors::Classic)
+    return {{{0, 0.75, 0}, {0.9, 0, 0}, {0, 0, 1}}};
+  return {{{0.00, 0.30, 0.65}, {0.90, 0.55, 0.00}, {0.60, 0.60, 0.60}}};
 }
 
 /** \brief CL * first + CP * second + CS * third color. */
@@ -89,6 +103,13 @@ struct Names<apps::ShapeColors> {
   static constexpr std::string_view kind = "colors";
   static constexpr std::array<std::pair<apps::ShapeColors, std::string_view>, 2> table =
       {{{apps::ShapeColors::Classic, "classic"}, {apps::ShapeColors::Safe, "safe"}}};
+};
+
+template <>
+struct Names<apps::SplatColors> {
+  static constexpr std::string_view kind = "colors of splats";
+  static constexpr std::array<std::pair<apps::SplatColors, std::string_view>, 2> table =
+      {{{apps::SplatColors::Safe, "safe"}, {apps::SplatColors::Classic, "classic"}}};
 };
 
 } // namespace linelet

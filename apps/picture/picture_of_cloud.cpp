@@ -85,7 +85,7 @@ scalars(const io::Cloud& cloud, const std::string& name, const std::string& file
       names += " " + other.name;
     throw std::runtime_error(
         file + ": there is no attribute '" + name +
-        "' to color by; use shape, height, grey, rgb or one of its "
+        "' to color by; use shape, height, grey, rgb, normal, shaded or one of its "
         "own:" +
         (names.empty() ? " none" : names));
   }
@@ -205,7 +205,12 @@ viewOf(const io::Cloud& cloud,
   if (!settings.curves.empty())
     view.curves = io::readCurves(settings.curves, cloud.shift);
 
-  if (settings.color == "shape")
+  if (settings.color == "normal" || settings.color == "shaded") {
+    view.pixels = settings.color == "normal" ? PixelColor::Normal : PixelColor::Shaded;
+    view.normals = settings.normals;
+    view.normals.threads = frame.threads;
+  }
+  else if (settings.color == "shape")
     view.colors = colorsByShape(cloud.points, shapes, settings.colors, frame);
   else if (settings.color == "rgb")
     view.colors = colorsByRgb(cloud, file);
@@ -251,6 +256,9 @@ svgPictureOfCloud(const io::Cloud& cloud,
 {
   Scalars values;
   const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
+  if (view.pixels != PixelColor::OfPoints)
+    throw std::runtime_error("--color " + settings.color +
+                             " is of pixels, which an .svg has none of; write a .png");
   SvgTensors tensors;
   if (settings.fourth_order)
     tensors = majorEigentensors(cloud.points, shapes, settings.colors, frame);
@@ -272,7 +280,8 @@ pictureOfCloud(const io::Cloud& cloud,
   const bool gray = settings.color == "grey";
   Scalars values;
   const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
-  const bool legend = by_shape || (!by_rgb && !gray);
+  const bool legend =
+      by_shape || (!by_rgb && !gray && view.pixels == PixelColor::OfPoints);
   Canvas canvas = drawCloud(view,
                             static_cast<int>(settings.width),
                             static_cast<int>(settings.height),

@@ -11,6 +11,7 @@
 
 #include <linelet/features/multi_scale.h>
 #include <linelet/io/cloud.h>
+#include <linelet/screen/screen_normals.h>
 #include <linelet/support/names.h>
 
 #include "canvas.h"
@@ -20,9 +21,11 @@ namespace linelet::apps {
 
 /** \brief What a picture shows. */
 enum class PictureKind {
-  Cloud,   ///< the points, colored
-  Profile, ///< the multi-scale feature image along a line
-  Graphs   ///< the graphs of one point
+  Cloud,     ///< the points, colored
+  Profile,   ///< the multi-scale feature image along a line
+  Graphs,    ///< the graphs of one point
+  Splats,    ///< the tensors of the points, as striped discs
+  Ellipsoids ///< the same as ellipsoids
 };
 
 /** \brief What is drawn, and how. */
@@ -37,6 +40,11 @@ struct PictureSettings {
   double point_size = 0;
   double curve_width = 3;
   bool fourth_order = false;
+  /// Points are drawn larger than they are apart: their steps need averaging.
+  ScreenNormalSettings normals = {ScreenNormalMethod::Tensor, 25, 0, 4, 0};
+  // Splats and ellipsoids
+  double radius = 0, size = 0;
+  SplatColors splat_colors = SplatColors::Safe;
   // Profile and graphs
   std::string along;
   bool by_index = false;
@@ -57,10 +65,11 @@ describe(PictureSettings& s, Visit&& visit)
   visit("colors", s.colors, "of linearity, planarity, sphericity");
   visit("width", s.width, "of the picture, pixels");
   visit("height", s.height, "of the picture, pixels");
-  visit("color",
-        s.color,
-        "cloud: shape (median of the factors over all radii), height, grey, rgb, or an "
-        "attribute of the file");
+  visit(
+      "color",
+      s.color,
+      "cloud: shape (median of the factors over all radii), height, grey, rgb, normal "
+      "(of what a pixel sees), shaded (light on it), or an attribute of the file");
   visit("curves",
         s.curves,
         "cloud: polylines to draw over it, in any format that linelet writes");
@@ -72,6 +81,14 @@ describe(PictureSettings& s, Visit&& visit)
         s.fourth_order,
         "cloud as .svg: an ellipse at every point, the major eigentensor of its "
         "fourth-order tensor over all radii");
+  describe(s.normals, visit);
+  visit("tensor-radius",
+        s.radius,
+        "splats: radius of the tensors, for ellipsoids as well; 0: 4 D");
+  visit("tensor-size", s.size, "splats: half of their length; 0: D");
+  visit("splat-colors",
+        s.splat_colors,
+        "splats: of linear, planar and spherical tensors");
   visit("along", s.along, "profile: along the first curve of this file");
   visit("by-index", s.by_index, "profile: over the points, in the order of the file");
   visit("probe", s.probe, "profile: along the polyline x,y,z,x,y,z,...");
@@ -102,6 +119,13 @@ svgPictureOfCloud(const io::Cloud& cloud,
                   const std::string& file,
                   Frame& frame);
 
+/** \brief The tensors of the points of \a cloud, as splats or ellipsoids. */
+Canvas
+pictureOfTensors(const io::Cloud& cloud,
+                 const PictureSettings& settings,
+                 const std::string& file,
+                 Frame& frame);
+
 /** \brief The multi-scale feature image along the line that \a settings name. */
 Canvas
 pictureOfProfile(const io::Cloud& cloud,
@@ -125,10 +149,12 @@ namespace linelet {
 template <>
 struct Names<apps::PictureKind> {
   static constexpr std::string_view kind = "kind of picture";
-  static constexpr std::array<std::pair<apps::PictureKind, std::string_view>, 3> table =
+  static constexpr std::array<std::pair<apps::PictureKind, std::string_view>, 5> table =
       {{{apps::PictureKind::Cloud, "cloud"},
         {apps::PictureKind::Profile, "profile"},
-        {apps::PictureKind::Graphs, "graphs"}}};
+        {apps::PictureKind::Graphs, "graphs"},
+        {apps::PictureKind::Splats, "splats"},
+        {apps::PictureKind::Ellipsoids, "ellipsoids"}}};
 };
 
 } // namespace linelet

@@ -3,14 +3,15 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
+#include <cairo.h>
 
 #include "run_tool.h"
 
@@ -22,30 +23,34 @@ using Rgb = std::array<int, 3>;
 class Picture {
 public:
   explicit Picture(const std::string& path)
+      : image_(cairo_image_surface_create_from_png(path.c_str()), cairo_surface_destroy)
   {
-    reader_->SetFileName(path.c_str());
-    reader_->Update();
-    reader_->GetOutput()->GetDimensions(size_.data());
+    EXPECT_EQ(cairo_surface_status(image_.get()), CAIRO_STATUS_SUCCESS) << path;
   }
 
   int
   width() const
   {
-    return size_[0];
+    return cairo_image_surface_get_width(image_.get());
   }
   int
   height() const
   {
-    return size_[1];
+    return cairo_image_surface_get_height(image_.get());
   }
 
   /** \brief From the upper left corner. */
   Rgb
   at(int x, int y) const
   {
-    const auto* pixel = static_cast<const unsigned char*>(
-        reader_->GetOutput()->GetScalarPointer(x, size_[1] - 1 - y, 0));
-    return {pixel[0], pixel[1], pixel[2]};
+    const unsigned char* data = cairo_image_surface_get_data(image_.get());
+    std::uint32_t pixel = 0;
+    std::memcpy(&pixel,
+                data + y * cairo_image_surface_get_stride(image_.get()) + 4 * x,
+                sizeof(pixel));
+    return {static_cast<int>(pixel >> 16 & 0xFF),
+            static_cast<int>(pixel >> 8 & 0xFF),
+            static_cast<int>(pixel & 0xFF)};
   }
 
   /** \brief Pixels whose channels are all within \a tolerance of \a color. */
@@ -65,8 +70,7 @@ public:
   }
 
 private:
-  vtkNew<vtkPNGReader> reader_;
-  std::array<int, 3> size_{};
+  std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> image_;
 };
 
 // The pure colors of the shapes, as the documentation has them.
@@ -163,6 +167,44 @@ TEST_F(ImageCommand, ACloudShowsTheColorOfAnAttribute)
   constexpr Rgb low = {69, 0, 84}, high = {252, 232, 36};
   EXPECT_GT(picture.count(low, 12), 500 * 500 / 20);
   EXPECT_GT(picture.count(high, 12), 500 * 500 / 20);
+}
+
+TEST_F(ImageCommand, NormalsOfAPlaneFromAboveLookAtTheEye)
+{
+  cloud(2);
+  const std::string start =
+      "image " + path("cloud.xyz") + " " + path("normals.png") +
+      " --width 400 --height 300 --elevation 90 --point-size 8 --color ";
+  runWell(start + "normal");
+  const Picture normals(path("normals.png"));
+  EXPECT_GT(normals.count({128, 128, 255}, 3), 400 * 300 / 4);
+  runWell(start + "shaded");
+  const Picture shaded(path("normals.png"));
+  const Rgb lit = shaded.at(200, 130);
+  EXPECT_EQ(lit[0], lit[1]);
+  EXPECT_EQ(lit[1], lit[2]);
+  EXPECT_GT(shaded.count(lit, 3), 400 * 300 / 4);
+}
+
+TEST_F(ImageCommand, TensorsAreSplatsOrEllipsoidsInTheColorsOfTheirShape)
+{
+  cloud(2);
+  const std::string start =
+      "image " + path("cloud.xyz") + " " + path("tensors.png") +
+      " --width 400 --height 300 --elevation 90 "
+      "--tensor-radius 1 --tensor-size 0.4 --splat-colors classic "
+      "--kind ";
+  for (const char* kind : {"splats", "ellipsoids"}) {
+    runWell(start + kind);
+    const Picture picture(path("tensors.png"));
+    int red = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const Rgb pixel = picture.at(x, y);
+        red += pixel[0] > 2 * pixel[1] && pixel[0] > 2 * pixel[2] ? 1 : 0;
+      }
+    EXPECT_GT(red, 400 * 300 / 6) << kind;
+  }
 }
 
 } // namespace

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <linelet/clustering/cluster_points.h>
+#include <linelet/features/tensor_record.h>
+#ifdef LINELET_HAS_OPENCL
+#include <linelet/opencl/cluster_engine.h>
+#endif
+
+#include "camera_file.h"
+#include "cloud_files.h"
+#include "commands.h"
+#include "frame.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+namespace {
+
+/** \brief Whether a value of this attribute is a name rather than a measure: then the
+ * most frequent one stands for many, else their mean. */
+bool
+isName(const io::Column& column)
+{
+  constexpr std::array<std::string_view, 4> measures = {
+      "intensity", "red", "green", "blue"};
+  return !std::holds_alternative<std::vector<float>>(column.values) &&
+         !std::holds_alternative<std::vector<double>>(column.values) &&
+         std::find(measures.begin(), measures.end(), column.name) == measures.end();
+}
+
+std::vector<double>
+valuesOf(const io::Column& column, std::size_t count)
+{
+  std::vector<double> values;
+  values.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(io::valueAt(column, i));
+  return values;
+}
+
+/** \brief \a column for the representatives, in the type it has. */
+io::Column
+reduced(const io::Column& column, const Clusters& clusters)
+{
+  const std::vector<double> all = valuesOf(column, clusters.cluster_of.size());
+  const std::vector<double> values =
+      isName(column) ? clusterModes(clusters, all) : clusterMeans(clusters, all);
+  io::Column result{column.name, {}, column.description};
+  std::visit(
+      [&](const auto& typed) {
+        using T = typename std::decay_t<decltype(typed)>::value_type;
+        std::vector<T> out;
+        out.reserve(values.size());
+        for (const double value : values)
+          if constexpr (std::is_floating_point_v<T>)
+            out.push_back(static_cast<T>(value));
+          else
+            out.push_back(static_cast<T>(value + (value < 0 ? -0.5 : 0.5)));
+        result.values = std::move(out);
+      },
+      column.values);
+  return result;
+}
+
+/** \brief What stands for the points: their attributes, and what clusters add. */
+io::Cloud
+representatives(const io::Cloud& cloud, const Clusters& clusters)
+{
+  io::Cloud result;
+  result.shift = cloud.shift;
+  result.wkt = cloud.wkt;
+  result.format = cloud.format;
+  result.las = cloud.las;
+  std::vector<std::uint32_t> counts;
+  std::vector<PointDistributionTensor> records;
+  for (const Representative& r : clusters.representatives) {
+    result.points.push_back(r.center);
+    counts.push_back(r.count);
+    records.push_back(recordOf(r.tensor, 0, r.count));
+  }
+  for (const io::Column& column : cloud.columns)
+    result.set(reduced(column, clusters));
+  result.set({"count", std::move(counts), "points that it stands for"});
+  using R = PointDistributionTensor;
+  const auto add = [&](const char* name, float R::*member, const char* description) {
+    addColumn(result, records, name, member, description);
+  };
+  add("xx", &R::xx, "covariance of the members");
+  add("xy", &R::xy, "covariance of the members");
+  add("xz", &R::xz, "covariance of the members");
+  add("yy", &R::yy, "covariance of the members");
+  add("yz", &R::yz, "covariance of the members");
+  add("zz", &R::zz, "covariance of the members");
+  add("normal_x", &R::normal_x, "along the smallest extent");
+  add("normal_y", &R::normal_y, "along the smallest extent");
+  add("normal_z", &R::normal_z, "along the smallest extent");
+  add("linearity", &R::linearity, "shape factor CL, 0 to 1");
+  add("planarity", &R::planarity, "shape factor CP, 0 to 1");
+  add("sphericity", &R::sphericity, "shape factor CS, 0 to 1");
+  return result;
+}
+
+std::vector<double>
+fieldOf(const io::Cloud& cloud, const std::string& name, const std::string& file)
+{
+  if (const io::Column* column = cloud.find(name))
+    return valuesOf(*column, cloud.points.size());
+  std::string names;
+  for (const io::Column& column : cloud.columns)
+    names += " " + column.name;
+  throw std::runtime_error(file + ": there is no field '" + name + "'; it has" +
+                           (names.empty() ? " none" : names));
+}
+
+Clusters
+clustersOf(const Points& points,
+           const ClusterSettings& settings,
+           const std::vector<double>& field,
+           const std::string& device,
+           Frame& frame)
+{
+  if (device.empty())
+    return clusterPoints(points, settings, field, &frame.monitor);
+#ifdef LINELET_HAS_OPENCL
+  opencl::ClusterEngine engine(device == "auto" ? "" : device);
+  frame.summary["device"] = engine.device().name;
+  return engine.cluster(points, settings, field, &frame.monitor);
+#else
+  throw std::runtime_error("this linelet was built without OpenCL; leave out --device");
+#endif
+}
+
+} // namespace
+
+int
+runCluster(const std::vector<std::string>& arguments)
+{
+  Frame frame("cluster",
+              "Thins a cloud to representatives: the means of points that share a cell "
+              "of a grid, with their number, covariance, normal and shape factors; "
+              "measures become means, classes and other names the most frequent one. "
+              "Points near the border of a cell may first move to the cell across, so "
+              "that the cells adapt to what stands in them.");
+  ClusterSettings settings;
+  std::string field, camera, device;
+  CloudInput input(frame);
+  CloudOutput output(frame);
+  addOptions(frame.app, settings);
+  const OptionAdder add(frame.app);
+  add("field",
+      field,
+      "attribute that makes points move, planarity say: cells grow purer in it");
+  add("camera",
+      camera,
+      "JSON with eye and target of a camera: the cells fill its view, finer near it; "
+      "takes --cells");
+  add("device",
+      device,
+      "cluster on this OpenCL device, by number or part of its name, or auto; the "
+      "result "
+      "is the same");
+  frame.reads(camera);
+  frame.parse(arguments);
+  settings.threads = frame.threads;
+  if (!field.empty())
+    settings.move_by = MoveRule::Field;
+  else if (settings.move_by == MoveRule::Field)
+    throw std::runtime_error("--move-by field needs --field");
+  output.check();
+
+  const io::Cloud cloud = input.read();
+  const io::UsablePoints usable = input.usable(cloud);
+  if (!camera.empty())
+    settings.camera = readCamera(camera, cloud.shift);
+  const Clusters clusters = clustersOf(
+      usable.points(),
+      settings,
+      field.empty() ? std::vector<double>{} : fieldOf(cloud, field, input.path()),
+      device,
+      frame);
+  frame.lap("cluster");
+  output.write(representatives(cloud, clusters));
+
+  const auto outside = static_cast<std::size_t>(std::count(
+      clusters.cluster_of.begin(), clusters.cluster_of.end(), Clusters::none));
+  const std::size_t inside = cloud.points.size() - outside;
+  std::printf("%s: %zu representatives of %zu points",
+              output.path().c_str(),
+              clusters.representatives.size(),
+              inside);
+  if (clusters.leaf > 0)
+    std::printf(", cells of %.6g", clusters.leaf);
+  std::printf(", grid of %lld x %lld x %lld\n",
+              static_cast<long long>(clusters.cells[0]),
+              static_cast<long long>(clusters.cells[1]),
+              static_cast<long long>(clusters.cells[2]));
+  if (outside > usable.leftOut())
+    std::printf("%zu points are in no cell: not finite, or out of the camera's view\n",
+                outside - usable.leftOut());
+  frame.summary["points"] = cloud.points.size();
+  frame.summary["clustered"] = inside;
+  frame.summary["representatives"] = clusters.representatives.size();
+  if (clusters.leaf > 0)
+    frame.summary["leaf"] = clusters.leaf;
+  frame.summary["cells"] = clusters.cells;
+  frame.summary["move_by"] = nameOf(settings.move_by);
+  frame.summary["moves"] = settings.moves;
+  frame.summary["withheld"] = usable.withheld();
+  frame.summary["ignored"] = usable.ignored();
+  return frame.finish();
+}
+
+} // namespace linelet::apps
