@@ -16,6 +16,7 @@
 #include <linelet/io/point_file.h>
 
 #include "help.h"
+#include "manual.h"
 #include "options.h"
 #include "signals.h"
 
@@ -139,6 +140,11 @@ Frame::Frame(const std::string& command, const std::string& description)
 void
 Frame::parse(const std::vector<std::string>& arguments)
 {
+  if (arguments.size() == 1 &&
+      (arguments[0] == "--help-manual" || arguments[0] == "--help-completion")) {
+    std::cout << (arguments[0] == "--help-manual" ? manualOf(app) : completionOf(app));
+    throw Exit{0};
+  }
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     if (!print_config_)

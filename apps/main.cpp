@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "frame.h"
 #include "help.h"
+#include "manual.h"
 #include "signals.h"
 #include "version.h"
 
@@ -46,6 +47,17 @@ main(int argc, char** argv)
   }
   if (name == "--version") {
     std::printf("linelet %s\n", LINELET_VERSION);
+    return 0;
+  }
+  // What the build makes manual pages and bash completion of.
+  if (name == "--help-manual" || name == "--help-completion") {
+    std::fputs((name == "--help-manual" ? manualOfTool() : completionOfTool()).c_str(),
+               stdout);
+    return 0;
+  }
+  if (name == "--list-commands") {
+    for (const std::string& known : commandNames())
+      std::puts(known.c_str());
     return 0;
   }
   for (const Command& command : commands()) {

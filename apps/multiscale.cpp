@@ -12,6 +12,7 @@
 #include <linelet/features/multi_scale.h>
 #include <linelet/features/noise_rate.h>
 #include <linelet/io/output_file.h>
+#include <linelet/search/grid_search.h>
 
 #include "cloud_files.h"
 #include "commands.h"
@@ -100,17 +101,42 @@ measure(const Points& points,
   return shapes;
 }
 
+/** \brief Says of a long shift beforehand how long it will take, measured on a few
+ * points. */
+void
+announceShift(const Points& points, const CentroidShiftSettings& shift, Frame& frame)
+{
+  if (!(shift.radius > 0 && std::isfinite(shift.radius)))
+    return; // refused by whoever makes it
+  const GridSearch search(points, shift.radius);
+  const ScaleCost cost = measuredCost(points, 160, [&](const Indices& chosen) {
+    Points some;
+    for (const Index i : chosen)
+      some.push_back(points[i]);
+    shiftToCentroids(search, some, shift, &frame.monitor);
+    double neighbors = 0;
+    Indices found;
+    for (const Point& p : some) {
+      search.within(p, shift.radius, found);
+      neighbors += static_cast<double>(found.size());
+    }
+    return neighbors;
+  });
+  announce(cost, points.size(), "centroid shift", "--centroid-shift", frame);
+}
+
 /** \brief The usable points of \a cloud, moved to the centroids of their neighbors
  * where \a shift has a radius, which moves them in \a cloud as well. */
 Points
 shiftedPoints(io::Cloud& cloud,
               const io::UsablePoints& usable,
               const CentroidShiftSettings& shift,
-              ProgressMonitor* monitor)
+              Frame& frame)
 {
   if (shift.radius == 0)
     return usable.points();
-  Points points = shiftToCentroids(usable.points(), shift, monitor);
+  announceShift(usable.points(), shift, frame);
+  Points points = shiftToCentroids(usable.points(), shift, &frame.monitor);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].allFinite())
       cloud.points[i] = points[i];
@@ -175,7 +201,7 @@ runOne(CloudInput& input,
 {
   io::Cloud cloud = input.read();
   const io::UsablePoints usable = input.usable(cloud);
-  const Points points = shiftedPoints(cloud, usable, shift, &frame.monitor);
+  const Points points = shiftedPoints(cloud, usable, shift, frame);
   const MultiScaleShapes plan = multiScaleRadii(points, settings, &frame.monitor);
   settings.radii = plan.radii;
   settings.stop_change = 0; // it has had its say

@@ -21,6 +21,7 @@
 #include "options.h"
 #include "scale_cost.h"
 #include "search_choice.h"
+#include "tensor_features.h"
 
 namespace linelet::apps {
 
@@ -50,35 +51,6 @@ sizesFrom(const std::vector<double>& values, const SizeFields& fields)
     for (const double k : values)
       sizes.counts.push_back(k >= 1 && k < 4e9 ? static_cast<unsigned>(k) : 0);
   return sizes;
-}
-
-/** \brief The fields of the records as attributes of the points. */
-void
-addColumns(io::Cloud& cloud, const Records& records)
-{
-  using R = PointDistributionTensor;
-  const auto add = [&](const char* name, auto member, const char* description) {
-    addColumn(cloud, records, name, member, description);
-  };
-  add("xx", &R::xx, "neighborhood tensor");
-  add("xy", &R::xy, "neighborhood tensor");
-  add("xz", &R::xz, "neighborhood tensor");
-  add("yy", &R::yy, "neighborhood tensor");
-  add("yz", &R::yz, "neighborhood tensor");
-  add("zz", &R::zz, "neighborhood tensor");
-  add("lambda1", &R::lambda1, "smallest eigenvalue");
-  add("lambda2", &R::lambda2, "middle eigenvalue");
-  add("lambda3", &R::lambda3, "largest eigenvalue");
-  add("major_x", &R::major_x, "along the largest extent");
-  add("major_y", &R::major_y, "along the largest extent");
-  add("major_z", &R::major_z, "along the largest extent");
-  add("normal_x", &R::normal_x, "along the smallest extent");
-  add("normal_y", &R::normal_y, "along the smallest extent");
-  add("normal_z", &R::normal_z, "along the smallest extent");
-  add("linearity", &R::linearity, "shape factor CL, 0 to 1");
-  add("planarity", &R::planarity, "shape factor CP, 0 to 1");
-  add("sphericity", &R::sphericity, "shape factor CS, 0 to 1");
-  add("neighbors", &R::neighbors, "points in the neighborhood");
 }
 
 /** \brief A radius for points of which nothing else is known. */
@@ -409,6 +381,13 @@ runTensor(const std::vector<std::string>& arguments)
     else
       add(name, value, help);
   });
+  FeatureList features("shape");
+  add("features",
+      features,
+      "attributes to write: shape (tensor, eigenvalues, directions, shape factors, "
+      "neighbors), all, or a list of names, with verticality, omnivariance, "
+      "eigenentropy, "
+      "surface_variation");
   add("radius-field", fields.radius, "attribute that holds the radius of every point");
   add("knn-field",
       fields.knn,
@@ -441,7 +420,7 @@ runTensor(const std::vector<std::string>& arguments)
     const Records records =
         estimateAmongOthers(input, i, cloud, usable, settings, finder, fields, frame);
     frame.lap("tensor");
-    addColumns(cloud, records);
+    addFeatures(cloud, records, features);
     const std::string path = output.pathFor(input, i);
     output.write(cloud, path);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <linelet/features/fourth_order.h>
 #include <linelet/io/vector_file.h>
@@ -13,6 +14,7 @@
 #include <linelet/tensor/shape_factors.h>
 
 #include "axes.h"
+#include "categories.h"
 #include "cloud_view.h"
 #include "pictures.h"
 #include "scale_cost.h"
@@ -70,6 +72,7 @@ struct Scalars {
   std::string name;
   std::vector<double> values;
   double low = 0, high = 1;
+  std::vector<std::pair<Color, std::string>> legend; // of names, which have no range
 };
 
 Scalars
@@ -184,6 +187,23 @@ drawScalarLegend(Canvas& canvas, const Scalars& scalars)
   canvas.text({left + bar_width + 16, top + bar_height / 2}, scalars.name, text_size);
 }
 
+/** The entries of a legend that fit beside each other, and how many more there are. */
+std::vector<std::pair<Color, std::string>>
+asManyAsFit(std::vector<std::pair<Color, std::string>> entries, double width)
+{
+  constexpr double beside = 45, more = 90; // swatch and gaps of an entry; the last one
+  double used = 0;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    used += beside + Canvas::textWidth(entries[k].second, text_size);
+    if (used > width - more && k + 1 < entries.size()) {
+      const std::size_t left_out = entries.size() - k;
+      entries.resize(k);
+      entries.emplace_back(ink::grid, "and " + std::to_string(left_out) + " more");
+    }
+  }
+  return entries;
+}
+
 /// The cloud as it is to be shown, and the values that it is colored by, if any.
 CloudView
 viewOf(const io::Cloud& cloud,
@@ -214,6 +234,12 @@ viewOf(const io::Cloud& cloud,
     view.colors = colorsByShape(cloud.points, shapes, settings.colors, frame);
   else if (settings.color == "rgb")
     view.colors = colorsByRgb(cloud, file);
+  else if (const io::Column* named = cloud.find(settings.color);
+           named != nullptr && isCategorical(*named)) {
+    Categories categories = categoriesOf(*named);
+    view.colors = std::move(categories.colors);
+    values.legend = std::move(categories.legend);
+  }
   else {
     values = scalars(cloud, settings.color, file);
     view.colors = colorsByScalar(values, settings.color == "grey");
@@ -294,6 +320,10 @@ pictureOfCloud(const io::Cloud& cloud,
                 {pure[1], "planar"},
                 {pure[2], "spherical, median over all radii"}});
   }
+  else if (!values.legend.empty())
+    drawLegend(canvas,
+               {24, canvas.height() - 28.0},
+               asManyAsFit(values.legend, canvas.width() - 48.0));
   else if (legend)
     drawScalarLegend(canvas, values);
   return canvas;

@@ -46,6 +46,8 @@ inOrder(const Hazards& hazards)
 Json
 clearanceTable(const Content& content, const Hazards& hazards)
 {
+  // Plan and profiles show what was scanned.
+  const bool shown = hazards.moved.wires.empty();
   if (hazards.clearances.empty())
     return {};
   Table table({{"id"},
@@ -70,7 +72,9 @@ clearanceTable(const Content& content, const Hazards& hazards)
     if (one->other > 0)
       what +=
           (one->kind == HazardKind::Support ? " P" : " ") + std::to_string(one->other);
-    table.row({{std::to_string(one->id), false, "#plan" + std::to_string(one->id)},
+    table.row({{std::to_string(one->id),
+                false,
+                shown ? "#plan" + std::to_string(one->id) : ""},
                {std::string(nameOf(one->severity)), one->severity == Severity::High},
                {what},
                distance(content, one->nearest.distance, one->severity),
@@ -248,6 +252,10 @@ hazardsSection(const Content& content)
   const Hazards& scanned = content.options.hazards.front();
   Json data = {{"limits", scanned.limits.name},
                {"limits_table", {{"table", limitsTable(content, scanned.limits)}}},
+               {"unexplained",
+                muchIsUnexplained(content.network)
+                    ? Json(number(unexplainedLength(content.network), 0))
+                    : Json()},
                {"no_clearances", scanned.clearances.empty()}};
   const auto add = [&](const char* key, Json table) {
     data[key] = table.is_null() ? Json() : Json{{"table", std::move(table)}};

@@ -186,6 +186,21 @@ addWires(Markup& page, const Content& content, const Frame& frame)
   }
 }
 
+/** What looks like a line and is none that was found. */
+void
+addUnexplained(Markup& page, const Content& content, const Frame& frame)
+{
+  for (const UnexplainedLine& line : content.network.unexplained) {
+    page << "<path class=\"unexplained\" d=\"";
+    bool first = true;
+    for (const Point& p : line.course) {
+      page << (first ? "M" : " L") << frame.x(p) << " " << frame.y(p);
+      first = false;
+    }
+    page << "\"><title>unexplained line " << line.id << "</title></path>\n";
+  }
+}
+
 /** Stretches and trees of the scanned state, each a link to its row. */
 void
 addHazardMarks(Markup& page, const Content& content, const Frame& frame)
@@ -272,6 +287,7 @@ addPlan(Markup& page, const Content& content)
        << frame.height() + 48 << "\" style=\"max-width:" << width + 4
        << "px\" role=\"img\" aria-label=\"Plan\">\n";
   addPicture(page, content, frame);
+  addUnexplained(page, content, frame);
   addWires(page, content, frame);
   addHazardMarks(page, content, frame);
   addNames(page, content, frame);

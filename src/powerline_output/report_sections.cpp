@@ -91,6 +91,10 @@ private:
                : counts[2] + counts[1] + falling > 0
                    ? "Nothing severe as scanned; see the list for what to plan."
                    : "Nothing is nearer to a wire than its limit, as scanned.";
+    if (muchIsUnexplained(content.network))
+      verdict_ +=
+          " Wires may be missing: " + number(unexplainedLength(content.network), 0) +
+          " m look like lines and are none that was found.";
     addStates(content);
   }
 

@@ -372,6 +372,41 @@ TEST(Surroundings, BirdsAndNoiseAreNoHazard)
   EXPECT_EQ(with_tree.clearances[0].kind, HazardKind::Vegetation);
 }
 
+// A pole's head that no class tells: cross-arm, insulators and what hangs off them are
+// no vegetation near the wires that they carry, but a tree beside them is.
+TEST(Surroundings, WhatCarriesAWireIsNoHazardToIt)
+{
+  Scene scene;
+  Support pole;
+  pole.id = 1;
+  pole.kind = Support::Kind::Pole;
+  pole.base = Point(-50, 1.2, 0);
+  pole.top = Point(-50, 1.2, 12.5);
+  scene.network.supports.push_back(pole);
+  scene.network.wires[0].front_support = 1;
+  for (int k = 0; k < 60; ++k)
+    scene.add(Point(-50 + 0.2 * (k % 3), 0.02 * k, 11.3 + 0.1 * (k % 9)), 1);
+  EXPECT_TRUE(scene.hazards().clearances.empty());
+  for (int k = 0; k < 300; ++k)
+    scene.add(Point(-44 + 0.3 * (k % 7), 0.3 * (k % 5), 6 + 0.02 * (k % 150)), 1, 2);
+  EXPECT_EQ(scene.hazards().clearances.size(), 1U);
+}
+
+TEST(Surroundings, OtherSchemesOfClassesAreUnderstood)
+{
+  Scene scene;
+  for (int k = 0; k < 20; ++k)
+    scene.add(Point(0.1 * k, 0.3 * (k % 3), 9 + 0.3 * (k % 2)), 19);
+  scene.cloud.set({"classification", scene.classes, ""});
+  const io::UsablePoints usable(scene.cloud);
+  HazardSettings settings;
+  settings.classes.buildings = io::ClassList("19");
+  const std::vector<Hazards> found =
+      findHazardsAtStates(scene.network, scene.cloud, usable, settings, 5);
+  ASSERT_EQ(found[0].clearances.size(), 1U);
+  EXPECT_EQ(found[0].clearances[0].kind, HazardKind::Building);
+}
+
 TEST(Surroundings, RoofsAndCrownsAreToldApartByClassOrShape)
 {
   for (const bool with_classes : {true, false}) {

@@ -233,6 +233,21 @@ TEST_F(Report, OtherStatesHaveTheirOwnRows)
     EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 
+// The plan shows what looks like a line and was not explained, with the hazards too.
+TEST_F(Report, WhatWasNotExplainedIsInThePlan)
+{
+  options_.hazards = hazardsByHand(network_);
+  UnexplainedLine line;
+  line.id = 7;
+  line.course = {Point(20, 20, 9), Point(80, 30, 9)};
+  line.length = 61;
+  network_.unexplained.push_back(line);
+  const std::string text = page();
+  EXPECT_EQ(nestingError(text), "");
+  EXPECT_EQ(occurrences(text, "<path class=\"unexplained\""), 1U);
+  EXPECT_NE(text.find("61 m look like lines"), std::string::npos);
+}
+
 // Nobody can get the same results again from a page that does not say how.
 TEST_F(Report, SaysWithWhatItWasMade)
 {

@@ -19,7 +19,7 @@ namespace LINELET_PUBLIC powerline {
 enum class HazardKind : std::uint8_t {
   Ground,     ///< the terrain
   Vegetation, ///< trees, bushes
-  Building,   ///< houses and whatever is as smooth and closed
+  Building,   ///< houses, masts, booms: whatever is smooth and closed, or stiff and thin
   Wire,       ///< a wire of another line
   Support,    ///< a pylon or pole of another line
   FallIn      ///< a tree that would reach the wire by falling

@@ -81,14 +81,30 @@ struct Surroundings {
   std::vector<int> support;      ///< id of the support it belongs to, or 0
 };
 
+/** \brief What the classes of a file say of its points, ASPRS unless another scheme is
+ * told. */
+struct SurroundingClasses {
+  io::ClassList vegetation{"3,4,5"};
+  io::ClassList buildings{"6,17"};
+};
+
+template <class Visit>
+void
+describe(SurroundingClasses& s, Visit&& visit)
+{
+  visit("vegetation-classes", s.vegetation, "Hazards: classes of trees and bushes");
+  visit("building-classes", s.buildings, "Hazards: classes of buildings and bridges");
+}
+
 /** \brief Collects what stands near the wires of \a network.
  *
- * A point with a class (3 to 5 vegetation, 6 and 17 building) is what it says. All
- * others (0, 1 and what is not named here) are told apart by shape and returns: roofs
- * and walls are planar over some meters and give single echoes, wires that were not
- * found are linear, the rest is vegetation. Points of the classes 2, 7, 8, 9, 11, 13 to
- * 16 and 18 are none of them. Fewer than four points within a meter of each other are a
- * bird or noise.
+ * A point of one of \a classes is what that says. All others (0, 1 and what is not named
+ * here) are told apart by shape and returns: roofs and walls are planar over some meters
+ * and give single echoes, masts and booms are linear there, wires that were not found
+ * are linear and take no part, the rest is vegetation; fewer than four such points
+ * within a meter of each other are a bird or noise. Points of the classes 2, 7, 8, 9,
+ * 11, 13 to 16 and 18 are none of them, nor is anything but a building at the bodies,
+ * arms and insulators of the supports of a wire.
  * \param[in] cloud what the network was extracted from
  * \param[in] usable its points that take part
  * \param[in] limits how far from a wire is near
@@ -98,6 +114,7 @@ findSurroundings(const PowerLineNetwork& network,
                  const io::Cloud& cloud,
                  const io::UsablePoints& usable,
                  const ClearanceLimits& limits,
+                 const SurroundingClasses& classes = {},
                  unsigned threads = 0,
                  const ProgressMonitor* monitor = nullptr);
 
@@ -124,6 +141,7 @@ struct HazardSettings {
   std::vector<std::string> states;   ///< see \ref parseState
   std::vector<double> dead_ends;     ///< ids of supports
   double dead_end_angle = 10;        ///< degrees
+  SurroundingClasses classes;
 };
 
 template <class Visit>
@@ -153,6 +171,7 @@ describe(HazardSettings& s, Visit&& visit)
   visit("dead-end-angle",
         s.dead_end_angle,
         "Hazards: they are also where a line turns by more, degrees");
+  describe(s.classes, visit);
 }
 
 /** \brief The hazards of a network as scanned, then in every state that is asked for;

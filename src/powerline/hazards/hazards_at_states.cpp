@@ -91,8 +91,8 @@ findHazardsAtStates(const PowerLineNetwork& network,
   ClearanceLimits limits = uniformLimits(clearance);
   if (!settings.limits.empty())
     limits = readLimits(settings.limits, limits);
-  const Surroundings surroundings =
-      findSurroundings(network, cloud, usable, limits, threads, monitor);
+  const Surroundings surroundings = findSurroundings(
+      network, cloud, usable, limits, settings.classes, threads, monitor);
   std::vector<Hazards> states = {
       findHazards(network, surroundings, limits, threads, monitor)};
   if (!settings.states.empty()) {

@@ -17,28 +17,29 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double tallest = 60;        // meters, trees
-constexpr double off_ground = 0.5;    // meters above the terrain
-constexpr double company_radius = 1;  // meters
-constexpr std::size_t company = 3;    // points around, else it is a bird or noise
+constexpr double tallest = 60;       // meters, trees
+constexpr double off_ground = 0.5;   // meters above the terrain
+constexpr double company_radius = 1; // meters
+constexpr std::size_t company = 3;   // points around, else it is a bird or noise
+// Half widths and lengths of what carries wires, meters: a lattice body, a pole, a
+// cross-arm, a string of insulators with its fittings.
+constexpr double pylon_body = 3, pole_body = 1.5, arm = 1.5, hanging = 4.5,
+                 fitting = 0.6;
 constexpr double beside_support = 12; // meters, half of the longest cross-arm
 
 /** What a class says of its points. */
 enum class Meaning : std::uint8_t { Unknown, Vegetation, Building, Support, Nothing };
 
 Meaning
-meaningOf(int given, std::uint8_t found)
+meaningOf(int given, std::uint8_t found, const SurroundingClasses& classes)
 {
   if (found == pylon_class)
     return Meaning::Support;
-  switch (given) {
-  case 3:
-  case 4:
-  case 5:
+  if (classes.vegetation.contains(given))
     return Meaning::Vegetation;
-  case 6:
-  case 17:
+  if (classes.buildings.contains(given))
     return Meaning::Building;
+  switch (given) {
   case 2:
   case 7:
   case 8:
@@ -56,12 +57,39 @@ meaningOf(int given, std::uint8_t found)
 }
 
 double
-squaredToChord(const Wire& wire, const Point& p)
+squaredToSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& end, const Point& p)
 {
-  const Eigen::Vector2d a = wire.front.head<2>(), b = wire.back.head<2>() - a;
-  const Eigen::Vector2d d = p.head<2>() - a;
+  const Eigen::Vector2d b = end - a, d = p.head<2>() - a;
   const double t = std::clamp(b.dot(d) / std::max(1e-9, b.squaredNorm()), 0.0, 1.0);
   return (d - t * b).squaredNorm();
+}
+
+/** Whether a point may be part of what carries \a wire: body and arm of its supports,
+ * insulators, jumper loops. */
+bool
+mayCarry(const Wire& wire, const std::vector<Support>& supports, const Point& p)
+{
+  for (const bool front : {true, false}) {
+    const int id = front ? wire.front_support : wire.back_support;
+    if (id <= 0 || static_cast<std::size_t>(id) > supports.size())
+      continue;
+    const Support& support = supports[static_cast<std::size_t>(id) - 1];
+    const Point& end = front ? wire.front : wire.back;
+    const Eigen::Vector2d axis = support.base.head<2>();
+    const double body = support.kind == Support::Kind::Pole ? pole_body : pylon_body;
+    if ((p.head<2>() - axis).squaredNorm() < body * body)
+      return true;
+    if (p.z() > end.z() - hanging &&
+        squaredToSegment(axis, end.head<2>(), p) < arm * arm)
+      return true;
+    const Point inward = (front ? wire.back - wire.front : wire.front - wire.back);
+    const Eigen::Vector2d string =
+        end.head<2>() + hanging * inward.head<2>().normalized();
+    if (std::abs(p.z() - end.z()) < 2 * fitting &&
+        squaredToSegment(end.head<2>(), string, p) < fitting * fitting)
+      return true;
+  }
+  return false;
 }
 
 /** The support that a point of pylons belongs to; 0: none is near. */
@@ -101,6 +129,7 @@ findSurroundings(const PowerLineNetwork& network,
                  const io::Cloud& cloud,
                  const io::UsablePoints& usable,
                  const ClearanceLimits& limits,
+                 const SurroundingClasses& meant,
                  unsigned threads,
                  const ProgressMonitor* monitor)
 {
@@ -124,13 +153,22 @@ findSurroundings(const PowerLineNetwork& network,
       continue;
     const int given =
         classes != nullptr ? static_cast<int>(io::valueAt(*classes, i)) : 0;
-    const Meaning meaning = meaningOf(given, network.classes[i]);
+    const Meaning meaning = meaningOf(given, network.classes[i], meant);
     const double height = p.z() - network.ground.heightAt(p.x(), p.y());
     if (meaning == Meaning::Nothing || !(height > off_ground))
       continue;
     const double far = std::max(reach, std::min(height, tallest) + margin);
-    for (const std::uint32_t w : cells.near(p))
-      if (squaredToChord(network.wires[w], p) < far * far) {
+    const auto& near = cells.near(p);
+    // Many a classifier takes insulators for leaves.
+    if ((meaning == Meaning::Unknown || meaning == Meaning::Vegetation) &&
+        std::any_of(near.begin(), near.end(), [&](std::uint32_t w) {
+          return mayCarry(network.wires[w], network.supports, p);
+        }))
+      continue;
+    for (const std::uint32_t w : near)
+      if (squaredToSegment(network.wires[w].front.head<2>(),
+                           network.wires[w].back.head<2>(),
+                           p) < far * far) {
         meanings[i] = meaning;
         break;
       }
@@ -159,9 +197,9 @@ findSurroundings(const PowerLineNetwork& network,
   const UniformGrid grid(found.points, company_radius);
   std::vector<bool> keep(found.points.size());
   for (std::size_t i = 0; i < keep.size(); ++i)
-    keep[i] = !lines[i] &&
-              (found.kinds[i] != HazardKind::Support || found.support[i] != 0) &&
-              grid.countWithin(found.points[i], company_radius) > company;
+    keep[i] = found.kinds[i] != HazardKind::Support || found.support[i] != 0;
+  for (const Index i : unknown)
+    keep[i] = !lines[i] && grid.countWithin(found.points[i], company_radius) > company;
   filter(found, keep);
   return found;
 }

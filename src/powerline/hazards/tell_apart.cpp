@@ -18,7 +18,8 @@ namespace {
 
 constexpr double voxel = 0.7;     // meters, one query each
 constexpr double smoothing = 2.5; // meters, the least that a roof is wide
-constexpr double least_planarity = 0.5, least_single = 0.6, least_linearity = 0.9;
+constexpr double least_planarity = 0.5, least_single = 0.6, least_linearity = 0.9,
+                 stiff_linearity = 0.7;
 const std::vector<double> radii = {1, 1.5, 2.2}; // meters, of roofs and of crowns
 
 /** The shape around a place. */
@@ -88,17 +89,22 @@ tellApart(Surroundings& all,
   const auto n = static_cast<std::ptrdiff_t>(queries.size());
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threadCount(threads))
   for (std::ptrdiff_t q = 0; q < n; ++q) {
-    double planar = 0, alone = 0, number = 0, around = 0;
+    double planar = 0, linear = 0, alone = 0, number = 0, around = 0;
     grid.forEachWithin(
         queries[static_cast<std::size_t>(q)], smoothing, [&](Index j, double) {
           planar += shapes[j].planarity;
+          linear += shapes[j].linearity;
           around += 1;
           alone += singles[j];
           number += counts[j];
         });
-    // Roofs are planar nearly everywhere and stop every pulse; crowns are neither.
+    // Roofs are planar nearly everywhere and stop every pulse, masts and booms are
+    // linear nearly everywhere; crowns are neither.
     building[static_cast<std::size_t>(q)] =
-        planar / around > least_planarity && alone / number > least_single ? 1 : 0;
+        (planar / around > least_planarity && alone / number > least_single) ||
+                linear / around > stiff_linearity
+            ? 1
+            : 0;
   }
   for (std::size_t k = 0; k < unknown.size(); ++k) {
     if (building[voxel_of[k]] != 0)
