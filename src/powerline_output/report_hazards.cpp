@@ -8,6 +8,7 @@
 
 #include "report_page.h"
 #include "report_sections.h"
+#include "report_space.h"
 #include "report_table.h"
 
 namespace linelet::powerline::report {
@@ -23,9 +24,12 @@ spanLink(int span)
 }
 
 Table::Cell
-distance(const Content& content, double value, Severity severity)
+distance(const Content& content,
+         double value,
+         Severity severity,
+         const std::string& key)
 {
-  return {content.length(value, 2), severity == Severity::High};
+  return {content.length(value, 2), severity == Severity::High, spaceLink(key)};
 }
 
 /** Severe ones first, then the nearest. */
@@ -77,7 +81,10 @@ clearanceTable(const Content& content, const Hazards& hazards)
                 shown ? "#plan" + std::to_string(one->id) : ""},
                {std::string(nameOf(one->severity)), one->severity == Severity::High},
                {what},
-               distance(content, one->nearest.distance, one->severity),
+               distance(content,
+                        one->nearest.distance,
+                        one->severity,
+                        "c" + std::to_string(one->id)),
                {content.length(one->vertical, 2)},
                {content.length(one->horizontal, 2)},
                {std::to_string(one->span), false, spanLink(one->span)},
@@ -113,19 +120,21 @@ crossingTable(const Content& content, const Hazards& hazards)
   for (const Crossing& one : hazards.crossings) {
     const Wire &upper = content.wire(one.upper), &lower = content.wire(one.lower);
     const Point at = content.metric.world(one.upper_at);
-    table.row({{std::to_string(one.id)},
-               {std::string(nameOf(one.severity)), one.severity == Severity::High},
-               {std::to_string(upper.span), false, spanLink(upper.span)},
-               {std::to_string(upper.number)},
-               {std::to_string(lower.span), false, spanLink(lower.span)},
-               {std::to_string(lower.number)},
-               {content.length(one.vertical, 2)},
-               distance(content, one.nearest.distance, one.severity),
-               {content.length(one.horizontal, 2)},
-               {number(one.angle, 0)},
-               {number(at.x(), 2)},
-               {number(at.y(), 2)}},
-              "crossing" + std::to_string(one.id));
+    table.row(
+        {{std::to_string(one.id)},
+         {std::string(nameOf(one.severity)), one.severity == Severity::High},
+         {std::to_string(upper.span), false, spanLink(upper.span)},
+         {std::to_string(upper.number)},
+         {std::to_string(lower.span), false, spanLink(lower.span)},
+         {std::to_string(lower.number)},
+         {content.length(one.vertical, 2)},
+         distance(
+             content, one.nearest.distance, one.severity, "x" + std::to_string(one.id)),
+         {content.length(one.horizontal, 2)},
+         {number(one.angle, 0)},
+         {number(at.x(), 2)},
+         {number(at.y(), 2)}},
+        "crossing" + std::to_string(one.id));
   }
   return table.json();
 }
@@ -149,7 +158,7 @@ fallInTable(const Content& content, const Hazards& hazards)
     const Point at = content.metric.world(one.top);
     table.row({{std::to_string(one.id), false, "#plantree" + std::to_string(one.id)},
                {std::string(nameOf(one.severity)), one.severity == Severity::High},
-               distance(content, one.gap, one.severity),
+               distance(content, one.gap, one.severity, "t" + std::to_string(one.id)),
                {content.length(one.height, 1)},
                {content.length(one.distance, 1)},
                {std::to_string(one.span), false, spanLink(one.span)},

@@ -66,8 +66,10 @@ stored(const Bytes& data)
   return out;
 }
 
+} // namespace
+
 std::string
-base64(const Bytes& data)
+base64(const std::vector<std::uint8_t>& data)
 {
   static constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -83,8 +85,6 @@ base64(const Bytes& data)
   }
   return out;
 }
-
-} // namespace
 
 std::string
 pngBase64(std::size_t width,

@@ -77,6 +77,10 @@ roundStep(double range, int count);
 std::string_view
 wireColor(int number);
 
+/** \brief \a data in base64. */
+std::string
+base64(const std::vector<std::uint8_t>& data);
+
 /** \brief An 8-bit palette picture as PNG in base64, for a data address.
  * \param[in] pixels row by row from the top, places in \a palette */
 std::string

@@ -211,6 +211,7 @@ sectionsOf(const Content& content, const ProgressMonitor* monitor)
   sections.push_back(planSection(content));
   throwIfCanceled(monitor);
   if (!content.network.wires.empty()) {
+    sections.push_back(spaceSection(content));
     const std::size_t states = content.options.hazards.size();
     sections.push_back(states > 0 ? hazardsSection(content)
                                   : clearancesSection(content));

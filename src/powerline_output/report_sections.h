@@ -27,6 +27,11 @@ summarySection(const Content& content);
 Section
 planSection(const Content& content);
 
+/** \brief Cloud and lines in space, to be turned by hand; a still picture where the
+ * reader has no WebGL 2. */
+Section
+spaceSection(const Content& content);
+
 /** \brief Everything below the clearance limit, the closest first. */
 Section
 clearancesSection(const Content& content);

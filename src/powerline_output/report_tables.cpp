@@ -7,6 +7,7 @@
 
 #include "report_page.h"
 #include "report_sections.h"
+#include "report_space.h"
 #include "report_table.h"
 
 namespace linelet::powerline::report {
@@ -126,16 +127,11 @@ spanTable(const Content& content)
   return table.json();
 }
 
-Section
-clearancesSection(const Content& content)
+std::vector<LowWire>
+lowWires(const Content& content)
 {
-  struct Hazard {
-    const Wire* wire;
-    const Clearance* found;
-    const char* what;
-  };
   const double limit = content.options.clearance;
-  std::vector<Hazard> hazards;
+  std::vector<LowWire> hazards;
   for (const Wire& wire : content.network.wires) {
     if (wire.ground.distance < limit)
       hazards.push_back({&wire, &wire.ground, "ground"});
@@ -143,9 +139,17 @@ clearancesSection(const Content& content)
       hazards.push_back({&wire, &wire.vegetation, "object (tree, bush, building)"});
   }
   std::stable_sort(
-      hazards.begin(), hazards.end(), [](const Hazard& a, const Hazard& b) {
+      hazards.begin(), hazards.end(), [](const LowWire& a, const LowWire& b) {
         return a.found->distance < b.found->distance;
       });
+  return hazards;
+}
+
+Section
+clearancesSection(const Content& content)
+{
+  const double limit = content.options.clearance;
+  const std::vector<LowWire> hazards = lowWires(content);
   Table table({{"distance m"},
                {"span"},
                {"wire"},
@@ -154,15 +158,17 @@ clearancesSection(const Content& content)
                {"y"},
                {"z"}},
               "narrow");
-  for (const Hazard& hazard : hazards) {
+  std::size_t place = 0;
+  for (const LowWire& hazard : hazards) {
     const Point at = content.metric.world(hazard.found->wire);
-    table.row({{number(hazard.found->distance, 2), true},
-               {std::to_string(hazard.wire->span), false, placeOf(hazard.wire->span)},
-               {std::to_string(hazard.wire->number)},
-               {hazard.what},
-               {number(at.x(), 2)},
-               {number(at.y(), 2)},
-               {number(at.z(), 2)}});
+    table.row(
+        {{number(hazard.found->distance, 2), true, spaceLink(std::to_string(++place))},
+         {std::to_string(hazard.wire->span), false, placeOf(hazard.wire->span)},
+         {std::to_string(hazard.wire->number)},
+         {hazard.what},
+         {number(at.x(), 2)},
+         {number(at.y(), 2)},
+         {number(at.z(), 2)}});
   }
   return {"clearances",
           "Clearances below " + number(limit, 1) + " m",

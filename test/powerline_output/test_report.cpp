@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <linelet/powerline_output/output_files.h>
 
@@ -78,7 +79,7 @@ TEST_F(Report, IsWellFormedAndStandsAlone)
   // Nothing is fetched from anywhere: links go to places of the page, pictures are
   // data.
   EXPECT_EQ(text.find("http"), std::string::npos);
-  EXPECT_EQ(text.find("<script "), std::string::npos); // none from elsewhere
+  EXPECT_EQ(text.find("<script src"), std::string::npos); // none from elsewhere
   EXPECT_EQ(text.find("import("), std::string::npos);
   EXPECT_EQ(text.find("fetch("), std::string::npos);
   const std::regex link("(href|src)=\"([^\"]{0,5})");
@@ -107,7 +108,9 @@ TEST_F(Report, ClearancesBelowTheLimitAreRed)
 {
   const std::string text = page();
   // In the list of clearances, the table of spans and the table of wires.
-  EXPECT_EQ(occurrences(text, "<td class=\"bad\">3.00</td>"), 3U);
+  EXPECT_EQ(occurrences(text, "<td class=\"bad\">3.00</td>"), 2U);
+  EXPECT_EQ(occurrences(text, "<td class=\"bad\"><a href=\"#space-1\">3.00</a></td>"),
+            1U);
   EXPECT_EQ(occurrences(text, "<circle class=\"hazard\""), 1U);
   EXPECT_NE(text.find("class=\"clear bad\""), std::string::npos);
   options_.clearance = 2.9;
@@ -131,6 +134,70 @@ TEST_F(Report, DoesNotCallClearWhatItDidNotFind)
   const std::string text = page();
   EXPECT_EQ(text.find("No wire comes closer"), std::string::npos);
   EXPECT_NE(text.find("400 m above ground look like lines"), std::string::npos);
+}
+
+/** What base64 text says. */
+std::vector<std::uint8_t>
+decoded(const std::string& text)
+{
+  std::vector<std::uint8_t> bytes;
+  unsigned word = 0, bits = 0;
+  for (const char c : text) {
+    if (c == '=')
+      break;
+    const auto digit =
+        std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                    "0123456789+/")
+            .find(c);
+    word = word << 6 | static_cast<unsigned>(digit);
+    bits += 6;
+    if (bits >= 8) {
+      bits -= 8;
+      bytes.push_back(static_cast<std::uint8_t>(word >> bits));
+    }
+  }
+  return bytes;
+}
+
+// What the view in space draws: every point of this small cloud, every wire, and each
+// hazard under the number that the table links to.
+TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
+{
+  const std::string text = page();
+  const std::string lead = "<script type=\"application/json\" id=\"space-data\">";
+  const std::size_t begin = text.find(lead);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t from = begin + lead.size();
+  const auto data =
+      nlohmann::json::parse(text.substr(from, text.find("</script>", from) - from));
+  const std::vector<std::uint8_t> places = decoded(data["places"]),
+                                  looks = decoded(data["looks"]),
+                                  wires = decoded(data["wires"]);
+  ASSERT_EQ(places.size(), 6 * cloud_.points.size());
+  EXPECT_EQ(looks.size(), cloud_.points.size());
+  EXPECT_EQ(std::count(looks.begin(), looks.end(), 4), 12); // points of wires
+  const double step = data["step"];
+  const auto coordinate = [&](std::size_t i, std::size_t axis) {
+    return step * (places[6 * i + 2 * axis] + 256 * places[6 * i + 2 * axis + 1]);
+  };
+  // The points off the lines come first, in order; ground begins at x = 0.
+  double low = 1e9;
+  for (const Point& p : cloud_.points)
+    low = std::min(low, p.y());
+  for (std::size_t k = 0; k < 40; ++k) {
+    EXPECT_NEAR(coordinate(2 + k, 0), cloud_.points[15 + k].x(), step);
+    EXPECT_NEAR(coordinate(2 + k, 1), cloud_.points[15 + k].y() - low, step);
+  }
+  std::size_t runs = 0;
+  for (std::size_t at = 0; at < wires.size(); ++runs)
+    at += 4 + 6 * (wires[at] + 256U * wires[at + 1]);
+  EXPECT_EQ(runs, 3U);
+  ASSERT_EQ(data["hazards"].size(), 1U);
+  EXPECT_EQ(occurrences(text, "id=\"space-1\""), 1U);
+  EXPECT_NE(data["hazards"][0]["text"].get<std::string>().find("3.00 m to object"),
+            std::string::npos);
+  // And without WebGL 2, a picture.
+  EXPECT_EQ(occurrences(text, "<svg class=\"still\""), 1U);
 }
 
 TEST_F(Report, SaysWhyAWireIsInDoubt)

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report_sections.h"
+#include "report_space.h"
+
+namespace linelet::powerline::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t most_of_lines = 15000; ///< points of wires and supports
+constexpr std::size_t most_of_others = 35000;
+constexpr std::size_t most_still = 5000; ///< dots of the still picture
+
+/** \brief What a point is drawn as; places in the palette of page/space.js. */
+enum class Look : std::uint8_t { Ground, Low, Object, Tower, Wire };
+
+/** \brief The points that are shown, evenly thinned: those of lines and the others. */
+Indices
+shownPoints(const Content& content)
+{
+  Indices lines, others;
+  for (std::size_t i = 0; i < content.cloud.points.size(); ++i)
+    if (content.point(i).allFinite()) {
+      const std::uint8_t found = content.network.classes[i];
+      (found == wire_class || found == pylon_class ? lines : others)
+          .push_back(static_cast<Index>(i));
+    }
+  Indices shown;
+  const auto thin = [&](const Indices& all, std::size_t most) {
+    const std::size_t kept = std::min(all.size(), most);
+    for (std::size_t k = 0; k < kept; ++k)
+      shown.push_back(all[k * all.size() / kept]);
+  };
+  thin(others, most_of_others);
+  thin(lines, most_of_lines);
+  return shown;
+}
+
+Look
+lookOf(const Content& content, Index i)
+{
+  const std::uint8_t found = content.network.classes[i];
+  if (found == wire_class)
+    return Look::Wire;
+  if (found == pylon_class)
+    return Look::Tower;
+  const Point p = content.point(i);
+  const double height = p.z() - content.network.ground.heightAt(p.x(), p.y());
+  return height > 2 ? Look::Object : height > 0.4 ? Look::Low : Look::Ground;
+}
+
+/** \brief The box around what is shown, and a cube over it in 16 bits an axis. */
+struct Frame {
+  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  double step = 1; ///< meters
+
+  void
+  include(const Point& p)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+
+  void
+  close()
+  {
+    step = std::max((high - low).maxCoeff() / 65535, 1e-6);
+  }
+
+  void
+  put(Bytes& out, const Point& p) const
+  {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto place = static_cast<unsigned>(
+          std::clamp(std::round((p[axis] - low[axis]) / step), 0.0, 65535.0));
+      out.push_back(static_cast<std::uint8_t>(place & 0xff));
+      out.push_back(static_cast<std::uint8_t>(place >> 8));
+    }
+  }
+
+  Json
+  local(const Point& p) const
+  {
+    Json xyz = Json::array();
+    for (int axis = 0; axis < 3; ++axis)
+      xyz.push_back(std::round((p[axis] - low[axis]) * 1000) / 1000);
+    return xyz;
+  }
+};
+
+/** \brief Wires as runs of vertices: a count, then as many places, 16 bits each. */
+Bytes
+wireBytes(const Content& content, const Frame& frame)
+{
+  Bytes out;
+  for (const Wire& wire : content.network.wires) {
+    const Points line = polyline(wire, 0.02);
+    const auto count = static_cast<unsigned>(std::min<std::size_t>(line.size(), 65535));
+    out.push_back(static_cast<std::uint8_t>(count & 0xff));
+    out.push_back(static_cast<std::uint8_t>(count >> 8));
+    out.push_back(wire.reason.empty() ? 0 : 1);
+    out.push_back(0);
+    for (unsigned k = 0; k < count; ++k)
+      frame.put(out, line[k]);
+  }
+  return out;
+}
+
+/** \brief The same from the southwest and above, for readers without WebGL 2. */
+std::string
+stillPicture(const Content& content, const Frame& frame, const Indices& shown)
+{
+  constexpr double width = 1060;
+  const Point middle = (frame.low + frame.high) / 2;
+  // Seen along azimuth 35 degrees, 30 degrees down.
+  const double a = 35 / 57.29577951308232, sine = 0.5, cosine = std::sqrt(0.75);
+  const auto seen = [&](const Point& p) {
+    const Point d = p - middle;
+    const double across = d.x() * std::cos(a) - d.y() * std::sin(a);
+    const double away = d.x() * std::sin(a) + d.y() * std::cos(a);
+    return Eigen::Vector2d(across, -(away * sine + d.z() * cosine));
+  };
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector2d at = seen({(corner & 1 ? frame.high : frame.low).x(),
+                                     (corner & 2 ? frame.high : frame.low).y(),
+                                     (corner & 4 ? frame.high : frame.low).z()});
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  const double scale = width / std::max(high.x() - low.x(), 1e-6);
+  const double height = std::max(20.0, scale * (high.y() - low.y()));
+  Markup page;
+  page << "<svg class=\"still\" viewBox=\"0 0 " << width << " " << height
+       << "\" role=\"img\" aria-label=\"The lines from the southwest\">\n";
+  const auto put = [&](const Point& p) {
+    const Eigen::Vector2d at = scale * (seen(p) - low);
+    page << at.x() << " " << at.y();
+  };
+  for (const bool lines : {false, true}) {
+    page << "<path class=\"dots " << (lines ? "pylon" : "other") << "\" d=\"";
+    const std::size_t stride = shown.size() / most_still + 1;
+    for (std::size_t k = 0; k < shown.size(); k += stride) {
+      const Look look = lookOf(content, shown[k]);
+      if ((look == Look::Tower || look == Look::Wire) != lines)
+        continue;
+      page << "M";
+      put(content.point(shown[k]));
+      page << "h0";
+    }
+    page << "\"/>\n";
+  }
+  for (const Wire& wire : content.network.wires) {
+    page << "<path class=\"line" << (wire.reason.empty() ? "" : " doubtful")
+         << "\" stroke=\"" << wireColor(wire.number) << "\" d=\"";
+    const char* lead = "M";
+    for (const Point& p : polyline(wire, 0.1)) {
+      page << lead;
+      put(p);
+      lead = "L";
+    }
+    page << "\"/>\n";
+  }
+  page << "</svg>\n";
+  return page.text();
+}
+
+} // namespace
+
+std::vector<SpaceMark>
+spaceMarks(const Content& content)
+{
+  std::vector<SpaceMark> marks;
+  const auto add = [&](const Clearance& found,
+                       const std::string& key,
+                       const std::string& what,
+                       double meters) {
+    marks.push_back(
+        {found.wire, found.other, key, content.length(meters, 2) + " m " + what});
+  };
+  if (content.options.hazards.empty()) {
+    for (const LowWire& low : lowWires(content))
+      add(*low.found,
+          std::to_string(marks.size() + 1),
+          std::string("to ") + low.what + ", span " + std::to_string(low.wire->span) +
+              ", wire " + std::to_string(low.wire->number),
+          low.found->distance);
+    return marks;
+  }
+  const Hazards& hazards = content.options.hazards.front();
+  for (const Encroachment& one : hazards.clearances)
+    add(one.nearest,
+        "c" + std::to_string(one.id),
+        "to " + std::string(nameOf(one.kind)) + ", span " + std::to_string(one.span) +
+            ", wire " + std::to_string(content.wire(one.wire).number),
+        one.nearest.distance);
+  for (const Crossing& one : hazards.crossings)
+    add(one.nearest,
+        "x" + std::to_string(one.id),
+        "between crossing wires",
+        one.nearest.distance);
+  for (const FallIn& one : hazards.fall_in)
+    marks.push_back({one.at,
+                     one.top,
+                     "t" + std::to_string(one.id),
+                     "a tree of " + content.length(one.height, 1) + " m, span " +
+                         std::to_string(one.span)});
+  return marks;
+}
+
+Section
+spaceSection(const Content& content)
+{
+  const Indices shown = shownPoints(content);
+  Frame frame;
+  for (const Index i : shown)
+    frame.include(content.point(i));
+  for (const Wire& wire : content.network.wires)
+    for (const Point& p : polyline(wire, 0.1))
+      frame.include(p);
+  frame.close();
+  Bytes places, looks;
+  for (const Index i : shown) {
+    frame.put(places, content.point(i));
+    looks.push_back(static_cast<std::uint8_t>(lookOf(content, i)));
+  }
+  Json hazards = Json::array(), anchors = Json::array();
+  for (const SpaceMark& mark : spaceMarks(content)) {
+    hazards.push_back({{"key", mark.key},
+                       {"from", frame.local(mark.from)},
+                       {"to", frame.local(mark.to)},
+                       {"text", mark.text}});
+    anchors.push_back(spaceLink(mark.key).substr(1));
+  }
+  const Json data = {{"step", frame.step},
+                     {"size", frame.local(frame.high)},
+                     {"places", base64(places)},
+                     {"looks", base64(looks)},
+                     {"wires", base64(wireBytes(content, frame))},
+                     {"hazards", std::move(hazards)}};
+  return {"space",
+          "In space",
+          {{"shown", shown.size()},
+           {"points", content.cloud.points.size()},
+           {"hazards", std::move(anchors)},
+           {"still", stillPicture(content, frame, shown)},
+           {"data", data.dump()}}};
+}
+
+} // namespace linelet::powerline::report

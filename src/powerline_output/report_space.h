@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report_page.h"
+
+namespace linelet::powerline::report {
+
+/** \brief A hazard as the view in space shows it: a line between two places. */
+struct SpaceMark {
+  Point from, to;   ///< meters, as the network
+  std::string key;  ///< which it is
+  std::string text; ///< what it is, in words
+};
+
+/** \brief Every wire that is nearer to the ground or to an object than the limit, the
+ * closest first; keys 1, 2, ... */
+struct LowWire {
+  const Wire* wire;
+  const Clearance* found;
+  const char* what; ///< that is too near, in words
+};
+std::vector<LowWire>
+lowWires(const Content& content);
+
+/** \brief Marks of all hazards: those of the wires as scanned, with the keys c, x and t
+ * (clearance, crossing, tree) and their ids, else those of \ref lowWires. */
+std::vector<SpaceMark>
+spaceMarks(const Content& content);
+
+/** \brief The place of the page where the view in space shows the hazard of that key.
+ */
+inline std::string
+spaceLink(const std::string& key)
+{
+  return "#space-" + key;
+}
+
+} // namespace linelet::powerline::report
