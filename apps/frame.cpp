@@ -17,6 +17,7 @@
 
 #include "help.h"
 #include "manual.h"
+#include "option_file.h"
 #include "options.h"
 #include "signals.h"
 
@@ -29,23 +30,6 @@ seconds(std::chrono::steady_clock::duration duration)
 {
   return std::chrono::duration<double>(duration).count();
 }
-
-/** \brief Option files as --print-config writes them, where an empty list is "[]": what
- * CLI11 writes but takes for a list with too few values. */
-class OptionFile : public CLI::ConfigTOML {
-public:
-  std::vector<CLI::ConfigItem>
-  from_config(std::istream& input) const override
-  {
-    std::vector<CLI::ConfigItem> items = CLI::ConfigTOML::from_config(input);
-    const std::vector<std::string> empty = {"[]"};
-    items.erase(std::remove_if(items.begin(),
-                               items.end(),
-                               [&](const auto& item) { return item.inputs == empty; }),
-                items.end());
-    return items;
-  }
-};
 
 } // namespace
 

@@ -9,6 +9,7 @@
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline/hazards.h>
 #include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/review_file.h>
 
 #include "cloud_files.h"
 #include "commands.h"
@@ -171,6 +172,14 @@ runPowerlines(const std::vector<std::string>& arguments)
   addOptions(frame.app, output.classes);
   OptionAdder(frame.app)(
       "overwrite", overwrite, "replace results of another input in OUTDIR");
+  std::string reviewed;
+  OptionAdder(frame.app)(
+      "reviewed",
+      reviewed,
+      "wires that somebody judged, in linelet-view or a GIS (columns review, "
+      "review_class, review_note of this file): rejected ones are left out, accepted "
+      "ones certain");
+  frame.reads(reviewed);
   std::string classified = "as input";
   frame.app.add_option("--classified", classified, "ending of the classified cloud")
       ->check(CLI::IsMember({"as input", "las", "laz"}))
@@ -203,8 +212,12 @@ runPowerlines(const std::vector<std::string>& arguments)
   const io::UsablePoints usable = input.usable(cloud);
   const std::size_t withheld = usable.withheld(), ignored = usable.ignored();
   const std::size_t points = cloud.points.size();
-  const PowerLineNetwork network =
+  const auto judged = reviewed.empty() ? std::vector<powerline::ReviewedWire>()
+                                       : powerline::readReview(reviewed, cloud);
+  PowerLineNetwork network =
       powerline::extractPowerLines(cloud, settings, &frame.monitor);
+  for (const std::string& sentence : powerline::applyReview(network, judged))
+    frame.warn(reviewed + ": " + sentence);
   output.clearance = settings.clearance;
   frame.lap("powerlines");
   frame.monitor.begin("hazards", 0);

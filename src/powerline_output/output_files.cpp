@@ -35,6 +35,18 @@ unexplainedWarning(const PowerLineNetwork& network)
          "found: wires may be missing (layer unexplained)";
 }
 
+/** \brief The class of a point of a wire: \a standard, unless a review says another. */
+std::uint8_t
+classOf(const PowerLineNetwork& network, std::size_t point, std::uint8_t standard)
+{
+  const int id = network.wire_id[point];
+  if (id < 1 || static_cast<std::size_t>(id) > network.wires.size())
+    return standard;
+  const int reviewed =
+      network.wires[static_cast<std::size_t>(id) - 1].review.point_class;
+  return reviewed < 0 ? standard : static_cast<std::uint8_t>(reviewed);
+}
+
 } // namespace
 
 void
@@ -71,7 +83,7 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network, const ClassScheme& s
       classes[i] = static_cast<std::uint8_t>(io::valueAt(*given, i));
     const std::uint8_t found = network.classes[i];
     if (found == wire_class || found == pylon_class)
-      classes[i] = found == wire_class ? wire : tower;
+      classes[i] = found == wire_class ? classOf(network, i, wire) : tower;
     else if (given != nullptr && (classes[i] == wire || classes[i] == tower)) {
       ++unconfirmed;
       if (scheme.existing == ExistingClasses::Reset)

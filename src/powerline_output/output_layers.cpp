@@ -70,7 +70,10 @@ wireAttributes(const Wire& wire,
           {"rms", wire.rms},
           {"largest_gap", wire.largest_gap},
           {"confidence", wire.confidence},
-          {"reason", wire.reason}};
+          {"reason", wire.reason},
+          {"review", std::string(nameOf(wire.review.verdict))},
+          {"review_class", whole(wire.review.point_class)},
+          {"review_note", wire.review.note}};
 }
 
 io::VectorFeature

@@ -65,6 +65,16 @@ clearance(const Clearance& found, const MetricFrame& frame)
 }
 
 Json
+review(const Review& review)
+{
+  if (review.empty())
+    return nullptr;
+  return {{"verdict", std::string(nameOf(review.verdict))},
+          {"class", review.point_class < 0 ? Json(nullptr) : Json(review.point_class)},
+          {"note", review.note}};
+}
+
+Json
 wireJson(const Wire& wire, const MetricFrame& frame, const OutputOptions& options)
 {
   return {{"wire_id", wire.id},
@@ -91,7 +101,8 @@ wireJson(const Wire& wire, const MetricFrame& frame, const OutputOptions& option
           {"rms", number(wire.rms)},
           {"largest_gap", number(wire.largest_gap)},
           {"confidence", number(wire.confidence)},
-          {"reason", wire.reason}};
+          {"reason", wire.reason},
+          {"review", review(wire.review)}};
 }
 
 Json

@@ -74,6 +74,13 @@ writeCurves(const std::string& path,
             std::vector<std::string>* warnings = nullptr,
             ProgressMonitor* monitor = nullptr);
 
+/** \brief Reads the lines of a .geojson, .gpkg or .dxf file with their attributes,
+ * layer by layer; layers without lines are left out. The features of a layer have the
+ * attributes that their layer has columns.
+ * \throws FileError */
+std::vector<VectorLayer>
+readLayers(const std::string& path);
+
 /** \brief Reads polylines back from any file of \ref writeCurves or \ref writeLayers,
  * by ending (.ply and .vtk in ASCII); a line whose last vertex is its first is closed.
  * \param[in] shift subtracted from every vertex

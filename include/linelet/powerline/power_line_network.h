@@ -3,12 +3,16 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <linelet/powerline/ground.h>
+#include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
 
@@ -69,6 +73,24 @@ struct Clearance {
   }
 };
 
+/** \brief What a person says of a wire that was found. */
+struct Review {
+  enum class Verdict {
+    None,     ///< nobody has looked
+    Accepted, ///< it is a wire
+    Rejected  ///< it is none
+  };
+  Verdict verdict = Verdict::None;
+  int point_class = -1; ///< class for its points, 0 to 255; -1: that of wires
+  std::string note;
+
+  bool
+  empty() const
+  {
+    return verdict == Verdict::None && point_class < 0 && note.empty();
+  }
+};
+
 /** \brief One wire (or bundle) in one span: the vector that is asked for. */
 struct Wire {
   int id = 0;      ///< place in PowerLineNetwork::wires + 1; 0 stands for no wire
@@ -93,6 +115,7 @@ struct Wire {
                          ///< the line (trees, bushes, houses)
   double confidence = 1; ///< [0, 1]
   std::string reason;    ///< why the confidence is low; empty where it is not
+  Review review;         ///< see review.h
 };
 
 /** \brief Vertices of \a wire from its front to its back point, which wires that meet
@@ -184,4 +207,15 @@ bool
 muchIsUnexplained(const PowerLineNetwork& network);
 
 } // namespace powerline
+
+template <>
+struct Names<powerline::Review::Verdict> {
+  static constexpr std::string_view kind = "verdict";
+  static constexpr std::array<std::pair<powerline::Review::Verdict, std::string_view>,
+                              3>
+      table = {{{powerline::Review::Verdict::None, ""},
+                {powerline::Review::Verdict::Accepted, "accepted"},
+                {powerline::Review::Verdict::Rejected, "rejected"}}};
+};
+
 } // namespace linelet

@@ -7,6 +7,8 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <linelet/io/vector_file.h>
+
 #include "complaints.h"
 #include "curve_readers.h"
 #include "io/files.h"
@@ -52,19 +54,74 @@ referenceOf(OGRLayer& layer)
   return wkt;
 }
 
+std::unique_ptr<GDALDataset>
+openDataset(const std::string& path, const Complaints& complaints)
+{
+  GDALAllRegister();
+  const char* const drivers[] = {"GeoJSON", "GPKG", "DXF", nullptr};
+  std::unique_ptr<GDALDataset> dataset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+  if (dataset == nullptr)
+    throw FileError(path + ": cannot be read as what its ending says (" +
+                    complaints.first() + "); check that it is whole");
+  return dataset;
+}
+
+Value
+valueOf(const OGRFeature& feature, int field)
+{
+  switch (feature.GetFieldDefnRef(field)->GetType()) {
+  case OFTInteger:
+  case OFTInteger64:
+    return static_cast<std::int64_t>(feature.GetFieldAsInteger64(field));
+  case OFTReal:
+    return feature.GetFieldAsDouble(field);
+  default:
+    return std::string(feature.GetFieldAsString(field));
+  }
+}
+
+VectorLayer
+layerFrom(OGRLayer& layer)
+{
+  VectorLayer result;
+  result.name = layer.GetName();
+  for (const OGRFeatureUniquePtr& feature : layer) {
+    CurveNetwork lines;
+    addLines(feature->GetGeometryRef(), lines);
+    for (Curve& line : lines.curves) {
+      VectorFeature read;
+      read.vertices = std::move(line.points);
+      if (line.closed)
+        read.vertices.push_back(read.vertices.front());
+      for (int i = 0; i < feature->GetFieldCount(); ++i)
+        read.attributes.emplace_back(feature->GetFieldDefnRef(i)->GetNameRef(),
+                                     valueOf(*feature, i));
+      result.features.push_back(std::move(read));
+    }
+  }
+  return result;
+}
+
 } // namespace
+
+std::vector<VectorLayer>
+readLayers(const std::string& path)
+{
+  const Complaints complaints;
+  const auto dataset = openDataset(path, complaints);
+  std::vector<VectorLayer> layers;
+  for (OGRLayer* layer : dataset->GetLayers())
+    if (VectorLayer read = layerFrom(*layer); !read.features.empty())
+      layers.push_back(std::move(read));
+  return layers;
+}
 
 CurveNetwork
 curvesFromLayers(const Source& source, std::string* wkt)
 {
-  GDALAllRegister();
   const Complaints complaints;
-  const char* const drivers[] = {"GeoJSON", "GPKG", "DXF", nullptr};
-  const std::unique_ptr<GDALDataset> dataset(GDALDataset::Open(
-      source.name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
-  if (dataset == nullptr)
-    source.fail("cannot be read as what its ending says (" + complaints.first() +
-                "); check that it is whole");
+  const auto dataset = openDataset(source.name, complaints);
   CurveNetwork network;
   const bool tells = endingOf(source.name) != ".geojson" ||
                      source.bytes.substr(0, 1000).find("\"crs\"") != std::string::npos;

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/io/cloud.h>
+#include <linelet/powerline/power_line_network.h>
+#include <linelet/powerline/review.h>
+#include <linelet/powerline_output/output_files.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
+
+/** \brief Reads what was said of wires: the lines of a file like `wires.gpkg` whose
+ * columns `review` (accepted, rejected or empty), `review_class` (-1: none) and
+ * `review_note` the viewer, or a GIS, filled in. Lines of which nothing was said are
+ * read too.
+ * \param[in] cloud whose network it is about: gives shift and units
+ * \throws io::FileError where there is no such column, or it says something else */
+std::vector<ReviewedWire>
+readReview(const std::string& path, const io::Cloud& cloud);
+
+/** \brief Writes the layers of \a network, with what was said of its wires, to \a path
+ * (.gpkg): all of it, or nothing. \throws io::FileError */
+void
+writeReview(const std::string& path,
+            const io::Cloud& cloud,
+            const PowerLineNetwork& network,
+            const OutputOptions& options = {});
+
+} // namespace powerline
+} // namespace linelet
