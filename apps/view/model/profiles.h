@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/powerline/power_line_network.h>
+
+#include "scene.h"
+
+namespace linelet::view {
+
+/** \brief A span from the side: meters along it and meters of height. */
+struct SpanProfile {
+  struct Place {
+    double along, height;
+  };
+  struct Wire {
+    int id = 0;
+    double confidence = 1;
+    std::vector<Place> curve;
+    std::vector<Place> points; ///< that it explains
+  };
+  struct Measure { ///< a clearance
+    Place from, to;
+    double distance = 0;
+    bool to_ground = false;
+    int wire = 0;
+  };
+  int span = 0;
+  double length = 0;
+  std::vector<Wire> wires;
+  std::vector<Place> others; ///< points beside that belong to no wire of the span
+  std::vector<Place> ground; ///< terrain along the axis, empty where none is known
+  std::vector<Measure> clearances;
+};
+
+/** \brief The profile of the span with number \a span of \a network.
+ * \param[in] most points that are kept, evenly thinned */
+SpanProfile
+profileOf(const Scene& scene,
+          const powerline::PowerLineNetwork& network,
+          int span,
+          std::size_t most = 8000);
+
+/** \brief Error of a reconstructed curve at one of its vertices. */
+struct VertexError {
+  double along = 0;    ///< arc length
+  double distance = 0; ///< from the nearest place of the truth
+  double angle = 0; ///< between tangents, degrees of [0, 90]; NaN where there is none
+};
+
+/** \brief The error of \a curve along itself, compared with \a truth. */
+std::vector<VertexError>
+errorsAlong(const Curve& curve, const CurveNetwork& truth);
+
+} // namespace linelet::view
