@@ -113,10 +113,11 @@ TEST_F(Splats, InsideOfAFilledCuboidNothingIsSeen)
 
 TEST_F(Splats, StripesRunAlongTheProjectionOfTheMajorDirection)
 {
-  const Camera view = camera(200, 200);
+  // Large, so that the pixels' own directions do not count.
+  const Camera view = camera(800, 800);
   for (int i = 0; i < 50; ++i) {
-    // Linear, but wide enough to carry stripes.
-    const TensorGlyph one = glyph(Point::Zero(), 0, 0.12, 1, 2);
+    // A line with noise around it.
+    const TensorGlyph one = glyph(Point::Zero(), 0.01, 0.01, 1, 2);
     const Point from = view.project(Point::Zero());
     const Point to = view.project(one.axes.col(2) * 0.01);
     const Eigen::Vector2d wanted = (to - from).head<2>();
