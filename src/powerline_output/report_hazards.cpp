@@ -29,7 +29,18 @@ distance(const Content& content,
          Severity severity,
          const std::string& key)
 {
-  return {content.length(value, 2), severity == Severity::High, spaceLink(key)};
+  return {content.length(value, 2),
+          severity == Severity::High,
+          key.empty() ? key : spaceLink(key)};
+}
+
+/** Key of a hazard in the view in space, which shows the wires as scanned; empty for
+ * those of other states. */
+std::string
+keyOf(const Content& content, const Hazards& hazards, const char* kind, int id)
+{
+  return &hazards == &content.options.hazards.front() ? kind + std::to_string(id)
+                                                      : std::string();
 }
 
 /** Severe ones first, then the nearest. */
@@ -84,7 +95,7 @@ clearanceTable(const Content& content, const Hazards& hazards)
                distance(content,
                         one->nearest.distance,
                         one->severity,
-                        "c" + std::to_string(one->id)),
+                        keyOf(content, hazards, "c", one->id)),
                {content.length(one->vertical, 2)},
                {content.length(one->horizontal, 2)},
                {std::to_string(one->span), false, spanLink(one->span)},
@@ -120,21 +131,22 @@ crossingTable(const Content& content, const Hazards& hazards)
   for (const Crossing& one : hazards.crossings) {
     const Wire &upper = content.wire(one.upper), &lower = content.wire(one.lower);
     const Point at = content.metric.world(one.upper_at);
-    table.row(
-        {{std::to_string(one.id)},
-         {std::string(nameOf(one.severity)), one.severity == Severity::High},
-         {std::to_string(upper.span), false, spanLink(upper.span)},
-         {std::to_string(upper.number)},
-         {std::to_string(lower.span), false, spanLink(lower.span)},
-         {std::to_string(lower.number)},
-         {content.length(one.vertical, 2)},
-         distance(
-             content, one.nearest.distance, one.severity, "x" + std::to_string(one.id)),
-         {content.length(one.horizontal, 2)},
-         {number(one.angle, 0)},
-         {number(at.x(), 2)},
-         {number(at.y(), 2)}},
-        "crossing" + std::to_string(one.id));
+    table.row({{std::to_string(one.id)},
+               {std::string(nameOf(one.severity)), one.severity == Severity::High},
+               {std::to_string(upper.span), false, spanLink(upper.span)},
+               {std::to_string(upper.number)},
+               {std::to_string(lower.span), false, spanLink(lower.span)},
+               {std::to_string(lower.number)},
+               {content.length(one.vertical, 2)},
+               distance(content,
+                        one.nearest.distance,
+                        one.severity,
+                        keyOf(content, hazards, "x", one.id)),
+               {content.length(one.horizontal, 2)},
+               {number(one.angle, 0)},
+               {number(at.x(), 2)},
+               {number(at.y(), 2)}},
+              "crossing" + std::to_string(one.id));
   }
   return table.json();
 }
@@ -156,17 +168,18 @@ fallInTable(const Content& content, const Hazards& hazards)
                {"z"}});
   for (const FallIn& one : hazards.fall_in) {
     const Point at = content.metric.world(one.top);
-    table.row({{std::to_string(one.id), false, "#plantree" + std::to_string(one.id)},
-               {std::string(nameOf(one.severity)), one.severity == Severity::High},
-               distance(content, one.gap, one.severity, "t" + std::to_string(one.id)),
-               {content.length(one.height, 1)},
-               {content.length(one.distance, 1)},
-               {std::to_string(one.span), false, spanLink(one.span)},
-               {std::to_string(content.wire(one.wire).number)},
-               {number(at.x(), 2)},
-               {number(at.y(), 2)},
-               {number(at.z(), 2)}},
-              "tree" + std::to_string(one.id));
+    table.row(
+        {{std::to_string(one.id), false, "#plantree" + std::to_string(one.id)},
+         {std::string(nameOf(one.severity)), one.severity == Severity::High},
+         distance(content, one.gap, one.severity, keyOf(content, hazards, "t", one.id)),
+         {content.length(one.height, 1)},
+         {content.length(one.distance, 1)},
+         {std::to_string(one.span), false, spanLink(one.span)},
+         {std::to_string(content.wire(one.wire).number)},
+         {number(at.x(), 2)},
+         {number(at.y(), 2)},
+         {number(at.z(), 2)}},
+        "tree" + std::to_string(one.id));
   }
   return table.json();
 }
