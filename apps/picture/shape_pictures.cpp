@@ -188,7 +188,7 @@ drawShapeProfile(const ShapeProfile& profile, ShapeColors colors, int width, int
   if (!profile.sums.empty()) {
     canvas.line({left_margin + 640, 62}, {left_margin + 664, 62}, 2, sum_color);
     canvas.text({left_margin + 671, 62},
-                "linearity sum A, 0 to " + numberText(largestOf(profile.sums), 3),
+                "sum of CL, 0 to " + numberText(largestOf(profile.sums), 3),
                 text_size);
   }
   return canvas;

@@ -166,21 +166,36 @@ pathOf(const std::vector<Spot>& spots, bool closed)
   return path + (closed ? " Z" : "");
 }
 
+/** \brief The way to the left of the edge between two places, of length 1; zero where
+ * they are one. */
+Spot
+sideOf(const Seen& from, const Seen& to)
+{
+  const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  return length > 0 ? Spot{-dy / length, dx / length} : Spot{0, 0};
+}
+
 /** \brief Half of the band that a curve is, at each of its vertices: the way to its
- * side, on the paper. */
+ * side, on the paper. At a corner it is longer, so that the edges keep their width. */
 std::vector<Spot>
 sides(const std::vector<Seen>& seen, double width, bool closed)
 {
+  constexpr double sharpest = 0.25; // corners that stick out farther are cut
   std::vector<Spot> result;
   const std::size_t n = seen.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Seen& before = seen[i > 0 ? i - 1 : closed ? n - 1 : 0];
-    const Seen& after = seen[i + 1 < n ? i + 1 : closed ? 0 : n - 1];
-    const double dx = after.x - before.x, dy = after.y - before.y;
-    const double length = std::hypot(dx, dy);
-    const double half = width * seen[i].scale / 2;
-    result.push_back(length > 0 ? Spot{-dy / length * half, dx / length * half}
-                                : Spot{half, 0});
+    const bool first = i == 0 && !closed, last = i + 1 == n && !closed;
+    const Spot before =
+        first ? Spot{0, 0} : sideOf(seen[i > 0 ? i - 1 : n - 1], seen[i]);
+    const Spot after = last ? Spot{0, 0} : sideOf(seen[i], seen[i + 1 < n ? i + 1 : 0]);
+    Spot way = {before.x + after.x, before.y + after.y};
+    const double length = std::hypot(way.x, way.y);
+    if (length > 0)
+      way = {way.x / length, way.y / length};
+    const double turn = std::max(way.x * before.x + way.y * before.y,
+                                 way.x * after.x + way.y * after.y);
+    const double half = width * seen[i].scale / 2 / std::max(sharpest, turn);
+    result.push_back({way.x * half, way.y * half});
   }
   return result;
 }
