@@ -3,9 +3,6 @@
 
 #include "dataset.h"
 
-#include <algorithm>
-#include <optional>
-
 namespace linelet::io::hdf5 {
 
 namespace {
@@ -17,32 +14,6 @@ constexpr unsigned deflate_level = 4;
 
 /// Deflate makes no more than this of a byte.
 constexpr double most_inflation = 1032;
-
-/** \brief The type of numbers that \a type is, or none. */
-std::optional<ValueType>
-valueType(hid_t type)
-{
-  const std::size_t size = H5Tget_size(type);
-  if (H5Tget_class(type) == H5T_FLOAT)
-    return size == 4   ? std::optional(ValueType::Float32)
-           : size == 8 ? std::optional(ValueType::Float64)
-                       : std::nullopt;
-  if (H5Tget_class(type) != H5T_INTEGER)
-    return std::nullopt;
-  const bool with_sign = H5Tget_sign(type) == H5T_SGN_2;
-  switch (size) {
-  case 1:
-    return with_sign ? ValueType::Int8 : ValueType::UInt8;
-  case 2:
-    return with_sign ? ValueType::Int16 : ValueType::UInt16;
-  case 4:
-    return with_sign ? ValueType::Int32 : ValueType::UInt32;
-  case 8:
-    return with_sign ? ValueType::Int64 : ValueType::UInt64;
-  default:
-    return std::nullopt;
-  }
-}
 
 std::vector<Member>
 membersOf(hid_t type)

@@ -3,6 +3,7 @@
 
 #include "handle.h"
 
+#include <iterator>
 #include <mutex>
 
 namespace linelet::io::hdf5 {
@@ -52,9 +53,8 @@ numbers(const Handle& object, const char* name, hid_t type, std::size_t count)
   const Handle attribute(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose, what);
   const Handle space(H5Aget_space(attribute.id()), H5Sclose, what);
   const Handle stored(H5Aget_type(attribute.id()), H5Tclose, what);
-  const H5T_class_t kind = H5Tget_class(stored.id());
   if (H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(count) ||
-      (kind != H5T_INTEGER && kind != H5T_FLOAT))
+      !valueType(stored.id()))
     throw Error("cannot " + what + ": it is not " + std::to_string(count) + " numbers");
   std::vector<T> values(count);
   check(H5Aread(attribute.id(), type, values.data()), what);
@@ -187,6 +187,27 @@ memoryType(ValueType type)
                          H5T_NATIVE_FLOAT,
                          H5T_NATIVE_DOUBLE};
   return types[static_cast<std::size_t>(type)];
+}
+
+std::optional<ValueType>
+valueType(hid_t stored)
+{
+  const hid_t swapped[] = {H5T_STD_I8BE,
+                           H5T_STD_U8BE,
+                           H5T_STD_I16BE,
+                           H5T_STD_U16BE,
+                           H5T_STD_I32BE,
+                           H5T_STD_U32BE,
+                           H5T_STD_I64BE,
+                           H5T_STD_U64BE,
+                           H5T_IEEE_F32BE,
+                           H5T_IEEE_F64BE};
+  for (std::size_t k = 0; k < std::size(swapped); ++k) {
+    const auto type = static_cast<ValueType>(k);
+    if (H5Tequal(stored, fileType(type)) > 0 || H5Tequal(stored, swapped[k]) > 0)
+      return type;
+  }
+  return std::nullopt;
 }
 
 void

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -116,6 +117,12 @@ hid_t
 fileType(ValueType type);
 hid_t
 memoryType(ValueType type);
+
+/** \brief The type of values that \a stored is, of either byte order; none where it is
+ * no plain number. Types of other sizes, offsets or precisions are none of ours, and
+ * damaged ones of that kind lead HDF5 1.10 out of its buffers. */
+std::optional<ValueType>
+valueType(hid_t stored);
 
 // Attributes: small values beside a group or a dataset.
 
