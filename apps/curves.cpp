@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include <linelet/curves/reconstruct_curves.h>
 #include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
@@ -36,6 +38,20 @@ bool
 isHdf5(const std::string& path)
 {
   return path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
+}
+
+/** \brief What the reconstruction says of each curve; what it cannot know is null. */
+nlohmann::ordered_json
+measuresOf(const CurveNetwork& network)
+{
+  auto result = nlohmann::ordered_json::array();
+  for (const Curve& curve : network.curves)
+    result.push_back({{"length", length(curve)},
+                      {"closed", curve.closed},
+                      {"noise", curve.noise},
+                      {"density", curve.density},
+                      {"evidence", curve.evidence}});
+  return result;
 }
 
 } // namespace
@@ -114,6 +130,7 @@ runCurves(const std::vector<std::string>& arguments)
       [](std::size_t sum, const Curve& c) { return sum + c.points.size(); });
   frame.summary["simplify_tolerance"] = tolerance;
   frame.summary["length"] = length(network);
+  frame.summary["measures"] = measuresOf(network);
   return frame.finish();
 }
 

@@ -101,6 +101,13 @@ TEST_F(CurveCommands, ACircleIsOneClosedCurveInEveryFormat)
     EXPECT_EQ(summary["curves"], 1);
     EXPECT_EQ(summary["closed"], 1);
     EXPECT_NEAR(summary["length"], 31.416, 0.1); // radius 5
+    ASSERT_EQ(summary["measures"].size(), 1U);
+    const auto& measures = summary["measures"][0];
+    EXPECT_EQ(measures["length"], summary["length"]);
+    EXPECT_EQ(measures["closed"], true);
+    EXPECT_NEAR(measures["density"], 128 / 31.416, 0.2);
+    EXPECT_LT(measures["noise"], 0.05);
+    EXPECT_GT(measures["evidence"], 100);
     EXPECT_THAT(contents(output), StartsWith(beginning));
   }
   const CurveNetwork network = io::readCurves(path("circle.obj"));
