@@ -80,7 +80,7 @@ public:
       for (const auto& near : around.near) {
         pass(near.place - place);
         place = near.place;
-        const Point offset = state.across(scene_.points[near.index] - state.at);
+        const Point offset = state.across(scene_.points()[near.index] - state.at);
         const double variance = state.covariance(0, 0) + noise * noise;
         const double squared = offset.squaredNorm();
         const double ratio = density * std::exp(-0.5 * squared / variance) /

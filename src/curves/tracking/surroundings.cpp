@@ -26,6 +26,22 @@ axesAcross(const Point& direction)
   return {first, direction.cross(first)};
 }
 
+/** \brief Which of the eight equal sectors about the origin holds (x, y), counted from
+ * the x axis to the y axis. */
+std::size_t
+sectorOf(double x, double y)
+{
+  const bool below = y < 0;
+  if (below) {
+    x = -x;
+    y = -y;
+  }
+  const bool left = x < 0;
+  const bool steep = left ? -x <= y : y >= x;
+  const std::size_t half = left ? (steep ? 2 : 3) : (steep ? 1 : 0);
+  return half + (below ? sectors / 2 : 0);
+}
+
 } // namespace
 
 void
@@ -39,32 +55,39 @@ lookAhead(const TrackedScene& scene,
   result.near.clear();
   const auto axes = axesAcross(state.direction);
   std::array<std::array<double, rings>, sectors> around{};
+  std::array<double, rings> outer{}; // squared radii
+  for (std::size_t r = 0; r < rings; ++r)
+    outer[r] = std::pow(gate + (ring - gate) * static_cast<double>(r + 1) / rings, 2);
+  const double squared_gate = gate * gate;
   double outside = 0, inside = 0;
-  const double half = 0.5 * length;
-  const double reach = std::sqrt(half * half + ring * ring);
-  scene.grid.forEachWithin(state.ahead(half), reach, [&](Index i, double) {
-    if (scene.owner[i] >= 0)
-      return;
-    const Point& p = scene.points[i];
-    const double place = state.direction.dot(p - state.at);
+  const auto visit = [&](std::size_t i) {
+    const Point v = scene.points()[i] - state.at;
+    const double place = state.direction.dot(v);
     if (!(place > 0 && place <= length))
       return;
-    const Point v = state.across(p - state.ahead(place));
-    const double distance = v.norm();
-    if (distance <= gate) {
-      if (scene.surface[i])
-        inside += 1;
-      else
-        result.near.push_back({place, i});
-    }
-    else if (distance <= ring) {
+    const Point off = v - place * (state.direction + 0.5 * place * state.curvature);
+    const double squared = off.squaredNorm();
+    if (squared > outer.back() || scene.taken[i])
+      return;
+    if (squared > squared_gate) {
       outside += 1;
-      const double angle = std::atan2(v.dot(axes[1]), v.dot(axes[0])) / (2 * M_PI);
-      const auto sector = static_cast<std::size_t>((angle + 1) * sectors) % sectors;
-      const double out = (distance - gate) / (ring - gate) * rings;
-      around[sector][std::min(static_cast<std::size_t>(out), rings - 1)] += 1;
+      std::size_t r = 0;
+      while (squared > outer[r])
+        ++r;
+      around[sectorOf(axes[0].dot(off), axes[1].dot(off))][r] += 1;
     }
-  });
+    else if (scene.surface[i])
+      inside += 1;
+    else
+      result.near.push_back({place, static_cast<Index>(i)});
+  };
+  const double half = 0.5 * length;
+  scene.grid.forEachRun(state.ahead(half),
+                        std::sqrt(half * half + ring * ring),
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i)
+                            visit(i);
+                        });
   const double area = M_PI * (ring * ring - gate * gate);
   const double volume = (outside + few) / (area * length);
   // A surface through the gate fills two opposite sectors, an edge of one a single one,

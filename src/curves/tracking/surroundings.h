@@ -14,11 +14,28 @@ namespace linelet {
 
 /** \brief A scene while curves are looked for in it. */
 struct TrackedScene {
-  Points points;
-  UniformGrid grid;          ///< of all points
+  /** \param[in] points finite points; from now on in grid order */
+  TrackedScene(const Points& points, double unit)
+      : grid(points, row_size * unit),
+        surface(points.size(), 0),
+        taken(points.size(), 0),
+        unit(unit)
+  {
+  }
+
+  /** \brief The points, by their places in the grid: near ones lie together. */
+  const Points&
+  points() const
+  {
+    return grid.sortedPoints();
+  }
+
+  static constexpr double row_size = 2; ///< D
+
+  UniformGrid grid;
   std::vector<char> surface; ///< per point, whether a surface runs through it
-  std::vector<int> owner;    ///< per point the curve that explains it, or -1
-  double unit = 0;           ///< D
+  std::vector<char> taken;   ///< per point, whether a curve explains it
+  double unit;               ///< D
 };
 
 /** \brief What lies around the next stretch of a curve. */

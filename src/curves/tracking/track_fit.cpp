@@ -17,6 +17,9 @@ constexpr double reach = 4; // standard deviations, of the points around a track
 constexpr double node_spacing = 3.6; // spacings of the points, as of a cloud of curves
 constexpr double local_unit = 3;     // spacings: the sixth neighbor on a line, D there
 constexpr double least_noise = 0.02; // D of the scene
+// Squares of the angles by which a curve is thought to turn over its length, before its
+// points tell: freely, and like a wire that hangs in a span.
+constexpr double free_turn = 1, slight_turn = 1e-3;
 // Lines side by side are looked for where the noise is this many times the least, and
 // taken where each of them improves the criterion by so much: their offsets were chosen
 // among many.
@@ -56,13 +59,16 @@ pointsAround(const TrackedScene& scene, const ModelCurve& curve, double distance
 {
   Indices result;
   for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Point chord = curve.to(e) - curve.from(e);
-    scene.grid.forEachWithin(0.5 * (curve.from(e) + curve.to(e)),
-                             std::hypot(distance, 0.5 * chord.norm()),
-                             [&](Index i, double) {
-                               if (scene.owner[i] < 0)
-                                 result.push_back(i);
-                             });
+    const Point middle = 0.5 * (curve.from(e) + curve.to(e));
+    const double chord = (curve.to(e) - curve.from(e)).norm();
+    const double squared = distance * distance + 0.25 * chord * chord;
+    scene.grid.forEachRun(
+        middle, std::sqrt(squared), [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            if (!scene.taken[i] &&
+                (scene.points()[i] - middle).squaredNorm() <= squared)
+              result.push_back(static_cast<Index>(i));
+        });
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -94,7 +100,7 @@ fitTrack(const TrackedScene& scene,
     node -= origin;
   Points points;
   for (const Index i : result.points)
-    points.push_back(scene.points[i] - origin);
+    points.push_back(scene.points()[i] - origin);
   CloudFrame frame;
   frame.scale_unit = local_unit / track.density;
   frame.diagonal = length(start);
@@ -111,7 +117,7 @@ fitTrack(const TrackedScene& scene,
   settings.noise = track.noise;
   settings.least_noise = least_noise * scene.unit;
   settings.spacing = spacing;
-  settings.bending = 1 / frame.diagonal;
+  settings.bending = free_turn / frame.diagonal;
   result.fit = fitter.fit({start}, settings);
   double best = scoreOf(result.fit, points.size());
   if (result.fit.curves.size() == 1 &&
@@ -130,6 +136,15 @@ fitTrack(const TrackedScene& scene,
       best = score;
       result.fit = std::move(fit);
     }
+  if (!result.fit.curves.empty()) {
+    // Of few noisy points, a stiffer curve may say more.
+    EmSettings stiff = settings;
+    stiff.bending = slight_turn / frame.diagonal;
+    stiff.noise = result.fit.noise;
+    EmFit fit = fitter.fit(result.fit.curves, stiff);
+    if (!fit.curves.empty() && scoreOf(fit, points.size()) < best)
+      result.fit = std::move(fit);
+  }
   for (const double outlier : result.fit.outlier)
     result.explained.push_back(outlier < 0.5);
   for (ModelCurve& curve : result.fit.curves)

@@ -24,8 +24,9 @@ struct TrackFit {
 };
 
 /** \brief Fits the mixture to the points around \a track: one curve along it, or as
- * many as its cross-section shows lines (\ref linesAlong), whatever the criterion
- * prefers. No curve where none explains the points better than their background does.
+ * many as its cross-section shows lines (\ref linesAlong), free to bend or stiff,
+ * whatever the criterion prefers. No curve where none explains the points better than
+ * their background does.
  */
 TrackFit
 fitTrack(const TrackedScene& scene,

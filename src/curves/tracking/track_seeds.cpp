@@ -71,11 +71,11 @@ planarScales(const ShapeGraph& graph, const std::vector<double>& radii)
  * side.
  * \param[in] radius at which the neighborhood becomes planar; the disc is larger */
 bool
-fillsDisc(const Points& points, const UniformGrid& grid, const Point& p, double radius)
+fillsDisc(const UniformGrid& grid, const Point& p, double radius)
 {
   Points near;
-  grid.forEachWithin(
-      p, disc_radius * radius, [&](Index i, double) { near.push_back(points[i] - p); });
+  grid.forEachOffsetWithin(
+      p, disc_radius * radius, [&](const Point& v, double) { near.push_back(v); });
   const double reach = disc_radius * radius;
   const EigenSystem axes =
       eigenAnalysis(neighborhoodTensor(near, Point::Zero(), reach, Kernel::Const));
@@ -118,19 +118,15 @@ seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
 
 } // namespace
 
-ScenePoints
-measureScene(const Points& points,
-             const UniformGrid& grid,
-             double unit,
-             unsigned threads,
-             ProgressMonitor* monitor)
+std::vector<TrackSeed>
+measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
 {
-  ScenePoints scene;
-  scene.surface.assign(points.size(), 0);
+  const Points& points = scene.points();
+  std::vector<TrackSeed> seeds;
   MultiScaleSettings settings;
   settings.weighting = Kernel::Const;
-  settings.max_radius = largest_radius * unit;
-  settings.scale_unit = unit;
+  settings.max_radius = largest_radius * scene.unit;
+  settings.scale_unit = scene.unit;
   settings.threads = threads;
   const std::vector<double> radii = multiScaleRadii(points, settings).radii;
   struct Doubtful {
@@ -155,9 +151,9 @@ measureScene(const Points& points,
       }
     if (finest == graph.size())
       return;
-    scene.seeds.push_back(seedAt(i, points[i], graph[finest], radii[finest]));
+    seeds.push_back(seedAt(i, points[i], graph[finest], radii[finest]));
     if (coarsest > finest + 1)
-      scene.seeds.push_back(seedAt(i, points[i], graph[coarsest], radii[coarsest]));
+      seeds.push_back(seedAt(i, points[i], graph[coarsest], radii[coarsest]));
   };
   multiScaleShapes(points, points, settings, sink, monitor);
   std::exception_ptr failure;
@@ -165,7 +161,7 @@ measureScene(const Points& points,
   for (std::size_t k = 0; k < doubtful.size(); ++k)
     try {
       scene.surface[doubtful[k].index] =
-          fillsDisc(points, grid, points[doubtful[k].index], doubtful[k].radius);
+          fillsDisc(scene.grid, points[doubtful[k].index], doubtful[k].radius);
     }
     catch (...) {
 #pragma omp critical(linelet_scene_failure)
@@ -173,18 +169,18 @@ measureScene(const Points& points,
     }
   if (failure)
     std::rethrow_exception(failure);
-  scene.seeds.erase(std::remove_if(scene.seeds.begin(),
-                                   scene.seeds.end(),
-                                   [&](const TrackSeed& seed) {
-                                     return scene.surface[seed.index] != 0;
-                                   }),
-                    scene.seeds.end());
-  std::sort(scene.seeds.begin(), scene.seeds.end(), [](const auto& a, const auto& b) {
+  seeds.erase(std::remove_if(seeds.begin(),
+                             seeds.end(),
+                             [&](const TrackSeed& seed) {
+                               return scene.surface[seed.index] != 0;
+                             }),
+              seeds.end());
+  std::sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) {
     if (a.quality != b.quality)
       return a.quality > b.quality;
     return a.index != b.index ? a.index < b.index : a.radius < b.radius;
   });
-  return scene;
+  return seeds;
 }
 
 } // namespace linelet

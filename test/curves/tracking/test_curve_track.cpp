@@ -9,6 +9,7 @@
 
 #include "curves/tracking/curve_track.h"
 #include "curves/tracking/lines_of_track.h"
+#include "curves/tracking/track_fit.h"
 
 using namespace linelet;
 
@@ -32,16 +33,6 @@ lineInClutter(double clutter, unsigned seed, bool line = true)
   return points;
 }
 
-TrackedScene
-sceneOf(const Points& points)
-{
-  return {points,
-          UniformGrid(points, 0.5),
-          std::vector<char>(points.size(), 0),
-          std::vector<int>(points.size(), -1),
-          0.5};
-}
-
 TrackSeed
 seedAt(const Point& at)
 {
@@ -59,7 +50,7 @@ TEST(CurveTrack, FollowsALineThroughClutterToBothEnds)
   for (const unsigned seed : {1U, 2U, 3U}) {
     SCOPED_TRACE(seed);
     const Points points = lineInClutter(0.5, seed);
-    const TrackedScene scene = sceneOf(points);
+    const TrackedScene scene(points, 0.5);
     const Track track = followCurve(scene, seedAt({30, 0, 0.9}), {0.01, 10}, 12);
     ASSERT_GT(track.members.size(), 80U);
     EXPECT_GT(track.evidence, 100);
@@ -78,7 +69,7 @@ TEST(CurveTrack, HardlyEverSeesAThinCurveInClutterAlone)
   int starts = 0, seen = 0;
   for (unsigned seed = 20; seed < 30; ++seed) {
     const Points points = lineInClutter(0.5, seed, false);
-    const TrackedScene scene = sceneOf(points);
+    const TrackedScene scene(points, 0.5);
     for (double x = 5; x < 60; x += 5, ++starts) {
       const Track track = followCurve(scene, seedAt({x, 0, 0}), {0.01, 10}, 12);
       seen += track.noise * track.density < 0.25 &&
@@ -95,7 +86,7 @@ TEST(CurveTrack, CrossesAHiddenStretch)
                               points.end(),
                               [](const Point& p) { return p.x() > 25 && p.x() < 31; }),
                points.end());
-  const TrackedScene scene = sceneOf(points);
+  const TrackedScene scene(points, 0.5);
   const Track track = followCurve(scene, seedAt({15, 0, 0.2}), {0.01, 10}, 12);
   ASSERT_FALSE(track.path.empty());
   EXPECT_GT(std::max(track.path.front().x(), track.path.back().x()), 55);
@@ -104,10 +95,45 @@ TEST(CurveTrack, CrossesAHiddenStretch)
 TEST(CurveTrack, LeavesThePointsOfOtherCurves)
 {
   const Points points = lineInClutter(0.2, 9);
-  TrackedScene scene = sceneOf(points);
-  for (std::size_t i = 0; i < 120; ++i)
-    scene.owner[i] = 0;
+  TrackedScene scene(points, 0.5);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    scene.taken[i] = scene.grid.inputIndices()[i] < 120;
   EXPECT_LT(followCurve(scene, seedAt({30, 0, 0.9}), {0.01, 10}, 12).evidence, 20);
+}
+
+TEST(TrackFit, ASparseNoisyWireIsKnownBetterThanItsPoints)
+{
+  // 270 long, a point every 3, noise of 0.15: whatever follows its points is as wrong
+  // as they are, and a parabola through all of them is some 0.03 off.
+  double squares = 0, count = 0;
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 0.15);
+    std::uniform_real_distribution<double> along(0, 270);
+    const auto height = [](double x) { return 5e-4 * (x - 135) * (x - 135); };
+    Points points;
+    for (int k = 0; k < 90; ++k) {
+      const double x = along(random);
+      points.emplace_back(x, noise(random), height(x) + noise(random));
+    }
+    const TrackedScene scene(points, 5);
+    TrackSeed start;
+    start.at = {135, 0, 0};
+    start.radius = 20;
+    start.density = 0.33;
+    start.noise = 0.15;
+    start.direction = Point::UnitX();
+    const Track track = followCurve(scene, start, {0.01, 10}, 12);
+    ASSERT_GT(track.members.size(), 60U) << seed;
+    const TrackFit fit =
+        fitTrack(scene, track, FitTo::Surroundings, [] { return false; });
+    ASSERT_EQ(fit.fit.curves.size(), 1U) << seed;
+    for (const Point& p : fit.fit.curves.front().nodes) {
+      squares += p.y() * p.y() + std::pow(p.z() - height(p.x()), 2);
+      count += 2;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / count), 0.07);
 }
 
 TEST(LinesAlong, TellsFourLinesFromOneThickOne)
