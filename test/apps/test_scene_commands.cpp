@@ -48,10 +48,10 @@ protected:
   /** \brief Checks what every run of `powerlines` leaves, whether it found wires or
    * not. \return the summary */
   nlohmann::json
-  expectSixFiles(const std::string& folder, std::size_t points) const
+  expectAllFiles(const std::string& folder, std::size_t points) const
   {
     const auto entries = std::filesystem::directory_iterator(folder);
-    EXPECT_EQ(std::distance(begin(entries), end(entries)), 6);
+    EXPECT_EQ(std::distance(begin(entries), end(entries)), 12);
     EXPECT_THAT(contents(folder + "/wires.gpkg"), StartsWith("SQLite format 3"));
     EXPECT_THAT(contents(folder + "/wires.dxf"), HasSubstr("\nEOF\n"));
     EXPECT_THAT(contents(folder + "/report.html"), HasSubstr("</html>"));
@@ -136,7 +136,7 @@ TEST_F(SceneCommands, PowerlinesFindsTheWiresOfTheSampleScan)
   const Outcome run = runWell("powerlines " + scan + " " + path("corridor") +
                               " --json " + path("corridor.json"));
   const auto summary =
-      expectSixFiles(path("corridor"), io::readCloud(scan).points.size());
+      expectAllFiles(path("corridor"), io::readCloud(scan).points.size());
   EXPECT_EQ(summary["source"], "corridor.las");
   // The truth has 33, stubs at the border of the scan among them.
   EXPECT_GE(std::count_if(summary["wires"].begin(),
@@ -167,7 +167,7 @@ TEST_F(SceneCommands, PowerlinesFindsNoneOnBareGround)
     const std::string folder = path("bare" + std::to_string(count));
     EXPECT_THAT(runWell("powerlines " + write("bare.csv", points) + " " + folder).out,
                 HasSubstr("no wires found"));
-    EXPECT_TRUE(expectSixFiles(folder, count)["wires"].empty());
+    EXPECT_TRUE(expectAllFiles(folder, count)["wires"].empty());
   }
 }
 
