@@ -62,9 +62,10 @@ runCurves(const std::vector<std::string>& arguments)
   Frame frame(
       "curves",
       "Reconstructs the curves that run through a point cloud: wires, edges, "
-      "outlines. Written by ending: .obj .ply .vtk .csv .geojson .gpkg .dxf, in "
-      "the coordinates of the input; .h5 with the points beside them. Points flagged "
-      "as withheld take no part.");
+      "outlines. Written by ending: .obj .ply .vtk .csv in the coordinates of "
+      "the input, .h5 with the points beside them, and .geojson (WGS 84) .gpkg .dxf "
+      ".kml .fgb .shz or what else GDAL writes. Points flagged as withheld take no "
+      "part.");
   ReconstructionSettings settings;
   std::string output;
   CloudInput input(frame);
@@ -75,6 +76,8 @@ runCurves(const std::vector<std::string>& arguments)
                          "leave out vertices, as long as the curves stay within this "
                          "length; auto: a tenth of the noise of each; 0: none");
   addOptions(frame.app, settings);
+  io::VectorOptions vectors;
+  addOptions(frame.app, vectors);
   frame.parse(arguments);
   settings.threads = frame.threads;
   io::checkCurvesOutput(output);
@@ -98,7 +101,8 @@ runCurves(const std::vector<std::string>& arguments)
   if (isHdf5(output))
     io::writeHdf5(output, cloud, network, &frame.monitor);
   else
-    io::writeCurves(output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor);
+    io::writeCurves(
+        output, network, cloud.shift, cloud.wkt, &warnings, &frame.monitor, vectors);
   frame.warn(warnings);
   frame.lap("write");
 

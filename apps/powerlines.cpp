@@ -170,6 +170,7 @@ runPowerlines(const std::vector<std::string>& arguments)
   frame.reads(hazards.limits);
   frame.reads(hazards.conductor);
   addOptions(frame.app, output.classes);
+  addOptions(frame.app, output.vectors);
   OptionAdder(frame.app)(
       "overwrite", overwrite, "replace results of another input in OUTDIR");
   std::string reviewed;

@@ -20,15 +20,15 @@ referenceSystems()
 }
 
 std::string
-declaredReference(const std::string& text)
+declaredReference(const std::string& text, const std::string& option)
 {
   if (known == nullptr)
-    throw FileError("--crs " + text +
+    throw FileError(option + " " + text +
                     ": this program was linked without linelet::vector, which knows "
                     "reference systems");
   std::string wkt = known->wktOfText(text);
   if (wkt.empty())
-    throw FileError("--crs " + text +
+    throw FileError(option + " " + text +
                     " is no reference system; give EPSG:n or a file of WKT");
   return wkt;
 }

@@ -47,9 +47,11 @@ const ReferenceSystems*
 referenceSystems();
 
 /** \brief WKT of the reference system that a user declares: EPSG:n, a WKT, or a file
- * that holds one. \throws FileError where it is none, or nobody is there to ask */
+ * that holds one.
+ * \param[in] option that it is the value of, for messages
+ * \throws FileError where it is none, or nobody is there to ask */
 std::string
-declaredReference(const std::string& text);
+declaredReference(const std::string& text, const std::string& option = "--crs");
 
 /** \brief Called once, when linelet::vector is loaded. */
 void

@@ -144,16 +144,24 @@ writePowerLineFiles(const std::string& folder,
   check(options.classes);
   const std::vector<std::string> paths = powerLineFiles(folder, options.compress);
   const auto layers = powerLineLayers(cloud, network, options);
+  const auto writeLayers = [&](const std::string& path,
+                               const std::vector<io::VectorLayer>& content,
+                               std::vector<std::string>* told) {
+    io::VectorOptions vectors = options.vectors;
+    if (path.substr(path.rfind('.')) == ".geojson" && !vectors.keep_crs)
+      vectors.output_crs.clear(); // it is in WGS 84 by its standard
+    io::writeLayers(path, content, cloud.wkt, told, monitor, vectors);
+  };
   for (std::size_t i = 1; i <= 3; ++i)
-    io::writeLayers(paths[i], layers, cloud.wkt, warnings, monitor);
+    writeLayers(paths[i], layers, warnings);
   const auto hazards = hazardLayers(cloud, options.hazards);
   for (std::size_t i = 4; i <= 6; ++i)
-    io::writeLayers(paths[i], hazards, cloud.wkt, nullptr, monitor);
+    writeLayers(paths[i], hazards, nullptr);
   for (std::size_t i = 7; i <= 9; ++i) {
     const auto name = std::filesystem::path(paths[i]).stem().string();
     for (const io::VectorLayer& layer : hazards)
       if (layer.name == name)
-        io::writeLayers(paths[i], {layer}, cloud.wkt, nullptr, monitor);
+        writeLayers(paths[i], {layer}, nullptr);
   }
   writeText(paths[10], powerLineSummary(cloud, network, options));
   throwIfCanceled(monitor);

@@ -78,7 +78,14 @@ writeReview(const std::string& path,
             const PowerLineNetwork& network,
             const OutputOptions& options)
 {
-  io::writeLayers(path, powerLineLayers(cloud, network, options), cloud.wkt);
+  // It is read back beside the cloud: in its coordinates, GeoJSON, too.
+  const io::VectorOptions vectors{"", true};
+  io::writeLayers(path,
+                  powerLineLayers(cloud, network, options),
+                  cloud.wkt,
+                  nullptr,
+                  nullptr,
+                  vectors);
 }
 
 } // namespace linelet::powerline

@@ -83,9 +83,8 @@ protected:
   std::vector<std::string>
   write()
   {
-    OutputOptions options;
-    options.source = "by_hand.las";
-    return writePowerLineFiles(folder_.string(), cloud_, network_, options);
+    options_.source = "by_hand.las";
+    return writePowerLineFiles(folder_.string(), cloud_, network_, options_);
   }
 
   std::unique_ptr<GDALDataset>
@@ -98,6 +97,7 @@ protected:
   std::filesystem::path folder_;
   PowerLineNetwork network_;
   io::Cloud cloud_;
+  OutputOptions options_;
 };
 
 TEST_F(OutputFiles, AreThoseThatAreReturned)
@@ -253,8 +253,20 @@ TEST_F(OutputFiles, ADrawingNamesItsWiresByLayerAndText)
   EXPECT_EQ(texts, 3U);
 }
 
-TEST_F(OutputFiles, GeoJsonSaysWorldCoordinatesAndTheirReference)
+TEST_F(OutputFiles, GeoJsonIsInDegreesUnlessTheInputsSystemIsAskedFor)
 {
+  write();
+  const auto degrees = nlohmann::json::parse(textOf(folder_ / "wires.geojson"));
+  EXPECT_FALSE(degrees.contains("crs"));
+  ASSERT_EQ(degrees.at("features").size(), 6U);
+  EXPECT_TRUE(
+      degrees.at("features")[0].at("properties").at("vegetation_clearance").is_null());
+  const auto& place = degrees.at("features")[0].at("geometry").at("coordinates")[0];
+  EXPECT_NEAR(place[0].get<double>(), 9.98027028, 1e-8); // by gdaltransform
+  EXPECT_NEAR(place[1].get<double>(), 53.51494063, 1e-8);
+  EXPECT_NEAR(place[2].get<double>(), 120, 1e-6);
+
+  options_.vectors.keep_crs = true;
   write();
   const auto json = nlohmann::json::parse(textOf(folder_ / "wires.geojson"));
   EXPECT_NE(json.at("crs").dump().find("25832"), std::string::npos);

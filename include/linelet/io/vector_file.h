@@ -42,14 +42,36 @@ struct VectorLayer {
   double text_height = 0.5; ///< of labels in a DXF drawing, in the unit of coordinates
 };
 
-/** \brief Writes layers as .geojson, .gpkg, .dxf or, a single one, .csv: 3D, in full precision, in the given
+/** \brief How to write a vector file. */
+struct VectorOptions {
+  std::string output_crs; ///< EPSG:n, WKT or a file of it; empty: that of the input
+  bool keep_crs = false;  ///< GeoJSON in the system of the input, not in WGS 84
+};
+
+template <class Visit>
+void
+describe(VectorOptions& s, Visit&& visit)
+{
+  visit("output-crs",
+        s.output_crs,
+        "reference system of vector outputs: EPSG:n or a file of WKT (heights stay)");
+  visit("keep-crs",
+        s.keep_crs,
+        "GeoJSON in the reference system of the input, named in the crs member of old, "
+        "instead of WGS 84 as RFC 7946 has it");
+}
+
+/** \brief Writes layers as .geojson, .gpkg, .dxf, a single one as .csv, or what else
+ * GDAL has a driver for (.kml, .fgb, .shz, ...): 3D, in full precision, in the given
  * reference system. An existing file is replaced; the same input gives the same bytes.
  *
- * GeoJSON holds all layers in one collection, each feature with a property `layer`, and
- * names the reference system in its `crs` member. DXF holds no attributes: there a
- * feature has its VectorFeature::drawing_layer, and its label becomes a text on the
- * layer `labels`; a polygon is a closed line. CSV has the attributes, unknown numbers
- * left empty, and the geometry as WKT in the last column, `WKT`.
+ * GeoJSON holds all layers in one collection, each feature with a property `layer`, in
+ * degrees of WGS 84 with nine decimals (RFC 7946), as KML is; see \ref VectorOptions.
+ * Where the reference system is unknown it has the coordinates as they are. DXF holds
+ * no attributes: there a feature has its VectorFeature::drawing_layer, and its label
+ * becomes a text on the layer `labels`; a polygon is a closed line. CSV has the
+ * attributes, unknown numbers left empty, and the geometry as WKT in the last column,
+ * `WKT`.
  * \param[in] wkt reference system, empty: unknown
  * \param[out] warnings one sentence where readers will take the coordinates for what
  * they are not
@@ -59,10 +81,12 @@ writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
             const std::string& wkt,
             std::vector<std::string>* warnings = nullptr,
-            ProgressMonitor* monitor = nullptr);
+            ProgressMonitor* monitor = nullptr,
+            const VectorOptions& options = {});
 
 /** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
- * (lines), .csv, .geojson, .gpkg, .dxf, .h5 (with junctions, see hdf5_file.h).
+ * (lines), .csv, .h5 (with junctions, see hdf5_file.h), or any of \ref writeLayers,
+ * which alone are reprojected.
  * \param[in] shift added to every vertex: the output is in world coordinates
  * \param[in] wkt see \ref writeLayers, as for \a warnings
  * \throws FileError, Canceled */
@@ -72,7 +96,8 @@ writeCurves(const std::string& path,
             const Point& shift = Point::Zero(),
             const std::string& wkt = {},
             std::vector<std::string>* warnings = nullptr,
-            ProgressMonitor* monitor = nullptr);
+            ProgressMonitor* monitor = nullptr,
+            const VectorOptions& options = {});
 
 /** \brief Reads the lines of a .geojson, .gpkg or .dxf file with their attributes,
  * layer by layer; layers without lines are left out. The features of a layer have the

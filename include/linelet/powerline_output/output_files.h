@@ -65,6 +65,7 @@ struct OutputOptions {
   double clearance = 5; ///< a clearance below this is a hazard, meters
   ClassScheme classes;
   io::ClassFilter points;       ///< which of the cloud took part
+  io::VectorOptions vectors;    ///< of all vector files
   bool compress = false;        ///< classified.laz instead of classified.las
   Provenance provenance;        ///< for the report
   std::vector<Hazards> hazards; ///< at each state of the wires, first as scanned;

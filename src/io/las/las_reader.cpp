@@ -12,6 +12,7 @@
 #include "io/readers.h"
 #include "io/window.h"
 #include "las_blocks.h"
+#include "las_compatible.h"
 
 namespace linelet::io {
 
@@ -103,6 +104,8 @@ public:
           [this](std::size_t, const RecordBlock& block) { readBlock(block); });
     dropRaw();
     cloud_.format = formatName(header_, *origin_);
+    if (const int format = restoreCompatible(cloud_, *origin_); format != 0)
+      cloud_.format += ", which stands for point format " + std::to_string(format);
     std::string problem;
     cloud_.wkt = origin_->wkt = lasReferenceSystem(*origin_, problem);
     if (!problem.empty())

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
@@ -13,6 +14,7 @@
 #include "curve_writers.h"
 #include "io/files.h"
 #include "io/source.h"
+#include "layer_formats.h"
 
 namespace linelet::io {
 
@@ -61,7 +63,7 @@ noCurveFormat(const std::string& path)
 {
   throw FileError(path + ": the ending '" + endingOf(path) +
                   "' names no format of curves; use .obj, .ply, .vtk, .csv, .geojson, "
-                  ".gpkg, .dxf or .h5");
+                  ".gpkg, .dxf, .h5, .kml, .fgb, .shz or another that GDAL writes");
 }
 
 } // namespace
@@ -70,11 +72,12 @@ void
 checkCurvesOutput(const std::string& path)
 {
   const std::string ending = endingOf(path);
-  for (const char* known :
-       {".obj", ".ply", ".vtk", ".csv", ".geojson", ".gpkg", ".dxf", ".h5"})
+  for (const char* known : {".obj", ".ply", ".vtk", ".csv", ".h5"})
     if (ending == known)
       return checkWritable(path);
-  noCurveFormat(path);
+  if (findLayerDriver(path).empty())
+    noCurveFormat(path);
+  checkWritable(path);
 }
 
 void
@@ -83,10 +86,19 @@ writeCurves(const std::string& path,
             const Point& shift,
             const std::string& wkt,
             std::vector<std::string>* warnings,
-            ProgressMonitor* monitor)
+            ProgressMonitor* monitor,
+            const VectorOptions& options)
 {
   throwIfCanceled(monitor);
   const std::string ending = endingOf(path);
+  const bool plain =
+      std::string_view(" .obj .ply .vtk .csv ").find(" " + ending + " ") !=
+      std::string_view::npos;
+  if (plain && !options.output_crs.empty())
+    throw FileError(
+        path + ": the ending '" + ending +
+        "' names a format without reference systems, which --output-crs has "
+        "no effect on; use .gpkg");
   if (ending == ".obj")
     writeText(path, curvesAsObj(network, shift));
   else if (ending == ".ply")
@@ -95,12 +107,12 @@ writeCurves(const std::string& path,
     writeText(path, curvesAsVtk(network, shift));
   else if (ending == ".csv")
     writeText(path, curvesAsCsv(network, shift));
-  else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
-    writeLayers(path, {layerOf(network, shift)}, wkt, warnings, monitor);
   else if (ending == ".h5")
     writeHdf5Curves(path, network, shift, wkt);
-  else
+  else if (findLayerDriver(path).empty())
     noCurveFormat(path);
+  else
+    writeLayers(path, {layerOf(network, shift)}, wkt, warnings, monitor, options);
 }
 
 CurveNetwork
@@ -127,7 +139,7 @@ readCurves(const std::string& path, const Point& shift, std::string* wkt)
     network = curvesFromVtk(source);
   else if (ending == ".csv")
     network = curvesFromCsv(source);
-  else if (ending == ".geojson" || ending == ".gpkg" || ending == ".dxf")
+  else if (!findLayerDriver(path).empty())
     network = curvesFromLayers(source, wkt);
   else
     noCurveFormat(path);

@@ -122,7 +122,9 @@ layersAsGeoJson(const std::vector<VectorLayer>& layers,
 {
   std::string json = "{\n\"type\":\"FeatureCollection\",\n";
   const std::string name = systemName(wkt);
-  if (!name.empty()) {
+  if (name.empty())
+    json += "\"crs\":null,\n";
+  else {
     json += R"("crs":{"type":"name","properties":{"name":)";
     appendText(json, name);
     json += "}},\n";

@@ -11,7 +11,8 @@
 namespace linelet::io {
 
 /** \brief A feature collection of all features, each with a property `layer`, in the
- * reference system \a wkt, which its `crs` member names. */
+ * reference system \a wkt, which its `crs` member names, null where it is unknown: as
+ * before RFC 7946, and not by GDAL, which names no compound systems there. */
 std::string
 layersAsGeoJson(const std::vector<VectorLayer>& layers,
                 const std::string& wkt,

@@ -4,7 +4,7 @@
 #include <linelet/io/vector_file.h>
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
 
 #include <cpl_conv.h>
 #include <gdal_priv.h>
@@ -12,12 +12,15 @@
 
 #include <linelet/io/file_error.h>
 
-#include "complaints.h"
 #include "geojson.h"
 #include "io/files.h"
+#include "io/reference_systems.h"
 #include "io/staged_file.h"
 #include "layer_csv.h"
+#include "layer_formats.h"
+#include "layer_writer.h"
 #include "reference.h"
+#include "reproject.h"
 
 namespace linelet::io {
 
@@ -39,122 +42,6 @@ private:
   const char* name_;
 };
 
-/** Makes layers in a dataset of one driver. */
-class LayerWriter {
-public:
-  LayerWriter(const std::string& path,
-              const std::string& staged,
-              const char* driver_name)
-      : path_(path)
-  {
-    GDALAllRegister();
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
-    if (driver == nullptr)
-      throw FileError(path + ": this GDAL was built without its " + driver_name +
-                      " driver");
-    dataset_.reset(driver->Create(staged.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (dataset_ == nullptr)
-      fail();
-  }
-
-  OGRLayer*
-  makeLayer(const std::string& name,
-            OGRwkbGeometryType type,
-            OGRSpatialReference* system)
-  {
-    OGRLayer* layer = dataset_->CreateLayer(name.c_str(), system, type, nullptr);
-    if (layer == nullptr)
-      fail();
-    return layer;
-  }
-
-  void
-  makeFields(OGRLayer& layer, const VectorLayer& content)
-  {
-    const Attributes& columns = content.features.empty()
-                                    ? content.columns
-                                    : content.features.front().attributes;
-    for (const auto& [name, value] : columns) {
-      static constexpr OGRFieldType types[] = {OFTInteger64, OFTReal, OFTString};
-      OGRFieldDefn field(name.c_str(), types[value.index()]);
-      if (layer.CreateField(&field) != OGRERR_NONE)
-        fail();
-    }
-  }
-
-  OGRFeatureUniquePtr
-  makeFeature(OGRLayer& layer, VectorLayer::Kind kind, const Points& vertices)
-  {
-    OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
-    if (kind == VectorLayer::Kind::Points) {
-      if (vertices.size() != 1)
-        throw FileError(path_ + ": a point of layer '" + layer.GetName() + "' has " +
-                        std::to_string(vertices.size()) + " vertices");
-      const Point& at = vertices.front();
-      feature->SetGeometryDirectly(new OGRPoint(at.x(), at.y(), at.z()));
-      return feature;
-    }
-    const bool ring = kind == VectorLayer::Kind::Polygons;
-    std::unique_ptr<OGRLineString> line(ring ? new OGRLinearRing : new OGRLineString);
-    for (const Point& at : vertices)
-      line->addPoint(at.x(), at.y(), at.z());
-    if (ring) {
-      auto polygon = std::make_unique<OGRPolygon>();
-      polygon->addRingDirectly(static_cast<OGRLinearRing*>(line.release()));
-      feature->SetGeometryDirectly(polygon.release());
-    }
-    else
-      feature->SetGeometryDirectly(line.release());
-    return feature;
-  }
-
-  static void
-  setAttributes(OGRFeature& out, const VectorFeature& feature)
-  {
-    for (const auto& [name, value] : feature.attributes) {
-      const int field = out.GetFieldIndex(name.c_str());
-      if (const auto* number = std::get_if<std::int64_t>(&value))
-        out.SetField(field, static_cast<GIntBig>(*number));
-      else if (const auto* real = std::get_if<double>(&value))
-        out.SetField(field, *real);
-      else
-        out.SetField(field, std::get<std::string>(value).c_str());
-    }
-  }
-
-  void
-  add(OGRLayer& layer, OGRFeature& feature)
-  {
-    if (layer.CreateFeature(&feature) != OGRERR_NONE)
-      fail();
-  }
-
-  /** Flushes everything; errors of the disk show here at the latest. */
-  void
-  close()
-  {
-    dataset_->FlushCache(true);
-    const bool failed = CPLGetLastErrorType() >= CE_Failure;
-    dataset_.reset();
-    if (failed || CPLGetLastErrorType() >= CE_Failure)
-      fail();
-  }
-
-private:
-  [[noreturn]] void
-  fail() const
-  {
-    const std::string& reason = complaints_.first();
-    throw FileError(path_ + ": cannot be written (" +
-                    (reason.empty() ? "GDAL gives no reason" : reason) +
-                    "); check that the folder exists, may be written and has room");
-  }
-
-  const std::string& path_;
-  Complaints complaints_;
-  std::unique_ptr<GDALDataset> dataset_;
-};
-
 /** What GeoPackage calls a plane of which nothing is known. Without a system GDAL takes
  * coordinates for degrees. */
 Reference
@@ -163,6 +50,14 @@ unknownPlane()
   Reference plane(new OGRSpatialReference);
   plane->SetLocalCS("Undefined Cartesian SRS");
   return plane;
+}
+
+OGRwkbGeometryType
+geometryOf(VectorLayer::Kind kind)
+{
+  static constexpr OGRwkbGeometryType types[] = {
+      wkbPoint25D, wkbLineString25D, wkbPolygon25D};
+  return types[static_cast<std::size_t>(kind)];
 }
 
 void
@@ -180,10 +75,8 @@ writeGeoPackage(const std::string& path,
   CPLErrorReset();
   LayerWriter writer(path, staged, "GPKG");
   for (const VectorLayer& content : layers) {
-    static constexpr OGRwkbGeometryType types[] = {
-        wkbPoint25D, wkbLineString25D, wkbPolygon25D};
-    OGRLayer* layer = writer.makeLayer(
-        content.name, types[static_cast<std::size_t>(content.kind)], system.get());
+    OGRLayer* layer =
+        writer.makeLayer(content.name, geometryOf(content.kind), system.get());
     writer.makeFields(*layer, content);
     for (const VectorFeature& feature : content.features) {
       const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
@@ -240,12 +133,92 @@ writeDxf(const std::string& path,
   writer.close();
 }
 
+/** One layer of a driver that knows nothing of ours. */
+void
+writeByDriver(const std::string& path,
+              const std::string& staged,
+              const char* driver,
+              const std::vector<VectorLayer>& layers,
+              const std::string& wkt,
+              const ProgressMonitor* monitor)
+{
+  const Reference system = parseReference(wkt);
+  CPLErrorReset();
+  LayerWriter writer(path, staged, driver);
+  for (const VectorLayer& content : layers) {
+    OGRLayer* layer =
+        writer.makeLayer(content.name, geometryOf(content.kind), system.get());
+    writer.makeFields(*layer, content);
+    for (const VectorFeature& feature : content.features) {
+      throwIfCanceled(monitor);
+      const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
+      writer.setAttributes(*out, feature);
+      for (int field = 0; field < out->GetFieldCount(); ++field)
+        if (out->GetFieldDefnRef(field)->GetType() == OFTReal &&
+            std::isnan(out->GetFieldAsDouble(field)))
+          out->SetFieldNull(field); // few formats know NaN
+      writer.add(*layer, *out);
+    }
+  }
+  writer.close();
+}
+
+/** RFC 7946: all layers in one collection, in degrees of WGS 84. */
+void
+writeGeoJson(const std::string& path,
+             const std::string& staged,
+             const std::vector<VectorLayer>& layers,
+             const std::string& wkt,
+             const ProgressMonitor* monitor)
+{
+  const Reference system = parseReference(wkt);
+  // A tenth of a millimeter.
+  const char* const options[] = {
+      "RFC7946=YES", "COORDINATE_PRECISION=9", "WRITE_NAME=NO", nullptr};
+  CPLErrorReset();
+  LayerWriter writer(path, staged, "GeoJSON");
+  OGRLayer* layer = writer.makeLayer("linelet", wkbUnknown, system.get(), options);
+  writer.makeField(*layer, "layer", OFTString);
+  for (const VectorLayer& content : layers)
+    writer.makeFields(*layer, content);
+  for (const VectorLayer& content : layers)
+    for (const VectorFeature& feature : content.features) {
+      throwIfCanceled(monitor);
+      const auto out = writer.makeFeature(*layer, content.kind, feature.vertices);
+      out->SetField("layer", content.name.c_str());
+      writer.setAttributes(*out, feature);
+      for (const auto& [name, value] : feature.attributes)
+        if (const auto* real = std::get_if<double>(&value);
+            real != nullptr && !std::isfinite(*real))
+          out->SetFieldNull(out->GetFieldIndex(name.c_str()));
+      writer.add(*layer, *out);
+    }
+  writer.close();
+}
+
 bool
 isEmpty(const std::vector<VectorLayer>& layers)
 {
   return std::all_of(layers.begin(), layers.end(), [](const VectorLayer& layer) {
     return layer.features.empty();
   });
+}
+
+/** Where coordinates are to go: the system asked for, or that of \a wkt. */
+std::string
+targetOf(const std::string& path, const std::string& wkt, const VectorOptions& options)
+{
+  const std::string ending = endingOf(path);
+  const bool global = (ending == ".geojson" && !options.keep_crs) || ending == ".kml";
+  if (!options.output_crs.empty()) {
+    if (global)
+      throw FileError(path +
+                      ": is in WGS 84 by its standard, whatever --output-crs "
+                      "says; use .gpkg" +
+                      (ending == ".kml" ? "" : ", or add --keep-crs"));
+    return declaredReference(options.output_crs, "--output-crs");
+  }
+  return global && isSystem(wkt) ? declaredReference("EPSG:4326") : wkt;
 }
 
 } // namespace
@@ -255,15 +228,29 @@ writeLayers(const std::string& path,
             const std::vector<VectorLayer>& layers,
             const std::string& wkt,
             std::vector<std::string>* warnings,
-            ProgressMonitor* monitor)
+            ProgressMonitor* monitor,
+            const VectorOptions& options)
 {
   throwIfCanceled(monitor);
   const std::string ending = endingOf(path);
-  if (ending == ".geojson") {
-    if (wkt.empty() && warnings != nullptr && !isEmpty(layers))
-      warnings->push_back(path + ": the input tells no reference system, so readers of "
-                                 "GeoJSON take the coordinates for degrees; .gpkg says "
-                                 "it is unknown");
+  const std::string driver = ending == ".csv" ? "" : layerDriver(path);
+  const std::string target = targetOf(path, wkt, options);
+  if (target != wkt) {
+    VectorOptions done = options;
+    done.output_crs.clear();
+    if (!isSystem(wkt) && !isEmpty(layers))
+      throw FileError(path + ": --output-crs needs to know the reference system of the "
+                             "input, which tells none; declare it with --crs");
+    const auto there = reprojected(path, layers, wkt, target);
+    return writeLayers(path, there, target, warnings, monitor, done);
+  }
+  const bool unknown = !isSystem(wkt);
+  if (unknown && (ending == ".geojson" || ending == ".kml") && warnings != nullptr &&
+      !isEmpty(layers))
+    warnings->push_back(path + ": the input tells no reference system, so readers of " +
+                        (ending == ".kml" ? "KML" : "GeoJSON") +
+                        " take the coordinates for degrees; .gpkg says it is unknown");
+  if (ending == ".geojson" && (options.keep_crs || unknown)) {
     OutputFile file(path);
     file.write(layersAsGeoJson(layers, wkt, monitor));
     return file.commit();
@@ -276,14 +263,15 @@ writeLayers(const std::string& path,
     file.write(layerAsCsv(layers.front()));
     return file.commit();
   }
-  if (ending != ".gpkg" && ending != ".dxf")
-    throw FileError(path + ": the ending '" + ending +
-                    "' names no vector format; use .geojson, .gpkg, .dxf or .csv");
   StagedFile staged(path);
   if (ending == ".gpkg")
     writeGeoPackage(path, staged.place(), layers, wkt, monitor);
-  else
+  else if (ending == ".dxf")
     writeDxf(path, staged.place(), layers, monitor);
+  else if (ending == ".geojson")
+    writeGeoJson(path, staged.place(), layers, wkt, monitor);
+  else
+    writeByDriver(path, staged.place(), driver.c_str(), layers, wkt, monitor);
   staged.publish();
 }
 

@@ -12,6 +12,7 @@
 #include "complaints.h"
 #include "curve_readers.h"
 #include "io/files.h"
+#include "layer_formats.h"
 
 namespace linelet::io {
 
@@ -42,8 +43,7 @@ addLines(const OGRGeometry* geometry, CurveNetwork& network)
 std::string
 referenceOf(OGRLayer& layer)
 {
-  // GDAL takes GeoJSON that tells no system for degrees, and linelet's local systems
-  // for systems.
+  // GDAL takes linelet's local systems for systems.
   const OGRSpatialReference* system = layer.GetSpatialRef();
   char* text = nullptr;
   std::string wkt;
@@ -58,7 +58,8 @@ std::unique_ptr<GDALDataset>
 openDataset(const std::string& path, const Complaints& complaints)
 {
   GDALAllRegister();
-  const char* const drivers[] = {"GeoJSON", "GPKG", "DXF", nullptr};
+  const std::string driver = layerDriver(path);
+  const char* const drivers[] = {driver.c_str(), nullptr};
   std::unique_ptr<GDALDataset> dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (dataset == nullptr)
@@ -123,8 +124,10 @@ curvesFromLayers(const Source& source, std::string* wkt)
   const Complaints complaints;
   const auto dataset = openDataset(source.name, complaints);
   CurveNetwork network;
-  const bool tells = endingOf(source.name) != ".geojson" ||
-                     source.bytes.substr(0, 1000).find("\"crs\"") != std::string::npos;
+  // Null is how linelet says that nothing is known; without the member it is WGS 84.
+  const bool tells =
+      endingOf(source.name) != ".geojson" ||
+      source.bytes.substr(0, 1000).find("\"crs\":null") == std::string::npos;
   for (OGRLayer* layer : dataset->GetLayers()) {
     if (wkt != nullptr && wkt->empty() && tells)
       *wkt = referenceOf(*layer);

@@ -23,6 +23,9 @@ namespace {
 
 const Point utm_shift(689012.0, 5527515.0, 210.0);
 
+/** GeoJSON in the coordinates of the input. */
+const VectorOptions kept{"", true};
+
 /** An open and a closed curve, with coordinates that need every digit. */
 CurveNetwork
 example()
@@ -88,7 +91,7 @@ TEST_P(VectorFormat, HoldsVerticesAttributesAndReference)
   const Folder folder;
   const CurveNetwork network = example();
   const std::string path = folder.file(std::string("out.") + GetParam());
-  writeCurves(path, network, utm_shift, wktOf(25832));
+  writeCurves(path, network, utm_shift, wktOf(25832), nullptr, nullptr, kept);
   const auto dataset = open(path);
   ASSERT_NE(dataset, nullptr);
   ASSERT_EQ(dataset->GetLayerCount(), 1);
@@ -148,12 +151,98 @@ INSTANTIATE_TEST_SUITE_P(Formats,
 TEST(CurveFiles, GeoJsonNamesCompoundSystems)
 {
   const Folder folder;
-  writeCurves(folder.file("a.geojson"), example(), utm_shift, wktOf(28992, 5709));
+  writeCurves(folder.file("a.geojson"),
+              example(),
+              utm_shift,
+              wktOf(28992, 5709),
+              nullptr,
+              nullptr,
+              kept);
   const auto dataset = open(folder.file("a.geojson"));
   const OGRSpatialReference* system = dataset->GetLayer(0)->GetSpatialRef();
   ASSERT_NE(system, nullptr);
   EXPECT_TRUE(system->IsCompound());
   EXPECT_NE(bytesOf(folder.file("a.geojson")).find("EPSG::28992"), std::string::npos);
+}
+
+// 689013 5527515.5 by gdaltransform.
+TEST(CurveFiles, GeoJsonIsInDegreesByItsStandard)
+{
+  const Folder folder;
+  CurveNetwork network;
+  Curve line;
+  line.points = {{1, 0.5, 3.25}, {2, 0.5, 3}};
+  network.curves = {line};
+  const std::string file = folder.file("a.geojson");
+  writeCurves(file, network, utm_shift, wktOf(25832));
+  EXPECT_EQ(bytesOf(file).find("\"crs\""), std::string::npos);
+  const auto dataset = open(file);
+  const OGRFeatureUniquePtr feature(dataset->GetLayer(0)->GetNextFeature());
+  const OGRLineString* written = feature->GetGeometryRef()->toLineString();
+  EXPECT_NEAR(written->getX(0), 11.6304553570739, 1e-9);
+  EXPECT_NEAR(written->getY(0), 49.8701813982145, 1e-9);
+  EXPECT_NEAR(written->getZ(0), 213.25, 1e-9);
+  EXPECT_STREQ(feature->GetFieldAsString("layer"), "curves");
+  EXPECT_EQ(feature->GetFieldAsDouble("length"), length(line));
+  std::string wkt;
+  EXPECT_EQ(readCurves(file, Point::Zero(), &wkt).curves.size(), 1u);
+  EXPECT_EQ(referenceName(wkt), "WGS 84");
+}
+
+TEST(CurveFiles, GoToTheSystemThatIsAskedFor)
+{
+  const Folder folder;
+  CurveNetwork network;
+  Curve line;
+  line.points = {{1, 0.5, 3.25}, {2, 0.5, 3}};
+  network.curves = {line};
+  const VectorOptions other{"EPSG:25833", false};
+  for (const char* ending : {"gpkg", "dxf", "fgb"}) {
+    SCOPED_TRACE(ending);
+    const std::string file = folder.file(std::string("a.") + ending);
+    writeCurves(file, network, utm_shift, wktOf(25832), nullptr, nullptr, other);
+    std::string wkt;
+    const CurveNetwork back = readCurves(file, Point::Zero(), &wkt);
+    ASSERT_EQ(back.curves.size(), 1u);
+    EXPECT_NEAR(back.curves[0].points[0].x(), 257888.48936766, 1e-6);
+    EXPECT_NEAR(back.curves[0].points[0].y(), 5529643.20250757, 1e-6);
+    EXPECT_EQ(back.curves[0].points[0].z(), 213.25);
+    if (ending != std::string("dxf"))
+      EXPECT_EQ(referenceName(wkt), "ETRS89 / UTM zone 33N");
+  }
+  EXPECT_THROW(
+      writeCurves(
+          folder.file("b.gpkg"), network, utm_shift, "", nullptr, nullptr, other),
+      FileError);
+  for (const char* name : {"b.obj", "b.geojson"})
+    EXPECT_THROW(writeCurves(folder.file(name),
+                             network,
+                             utm_shift,
+                             wktOf(25832),
+                             nullptr,
+                             nullptr,
+                             other),
+                 FileError)
+        << name;
+}
+
+TEST(CurveFiles, AreWrittenByEveryDriverOfGdal)
+{
+  const Folder folder;
+  const CurveNetwork network = example();
+  for (const char* ending : {"kml", "fgb", "shz", "gml"}) {
+    SCOPED_TRACE(ending);
+    const std::string file = folder.file(std::string("a.") + ending);
+    writeCurves(file, network, utm_shift, wktOf(25832));
+    const bool degrees = std::string(ending) == "kml";
+    const CurveNetwork back = readCurves(file, degrees ? Point::Zero() : utm_shift);
+    ASSERT_EQ(back.curves.size(), 2u);
+    for (std::size_t c = 0; c < 2; ++c)
+      ASSERT_EQ(back.curves[c].points.size(), network.curves[c].points.size());
+    const Point expected =
+        degrees ? Point(11.63045, 49.87018, 211) : network.curves[1].points[0];
+    EXPECT_NEAR((back.curves[1].points[0] - expected).norm(), 0, degrees ? 1e-4 : 1e-3);
+  }
 }
 
 TEST(CurveFiles, CoordinatesOfAnUnknownSystemAreNoDegrees)
@@ -276,7 +365,7 @@ TEST(CurveFiles, AreReadBackFromEveryFormat)
   for (const char* ending : {"obj", "ply", "vtk", "csv", "geojson", "gpkg", "dxf"}) {
     SCOPED_TRACE(ending);
     const std::string file = folder.file(std::string("back.") + ending);
-    writeCurves(file, network, utm_shift, wktOf(25832));
+    writeCurves(file, network, utm_shift, wktOf(25832), nullptr, nullptr, kept);
     std::string wkt;
     const CurveNetwork back = readCurves(file, utm_shift, &wkt);
     ASSERT_EQ(back.curves.size(), network.curves.size());

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+namespace linelet::io {
+
+/** \brief The driver of GDAL that writes layers to \a path, by its ending; empty where
+ * there is none. */
+std::string
+findLayerDriver(const std::string& path);
+
+/** \brief The same. \throws FileError where there is none */
+std::string
+layerDriver(const std::string& path);
+
+} // namespace linelet::io

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/io/vector_file.h>
+
+namespace linelet::io {
+
+/** \brief Whether \a wkt is a reference system that has a place on Earth. */
+bool
+isSystem(const std::string& wkt);
+
+/** \brief \a layers of the system \a from in the system \a to. Heights stay, in meters
+ * where \a to counts in degrees.
+ * \param[in] path for messages
+ * \throws FileError where PROJ knows no way */
+std::vector<VectorLayer>
+reprojected(const std::string& path,
+            std::vector<VectorLayer> layers,
+            const std::string& from,
+            const std::string& to);
+
+} // namespace linelet::io
