@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // libFuzzer harness of one reader, LINELET_READER, and, where it is defined, the writer
-// LINELET_WRITER that gets what was read. Whatever the bytes are, the reader makes a
-// cloud whose parts fit together or throws FileError.
+// LINELET_WRITER that gets what was read; with LINELET_WINDOW a part is read, of COPC
+// by its index. Whatever the bytes are, the reader makes a cloud whose parts fit
+// together or throws FileError.
 
 #include <cstdint>
 #include <cstdlib>
@@ -34,7 +35,12 @@ bool
 tryReading(std::string_view bytes, bool lenient)
 {
   std::vector<std::string> warnings;
-  const Source source{{"input", &warnings, nullptr}, bytes, {lenient}};
+  Source source{{"input", &warnings, nullptr}, bytes, {lenient}};
+#ifdef LINELET_WINDOW
+  // What a COPC file has in the western half of the world, level by level.
+  source.options.bounds = {-1e7, -1e7, 5e5, 1e7};
+  source.options.resolution = 1;
+#endif
   try {
     const Cloud cloud = LINELET_READER(source);
     check(cloud);

@@ -27,7 +27,8 @@ findLayerDriver(const std::string& path)
     GDALDriver& driver = *drivers.GetDriver(i);
     const char* endings = driver.GetMetadataItem(GDAL_DMD_EXTENSIONS);
     if (endings == nullptr || driver.GetMetadataItem(GDAL_DCAP_VECTOR) == nullptr ||
-        driver.GetMetadataItem(GDAL_DCAP_CREATE) == nullptr)
+        driver.GetMetadataItem(GDAL_DCAP_CREATE) == nullptr ||
+        driver.GetMetadataItem(GDAL_DCAP_NONSPATIAL) != nullptr)
       continue;
     std::istringstream words(endings);
     for (std::string word; words >> word;)
