@@ -42,8 +42,10 @@ protected:
         const double a = 20 * normal(random), b = normal(random), c = normal(random);
         if ((a < -8 ? 0 : a < 5 ? 1 : 2) != tile)
           continue;
-        part.points.push_back(c < 0.3 ? Point(a, 8 * b, 0.1 * c)
-                                      : Point(a, 0.03 * b, 9 + 0.03 * c));
+        const Point place =
+            c < 0.3 ? Point(a, 8 * b, 0.1 * c) : Point(a, 0.03 * b, 9 + 0.03 * c);
+        // On the grid that every file has.
+        part.points.emplace_back((place * 100).array().round() / 100);
         part_sizes.push_back(0.5f + 0.25f * static_cast<float>(part.points.size() % 7));
       }
       whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());

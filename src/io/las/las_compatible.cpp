@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace linelet::io {
@@ -116,6 +118,15 @@ restoreCompatible(Cloud& cloud, LasOrigin& origin)
                               }),
                extras.end());
   origin.records.erase(record);
+  std::string described;
+  for (const LasExtra& extra : extras)
+    described += extra.descriptor;
+  const auto isDescription = [](const LasRecord& r) { return r.is("LASF_Spec", 4); };
+  auto& records = origin.records;
+  records.erase(std::remove_if(records.begin(), records.end(), isDescription),
+                records.end());
+  if (!described.empty())
+    records.push_back(makeLasRecord("LASF_Spec", 4, "", std::move(described)));
   return format;
 }
 

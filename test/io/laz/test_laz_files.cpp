@@ -181,6 +181,15 @@ TEST(LazFiles, CompatibilityModeIsReadAsWhatItStandsFor)
         }
       }
       EXPECT_EQ(compatible.find("LAS 1.4 scan angle"), nullptr);
+      // Written, it is a file of that format, with nothing left of the mode.
+      const Folder folder;
+      writeCloud(folder.file("native.laz"), compatible);
+      std::vector<std::string> warnings;
+      const Cloud again = readCloud(folder.file("native.laz"), {}, &warnings);
+      EXPECT_TRUE(warnings.empty()) << warnings.front();
+      EXPECT_NE(again.format.find(std::string("point format ") + format),
+                std::string::npos)
+          << again.format;
     }
 }
 
