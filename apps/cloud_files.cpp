@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 
+#include <linelet/io/cloud_stream.h>
 #include <linelet/io/merge.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/whole_shift.h>
@@ -103,22 +104,39 @@ CloudInput::summaries()
   return summaries_;
 }
 
+/** One for all files, that of a file with all their points. */
+void
+CloudInput::chooseShift()
+{
+  if (use_ == Use::Copy || files().size() < 2 || options_.shift)
+    return;
+  summaries();
+  options_.shift = Point::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    (*options_.shift)[axis] = io::wholeShift(low_[axis], high_[axis]);
+}
+
 io::Cloud
 CloudInput::readFile(const std::string& path)
 {
   std::vector<std::string> warnings;
   options_.threads = frame_.threads;
-  if (use_ != Use::Copy && files().size() > 1 && !options_.shift) {
-    // One for all, that of a file with all their points.
-    summaries();
-    options_.shift = Point::Zero();
-    for (int axis = 0; axis < 3; ++axis)
-      (*options_.shift)[axis] = io::wholeShift(low_[axis], high_[axis]);
-  }
+  chooseShift();
   io::Cloud cloud = io::readCloud(path, options_, &warnings, &frame_.monitor);
   frame_.warn(warnings);
   checkReference(path, cloud.wkt);
   return cloud;
+}
+
+void
+CloudInput::checkUnits(const io::Cloud& cloud, const std::string& path)
+{
+  if (use_ == Use::Analysis)
+    warnOfDegrees(cloud, path, frame_);
+  else if (const std::string why = io::degreesIn(cloud);
+           use_ == Use::Lengths && !why.empty())
+    throw io::FileError(path + ": " + why + ", and it needs lengths; " +
+                        projection_help);
 }
 
 io::Cloud
@@ -126,14 +144,28 @@ CloudInput::read(std::size_t number)
 {
   const std::string& path = files().at(number);
   io::Cloud cloud = readFile(path);
-  if (use_ == Use::Analysis)
-    warnOfDegrees(cloud, path, frame_);
-  else if (const std::string why = io::degreesIn(cloud);
-           use_ == Use::Lengths && !why.empty())
-    throw io::FileError(path + ": " + why + ", and it needs lengths; " +
-                        projection_help);
+  checkUnits(cloud, path);
   frame_.lap("read");
   return cloud;
+}
+
+io::ReadOptions
+CloudInput::readOptions() const
+{
+  io::ReadOptions options = options_;
+  options.threads = frame_.threads;
+  return options;
+}
+
+Point
+CloudInput::shift()
+{
+  chooseShift();
+  const std::string& path = files().front();
+  io::Cloud cloud;
+  io::PointStream(path, readOptions(), 1, nullptr, &frame_.monitor).next(cloud);
+  checkUnits(cloud, path);
+  return cloud.shift;
 }
 
 io::Cloud

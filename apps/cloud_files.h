@@ -78,6 +78,15 @@ public:
   const std::vector<io::FileSummary>&
   summaries();
 
+  /** \brief How the files are read. */
+  io::ReadOptions
+  readOptions() const;
+
+  /** \brief The shift that \ref read gives all files, and its warnings, from the first
+   * points of the first file. */
+  Point
+  shift();
+
   /** \brief Reads all files as one cloud; what is lost is told as a warning, as are
    * degrees that an analysis would take for lengths. \throws io::FileError */
   io::Cloud
@@ -117,6 +126,10 @@ private:
   readFile(const std::string& path);
   void
   checkReference(const std::string& path, const std::string& wkt);
+  void
+  chooseShift();
+  void
+  checkUnits(const io::Cloud& cloud, const std::string& path);
 
   Frame& frame_;
   Use use_;

@@ -25,6 +25,13 @@ commands()
        "draw the cloud, its shape along a line, or graphs of a point",
        runImage},
       {"vpc", "list point files in a virtual point cloud", runVpc},
+      {"plan", "plan a command in fragments, for clouds that do not fit", runPlan},
+      {"work", "work on the fragments of a plan", runWork},
+      {"merge", "write the results of a plan", runMerge},
+      {"status", "tell how far a plan is", runStatus},
+      {"schedule",
+       "simulate who computes which fragment, by five heuristics",
+       runSchedule},
       {"devices", "list the OpenCL devices of this machine", runDevices},
   };
   return all;

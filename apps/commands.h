@@ -49,6 +49,17 @@ int
 runPowerlines(const std::vector<std::string>& arguments);
 
 int
+runPlan(const std::vector<std::string>& arguments);
+int
+runWork(const std::vector<std::string>& arguments);
+int
+runMerge(const std::vector<std::string>& arguments);
+int
+runStatus(const std::vector<std::string>& arguments);
+int
+runSchedule(const std::vector<std::string>& arguments);
+
+int
 runVpc(const std::vector<std::string>& arguments);
 
 int

@@ -17,6 +17,8 @@
 #include "cloud_files.h"
 #include "commands.h"
 #include "fourth_order_columns.h"
+#include "fragment_parts.h"
+#include "fragment_run.h"
 #include "frame.h"
 #include "options.h"
 #include "scale_cost.h"
@@ -290,12 +292,75 @@ runSeveral(CloudInput& input,
   frame.summary["files"] = files;
 }
 
-} // namespace
+/** \brief The command, with its options read. */
+class MultiscaleJob : public FragmentJob {
+public:
+  explicit MultiscaleJob(const std::vector<std::string>& arguments);
 
-int
-runMultiscale(const std::vector<std::string>& arguments)
-{
-  Frame frame(
+  Frame&
+  frame() override
+  {
+    return frame_;
+  }
+  CloudInput&
+  input() override
+  {
+    return input_;
+  }
+  const FragmentOptions&
+  options() const override
+  {
+    return fragments_;
+  }
+  const std::string&
+  place() const override
+  {
+    return output_.path();
+  }
+  void
+  check() override;
+  double
+  ghost() override
+  {
+    return multiScaleMargin(settings_.radii);
+  }
+  double
+  bytesPerPoint(bool in_fragments) const override
+  {
+    // Two fragments, engine and shapes; or cloud, usable points, engine, shapes, and
+    // these as columns.
+    return in_fragments ? 220 : 300;
+  }
+  std::map<std::string, double>
+  compute(const fragments::Plan& plan,
+          const fragments::Fragment& fragment,
+          const std::string& result,
+          ProgressMonitor* monitor) override;
+  std::vector<std::size_t>
+  needs(const fragments::Plan& plan, std::size_t number) override
+  {
+    return fragmentsOfInput(plan, number);
+  }
+  std::map<std::string, double>
+  write(const fragments::Plan& plan,
+        const std::string& folder,
+        std::size_t number,
+        const std::vector<bool>& usable,
+        ProgressMonitor* monitor) override;
+  void
+  report(const std::map<std::string, double>& figures) override;
+  int
+  runWhole() override;
+
+private:
+  bool
+  looksAtOneCloud() const
+  {
+    return !graphs_.empty() || shift_.radius != 0 || settings_.stop_change > 0 ||
+           fourth_order_ != FourthOrderOption::None;
+  }
+
+  Frame frame_{
       "multiscale",
       "Measures the shape of every point's neighborhood over many radii and "
       "chooses the one that shows a curve best. Adds the shape, direction and "
@@ -307,38 +372,169 @@ runMultiscale(const std::vector<std::string>& arguments)
       "seconds says before it starts how many neighbors a point has and how "
       "long it will take. Several inputs take the radii of the first, unless --radii "
       "or "
-      "--scale-unit say them; neighbors are found across their borders.");
-  MultiScaleSettings settings;
-  CentroidShiftSettings shift;
-  std::string graphs;
-  auto fourth_order = FourthOrderOption::None;
-  CloudInput input(frame);
-  CloudOutput output(frame);
-  addOptions(frame.app, settings);
-  const OptionAdder add(frame.app);
-  add("graphs", graphs, "CSV file for the graphs of every point");
-  frame.writes(graphs);
+      "--scale-unit say them; neighbors are found across their borders."};
+  MultiScaleSettings settings_;
+  CentroidShiftSettings shift_;
+  std::string graphs_;
+  FourthOrderOption fourth_order_ = FourthOrderOption::None;
+  FragmentOptions fragments_;
+  CloudInput input_{frame_};
+  CloudOutput output_{frame_};
+};
+
+MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
+{
+  addOptions(frame_.app, settings_);
+  const OptionAdder add(frame_.app);
+  add("graphs", graphs_, "CSV file for the graphs of every point");
+  frame_.writes(graphs_);
   add("fourth-order",
-      fourth_order,
+      fourth_order_,
       "also write the fourth-order tensor over all radii, weighted by this factor, and "
       "its major eigentensor");
-  describe(shift, "centroid-shift", "shift-", add);
-  frame.parse(arguments);
-  settings.threads = shift.threads = frame.threads;
-  const bool several = input.files().size() > 1;
-  if (several && (!graphs.empty() || shift.radius != 0 || settings.stop_change > 0 ||
-                  fourth_order != FourthOrderOption::None))
+  describe(shift_, "centroid-shift", "shift-", add);
+  addOptions(frame_.app, fragments_);
+  frame_.parse(arguments);
+  settings_.threads = shift_.threads = frame_.threads;
+}
+
+int
+MultiscaleJob::runWhole()
+{
+  const bool several = input_.files().size() > 1;
+  if (several && looksAtOneCloud())
     throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
                              "--stop-change look at one cloud; give one input, or "
                              "leave them out");
-  output.check(input);
-  if (!graphs.empty())
-    io::checkWritable(graphs);
+  output_.check(input_);
+  if (!graphs_.empty())
+    io::checkWritable(graphs_);
   if (several)
-    runSeveral(input, output, settings, frame);
+    runSeveral(input_, output_, settings_, frame_);
   else
-    runOne(input, output, settings, shift, graphs, fourth_order, frame);
-  return frame.finish();
+    runOne(input_, output_, settings_, shift_, graphs_, fourth_order_, frame_);
+  return frame_.finish();
+}
+
+void
+MultiscaleJob::check()
+{
+  if (looksAtOneCloud())
+    throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
+                             "--stop-change look at one cloud; leave them out, or give "
+                             "more --memory");
+  if (settings_.radii.empty() && !(settings_.scale_unit > 0))
+    throw std::runtime_error("fragments do not tell the scale unit of the whole cloud; "
+                             "give --radii or --scale-unit, or more --memory");
+  settings_.radii = multiScaleRadii(Points(), settings_).radii;
+  if (settings_.engine == ScaleEngine::Auto)
+    settings_.engine = ScaleEngine::Grid; // what it is for large clouds
+  checkPartsOutput(input_, output_);
+}
+
+std::map<std::string, double>
+MultiscaleJob::compute(const fragments::Plan& plan,
+                       const fragments::Fragment& fragment,
+                       const std::string& result,
+                       ProgressMonitor* monitor)
+{
+  std::vector<MultiScaleShape> shapes(fragment.points.size());
+  settings_.threads = frame_.threads; // of this worker
+  const CloudPiece piece = pieceOf(plan, fragment);
+  const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(piece.begin);
+  const auto measured = [&](const MultiScaleSettings& settings) {
+    const auto some = pieceShapes(fragment.points, piece, settings, monitor).shapes;
+    std::copy(some.begin(), some.end(), first);
+  };
+  double sum = 0, count = 0;
+  const auto addNoise = [&] {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      if (fragment.core[i] && !std::isnan(shapes[i].min_sphericity)) {
+        sum += static_cast<double>(shapes[i].min_sphericity);
+        ++count;
+      }
+  };
+  if (settings_.centroid != Centroid::QueryPoint && piece.end > piece.begin) {
+    measured(aboutPoints(settings_));
+    addNoise();
+  }
+  if (piece.end > piece.begin)
+    measured(settings_);
+  if (settings_.centroid == Centroid::QueryPoint)
+    addNoise();
+  fragments::writeRecords(result, fragment, shapes.data(), sizeof(shapes[0]));
+  return {{"sphericity", sum}, {"spheres", count}};
+}
+
+std::map<std::string, double>
+MultiscaleJob::write(const fragments::Plan& plan,
+                     const std::string& folder,
+                     std::size_t number,
+                     const std::vector<bool>& usable,
+                     ProgressMonitor* monitor)
+{
+  double points = 0, unknown = 0, left_out = 0;
+  const auto add = [&](io::Cloud& cloud,
+                       const std::vector<MultiScaleShape>& shapes,
+                       std::size_t without) {
+    points += static_cast<double>(shapes.size());
+    left_out += static_cast<double>(without);
+    for (const MultiScaleShape& shape : shapes)
+      unknown += shape.scale < 0 ? 1 : 0;
+    addColumns(cloud, shapes);
+  };
+  // What a point that is not finite gets.
+  const Points nowhere = {Point::Constant(std::nan(""))};
+  MultiScaleSettings settings = settings_;
+  settings.engine = ScaleEngine::Sweep;
+  const auto none = multiScaleShapes(nowhere, nowhere, settings).shapes;
+  writeParts<MultiScaleShape>({plan, folder, number, usable},
+                              input_,
+                              output_,
+                              none.front(),
+                              add,
+                              frame_,
+                              monitor);
+  return {{"points", points}, {"left_out", left_out}, {"unknown", unknown - left_out}};
+}
+
+void
+MultiscaleJob::report(const std::map<std::string, double>& figures)
+{
+  const double rate = 3.15 * figures.at("sphericity") / figures.at("spheres");
+  std::printf("%s: %.0f points, %zu radii from %.6g to %.6g\nnoise rate %.4f\n",
+              output_.path().c_str(),
+              figures.at("points"),
+              settings_.radii.size(),
+              settings_.radii.front(),
+              settings_.radii.back(),
+              rate);
+  if (figures.at("unknown") > 0)
+    std::printf("%.0f points have no optimal scale: fewer than %u points within the "
+                "largest radius\n",
+                figures.at("unknown"),
+                settings_.graph.min_neighbors);
+  frame_.summary["points"] = figures.at("points");
+  frame_.summary["left_out"] = figures.at("left_out");
+  frame_.summary["radii"] = settings_.radii;
+  frame_.summary["engine"] = nameOf(settings_.engine);
+  frame_.summary["noise_rate"] = rate;
+  frame_.summary["unknown"] = figures.at("unknown");
+}
+
+} // namespace
+
+std::unique_ptr<FragmentJob>
+makeMultiscaleJob(const std::vector<std::string>& arguments)
+{
+  return std::make_unique<MultiscaleJob>(arguments);
+}
+
+int
+runMultiscale(const std::vector<std::string>& arguments)
+{
+  MultiscaleJob job(arguments);
+  return runJob(job, "multiscale", arguments);
 }
 
 } // namespace linelet::apps

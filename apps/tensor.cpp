@@ -11,12 +11,15 @@
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
+#include <linelet/features/tensor_record.h>
 #include <linelet/search/kd_tree.h>
 #include <linelet/search/scale_unit.h>
 
 #include "cloud_files.h"
 #include "commands.h"
 #include "device_engine.h"
+#include "fragment_parts.h"
+#include "fragment_run.h"
 #include "frame.h"
 #include "options.h"
 #include "scale_cost.h"
@@ -356,91 +359,269 @@ summarize(nlohmann::ordered_json& summary,
   summary["unknown"] = tally.unknown;
 }
 
-} // namespace
+/** \brief The command, with its options read. */
+class TensorJob : public FragmentJob {
+public:
+  explicit TensorJob(const std::vector<std::string>& arguments);
 
-int
-runTensor(const std::vector<std::string>& arguments)
-{
-  Frame frame(
+  Frame&
+  frame() override
+  {
+    return frame_;
+  }
+  CloudInput&
+  input() override
+  {
+    return input_;
+  }
+  const FragmentOptions&
+  options() const override
+  {
+    return fragments_;
+  }
+  const std::string&
+  place() const override
+  {
+    return output_.path();
+  }
+  void
+  check() override;
+  double
+  ghost() override;
+  double
+  bytesPerPoint(bool in_fragments) const override;
+  std::map<std::string, double>
+  compute(const fragments::Plan& plan,
+          const fragments::Fragment& fragment,
+          const std::string& result,
+          ProgressMonitor* monitor) override;
+  std::vector<std::size_t>
+  needs(const fragments::Plan& plan, std::size_t number) override;
+  std::map<std::string, double>
+  write(const fragments::Plan& plan,
+        const std::string& folder,
+        std::size_t number,
+        const std::vector<bool>& usable,
+        ProgressMonitor* monitor) override;
+  void
+  report(const std::map<std::string, double>& figures) override;
+  int
+  runWhole() override;
+
+private:
+  Frame frame_{
       "tensor",
       "Measures the shape of every point's neighborhood: tensor, eigenvalues, "
       "major direction, normal, linearity, planarity, sphericity and number of "
       "neighbors, added to the attributes of the input. Without --radius, --knn "
       "or a field the radius is chosen: three times the scale unit D. Points flagged "
-      "as withheld take no part and have no shape.");
-  TensorSettings settings;
-  Finder finder;
-  SizeFields fields;
-  CloudInput input(frame);
-  CloudOutput output(frame);
-  const OptionAdder add(frame.app);
+      "as withheld take no part and have no shape."};
+  TensorSettings settings_;
+  Finder finder_;
+  SizeFields fields_;
+  FeatureList features_{"shape"};
+  FragmentOptions fragments_;
+  CloudInput input_{frame_};
+  CloudOutput output_{frame_};
+};
+
+TensorJob::TensorJob(const std::vector<std::string>& arguments)
+{
+  const OptionAdder add(frame_.app);
   // The tool knows one engine more than the settings do.
-  describe(settings, [&](const char* name, auto& value, const char* help) {
+  describe(settings_, [&](const char* name, auto& value, const char* help) {
     if constexpr (std::is_same_v<decltype(value), Engine&>)
-      add(name, finder.engine, help);
+      add(name, finder_.engine, help);
     else
       add(name, value, help);
   });
-  FeatureList features("shape");
   add("features",
-      features,
+      features_,
       "attributes to write: shape (tensor, eigenvalues, directions, shape factors, "
       "neighbors), all, or a list of names, with verticality, omnivariance, "
       "eigenentropy, "
       "surface_variation");
-  add("radius-field", fields.radius, "attribute that holds the radius of every point");
+  add("radius-field", fields_.radius, "attribute that holds the radius of every point");
   add("knn-field",
-      fields.knn,
+      fields_.knn,
       "attribute that holds the number of nearest points of every point");
   add("search",
-      finder.search,
+      finder_.search,
       "search that finds the neighbors, instead of --engine: linelet's kd-tree or "
       "grid, "
       "or PCL's searches; all find the same");
   add("device",
-      finder.device,
+      finder_.device,
       "OpenCL device by number or part of its name; linelet devices lists them");
-  frame.parse(arguments);
-  settings.threads = frame.threads;
-  settle(finder);
-  output.check(input);
+  addOptions(frame_.app, fragments_);
+  frame_.parse(arguments);
+  settings_.threads = frame_.threads;
+  settle(finder_);
+}
 
+int
+TensorJob::runWhole()
+{
+  output_.check(input_);
   Tally total;
   double scale_unit = std::nan("");
   std::size_t withheld = 0, ignored = 0;
-  for (std::size_t i = 0; i < input.files().size(); ++i) {
-    io::Cloud cloud = input.read(i);
-    const io::UsablePoints usable = input.usable(cloud);
-    if (settings.radius == 0 && settings.k == 0 && fields.radius.empty() &&
-        fields.knn.empty()) {
-      scale_unit = scaleUnit(usable.points(), 1024, 1, frame.threads);
-      frame.summary["scale_unit"] = scale_unit;
-      settings.radius = chooseRadius(scale_unit, input.files()[i]);
+  for (std::size_t i = 0; i < input_.files().size(); ++i) {
+    io::Cloud cloud = input_.read(i);
+    const io::UsablePoints usable = input_.usable(cloud);
+    if (settings_.radius == 0 && settings_.k == 0 && fields_.radius.empty() &&
+        fields_.knn.empty()) {
+      scale_unit = scaleUnit(usable.points(), 1024, 1, frame_.threads);
+      frame_.summary["scale_unit"] = scale_unit;
+      settings_.radius = chooseRadius(scale_unit, input_.files()[i]);
     }
-    const Records records =
-        estimateAmongOthers(input, i, cloud, usable, settings, finder, fields, frame);
-    frame.lap("tensor");
-    addFeatures(cloud, records, features);
-    const std::string path = output.pathFor(input, i);
-    output.write(cloud, path);
+    const Records records = estimateAmongOthers(
+        input_, i, cloud, usable, settings_, finder_, fields_, frame_);
+    frame_.lap("tensor");
+    addFeatures(cloud, records, features_);
+    const std::string path = output_.pathFor(input_, i);
+    output_.write(cloud, path);
 
     const Tally tally = tallyOf(records, usable.leftOut());
     std::printf("%s: %zu points, %s, %.1f neighbors on average, %s %s\n",
                 path.c_str(),
                 tally.points,
-                describeSize(settings, fields).c_str(),
+                describeSize(settings_, fields_).c_str(),
                 tally.mean_neighbors,
-                isOfPcl(finder.search) ? "search" : "engine",
-                finder.name().c_str());
+                isOfPcl(finder_.search) ? "search" : "engine",
+                finder_.name().c_str());
     printUnknown(tally, scale_unit, usable.points());
     total.add(tally);
     withheld += usable.withheld();
     ignored += usable.ignored();
   }
-  summarize(frame.summary, total, settings, finder, fields);
-  frame.summary["withheld"] = withheld;
-  frame.summary["ignored"] = ignored;
-  return frame.finish();
+  summarize(frame_.summary, total, settings_, finder_, fields_);
+  frame_.summary["withheld"] = withheld;
+  frame_.summary["ignored"] = ignored;
+  return frame_.finish();
+}
+
+void
+TensorJob::check()
+{
+  if (!isRadius(settings_.radius) || settings_.k > 0 || !fields_.radius.empty() ||
+      !fields_.knn.empty())
+    throw std::runtime_error(
+        "fragments know the neighbors within --radius; give that, or more --memory");
+  validate(settings_, {}, 0);
+  if (finder_.engine == EngineOption::Auto)
+    finder_.engine = EngineOption::Grid; // what it is for clouds of any size
+  checkPartsOutput(input_, output_);
+}
+
+double
+TensorJob::ghost()
+{
+  return tensorMargin(settings_);
+}
+
+double
+TensorJob::bytesPerPoint(bool in_fragments) const
+{
+  // Cloud, usable points, engine, records, and these as columns; or two fragments,
+  // engine and records.
+  return in_fragments ? 200 : 300;
+}
+
+std::map<std::string, double>
+TensorJob::compute(const fragments::Plan& plan,
+                   const fragments::Fragment& fragment,
+                   const std::string& result,
+                   ProgressMonitor* monitor)
+{
+  TensorSettings settings = settings_;
+  settings.threads = frame_.threads; // of this worker
+  settings.engine = finder_.engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
+  const Points& points = fragment.points;
+  Records records;
+  if (finder_.engine == EngineOption::OpenCL || isOfPcl(finder_.search))
+    records = run(points, points, settings, finder_, {}, frame_);
+  else {
+    records.resize(points.size());
+    const CloudPiece piece = pieceOf(plan, fragment);
+    const Records some = pieceTensors(points, piece, settings, {}, monitor);
+    std::copy(some.begin(),
+              some.end(),
+              records.begin() + static_cast<std::ptrdiff_t>(piece.begin));
+  }
+  fragments::writeRecords(result, fragment, records.data(), sizeof(records[0]));
+  return {};
+}
+
+std::vector<std::size_t>
+TensorJob::needs(const fragments::Plan& plan, std::size_t number)
+{
+  return fragmentsOfInput(plan, number);
+}
+
+std::map<std::string, double>
+TensorJob::write(const fragments::Plan& plan,
+                 const std::string& folder,
+                 std::size_t number,
+                 const std::vector<bool>& usable,
+                 ProgressMonitor* monitor)
+{
+  Tally total;
+  const auto add = [&](io::Cloud& cloud, const Records& records, std::size_t left_out) {
+    total.add(tallyOf(records, left_out));
+    addFeatures(cloud, records, features_);
+  };
+  writeParts<PointDistributionTensor>({plan, folder, number, usable},
+                                      input_,
+                                      output_,
+                                      unknownTensor(0),
+                                      add,
+                                      frame_,
+                                      monitor);
+  return {{"points", total.points},
+          {"left_out", total.left_out},
+          {"unknown", total.unknown},
+          {"neighbors",
+           total.mean_neighbors * static_cast<double>(total.points - total.left_out)}};
+}
+
+void
+TensorJob::report(const std::map<std::string, double>& figures)
+{
+  Tally total;
+  total.points = static_cast<std::size_t>(figures.at("points"));
+  total.left_out = static_cast<std::size_t>(figures.at("left_out"));
+  total.unknown = static_cast<std::size_t>(figures.at("unknown"));
+  if (total.points > total.left_out)
+    total.mean_neighbors =
+        figures.at("neighbors") / static_cast<double>(total.points - total.left_out);
+  std::printf("%s: %zu points, %s, %.1f neighbors on average, %s %s\n",
+              output_.path().c_str(),
+              total.points,
+              describeSize(settings_, fields_).c_str(),
+              total.mean_neighbors,
+              isOfPcl(finder_.search) ? "search" : "engine",
+              finder_.name().c_str());
+  if (total.unknown > 0)
+    std::printf("%zu points have no shape: too few neighbors, or all in one place\n",
+                total.unknown);
+  summarize(frame_.summary, total, settings_, finder_, fields_);
+  frame_.summary["left_out"] = total.left_out;
+}
+
+} // namespace
+
+std::unique_ptr<FragmentJob>
+makeTensorJob(const std::vector<std::string>& arguments)
+{
+  return std::make_unique<TensorJob>(arguments);
+}
+
+int
+runTensor(const std::vector<std::string>& arguments)
+{
+  TensorJob job(arguments);
+  return runJob(job, "tensor", arguments);
 }
 
 } // namespace linelet::apps

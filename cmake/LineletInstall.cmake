@@ -60,6 +60,8 @@ if(TARGET linelet_io)
     set(io_private PRIVATE_REQUIRES hdf5-serial)
   endif()
   linelet_component(io "Point files" LIBS io REQUIRES linelet-core ${io_private})
+  linelet_component(fragments "Fragments of clouds that do not fit"
+    LIBS fragments REQUIRES linelet-io)
   linelet_component(vector "Vector files and reference systems"
     LIBS vector REQUIRES linelet-io PRIVATE_REQUIRES gdal)
   linelet_component(powerline "Power lines of point clouds"

@@ -57,6 +57,16 @@ OutputFile::write(std::string_view bytes)
 }
 
 void
+OutputFile::rewrite(std::size_t place, std::string_view bytes)
+{
+  if (std::fseek(file_, static_cast<long>(place), SEEK_SET) != 0)
+    fail();
+  write(bytes);
+  if (std::fseek(file_, 0, SEEK_END) != 0)
+    fail();
+}
+
+void
 OutputFile::commit()
 {
   if (std::fflush(file_) != 0)

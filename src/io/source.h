@@ -22,6 +22,9 @@ namespace linelet::io {
 struct Source : FileWork {
   std::string_view bytes;
   ReadOptions options;
+  /// LAS: only the blocks (chunks) that begin at these points of the file.
+  std::size_t first = 0, behind = static_cast<std::size_t>(-1);
+  std::size_t* passed = nullptr; ///< LAS: told how many points are in these, if set
 
   /** \throws FileError "NAME: WHAT" */
   [[noreturn]] void

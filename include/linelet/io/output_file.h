@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -29,6 +30,11 @@ public:
   /** \throws FileError where there is no room */
   void
   write(std::string_view bytes);
+
+  /** \brief Writes \a bytes over those at \a place, written before. Not for pipes.
+   * \throws FileError */
+  void
+  rewrite(std::size_t place, std::string_view bytes);
 
   /** \brief The file is whole: put it in its place. \throws FileError */
   void

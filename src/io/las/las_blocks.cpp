@@ -76,6 +76,20 @@ LasBlocks::LasBlocks(const Source& source,
   }
 }
 
+void
+LasBlocks::keep(std::size_t first, std::size_t behind)
+{
+  std::vector<laz::Chunk> kept;
+  std::size_t place = 0;
+  for (laz::Chunk block : blocks_)
+    if (block.first >= first && block.first < behind) {
+      block.first = place;
+      place += block.count;
+      kept.push_back(block);
+    }
+  blocks_ = std::move(kept);
+}
+
 const char*
 LasBlocks::firstRecord() const
 {

@@ -43,6 +43,11 @@ public:
             const LasHeader& header,
             std::vector<laz::Chunk> chunks);
 
+  /** \brief Leaves out the blocks that begin before point \a first, or not before
+   * \a behind. */
+  void
+  keep(std::size_t first, std::size_t behind);
+
   /** \brief Number of blocks. */
   std::size_t
   size() const

@@ -84,6 +84,9 @@ public:
         header_(readLasHeader(source, *origin_)),
         blocks_(findBlocks())
   {
+    blocks_.keep(source.first, source.behind);
+    if (source.passed != nullptr)
+      *source.passed = blocks_.points();
     if (window_.limits())
       select();
     else

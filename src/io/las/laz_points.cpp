@@ -25,24 +25,25 @@ textOf(const std::vector<std::uint8_t>& bytes)
 
 } // namespace
 
-void
-LazPoints::encode(
+std::vector<std::vector<std::uint8_t>>
+encodeChunks(
+    const laz::Layout& layout,
     std::size_t count,
     const std::function<std::string(std::size_t first, std::size_t number)>& records)
 {
-  const std::size_t size = layout_.chunk_size;
-  chunks_.resize((count + size - 1) / size);
+  const std::size_t size = layout.chunk_size;
+  std::vector<std::vector<std::uint8_t>> chunks((count + size - 1) / size);
   std::exception_ptr problem;
   std::atomic<bool> stop{false};
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(0))
-  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
     if (stop)
       continue;
     try {
       const std::size_t number = std::min(size, count - i * size);
       std::string text = records(i * size, number);
-      chunks_[i] = laz::writeChunk(
-          layout_, reinterpret_cast<std::uint8_t*>(text.data()), number);
+      chunks[i] =
+          laz::writeChunk(layout, reinterpret_cast<std::uint8_t*>(text.data()), number);
     }
     catch (...) {
 #pragma omp critical(linelet_laz_points)
@@ -52,6 +53,15 @@ LazPoints::encode(
   }
   if (problem)
     std::rethrow_exception(problem);
+  return chunks;
+}
+
+void
+LazPoints::encode(
+    std::size_t count,
+    const std::function<std::string(std::size_t first, std::size_t number)>& records)
+{
+  chunks_ = encodeChunks(layout_, count, records);
   std::vector<std::uint32_t> sizes;
   for (const auto& chunk : chunks_)
     sizes.push_back(static_cast<std::uint32_t>(chunk.size()));

@@ -16,6 +16,14 @@
 
 namespace linelet::io {
 
+/** \brief The chunks of \a count points, compressed in several threads at once;
+ * \a records makes the records of some of them from the first on. */
+std::vector<std::vector<std::uint8_t>>
+encodeChunks(
+    const laz::Layout& layout,
+    std::size_t count,
+    const std::function<std::string(std::size_t first, std::size_t number)>& records);
+
 /** \brief The compressed points of a file to write. */
 class LazPoints {
 public:

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <linelet/fragments/ledger.h>
+#include <linelet/fragments/pieces.h>
+#include <linelet/fragments/plan.h>
+
+#include "cloud_files.h"
+#include "frame.h"
+
+namespace linelet::apps {
+
+/** \brief An amount of memory, as text: "8G", "500M", "2e9"; "auto" is half of the
+ * machine's. */
+class MemorySize {
+public:
+  /** \throws std::invalid_argument */
+  explicit MemorySize(std::string_view text);
+
+  const std::string&
+  name() const
+  {
+    return text_;
+  }
+
+  double
+  bytes() const
+  {
+    return bytes_;
+  }
+
+private:
+  std::string text_;
+  double bytes_;
+};
+
+/** \brief How a cloud that does not fit is cut. */
+struct FragmentOptions {
+  double chunk = 0;
+  MemorySize memory{"auto"};
+  bool resume = false;
+};
+
+template <class Visit>
+void
+describe(FragmentOptions& s, Visit&& visit)
+{
+  visit("memory",
+        s.memory,
+        "Fragments: LAS and LAZ that would take more than this are worked on in "
+        "fragments, with the same result: 8G, 500M; auto: half of the machine's");
+  visit("chunk",
+        s.chunk,
+        "Fragments: side of the fragments, unit of the file, which are then made in "
+        "any case; 0: as wide as --memory allows");
+  visit("resume",
+        s.resume,
+        "Fragments: go on where a run of the same command was broken off");
+}
+
+/** \brief A command that can work on a cloud in fragments. */
+class FragmentJob {
+public:
+  virtual ~FragmentJob() = default;
+
+  virtual Frame&
+  frame() = 0;
+  virtual CloudInput&
+  input() = 0;
+  virtual const FragmentOptions&
+  options() const = 0;
+  /** \brief Where the results go: a file or folder. */
+  virtual const std::string&
+  place() const = 0;
+
+  /** \brief Fails where the command cannot work so, or could not write its results. */
+  virtual void
+  check() = 0;
+  /** \brief The width of the ghost zones. */
+  virtual double
+  ghost() = 0;
+  /** \brief The memory that a point takes at the most, of a fragment (with the next one
+   * loaded beside it), and of the cloud in one piece. */
+  virtual double
+  bytesPerPoint(bool in_fragments) const = 0;
+
+  /** \brief Works on \a fragment and writes the file \a result.
+   * \return what is to be added up over the fragments */
+  virtual std::map<std::string, double>
+  compute(const fragments::Plan& plan,
+          const fragments::Fragment& fragment,
+          const std::string& result,
+          ProgressMonitor* monitor) = 0;
+
+  /** \brief The fragments that output \a number is made of; empty for one behind the
+   * last. */
+  virtual std::vector<std::size_t>
+  needs(const fragments::Plan& plan, std::size_t number) = 0;
+
+  /** \brief Writes output \a number.
+   * \param[in] usable which fragments there are; all but for --partial
+   * \return figures of it */
+  virtual std::map<std::string, double>
+  write(const fragments::Plan& plan,
+        const std::string& folder,
+        std::size_t number,
+        const std::vector<bool>& usable,
+        ProgressMonitor* monitor) = 0;
+
+  /** \brief Says what came of it; \a figures are sums over outputs. */
+  virtual void
+  report(const std::map<std::string, double>& figures) = 0;
+
+  /** \brief Works on the cloud in one piece. \return the exit code */
+  virtual int
+  runWhole() = 0;
+};
+
+/** \brief The command \a name with \a arguments, parsed. \throws std::runtime_error
+ * where it knows no fragments; Exit */
+std::unique_ptr<FragmentJob>
+makeFragmentJob(const std::string& name, const std::vector<std::string>& arguments);
+
+std::unique_ptr<FragmentJob>
+makeTensorJob(const std::vector<std::string>& arguments);
+std::unique_ptr<FragmentJob>
+makeMultiscaleJob(const std::vector<std::string>& arguments);
+
+} // namespace linelet::apps

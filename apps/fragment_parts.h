@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <linelet/features/cloud_piece.h>
+#include <linelet/fragments/plan.h>
+#include <linelet/fragments/records.h>
+#include <linelet/io/cloud_stream.h>
+
+#include "cloud_files.h"
+
+namespace linelet::apps {
+
+/** \brief Fails unless outputs, one for each input, can be written part by part. */
+void
+checkPartsOutput(CloudInput& input, CloudOutput& output);
+
+/** \brief The points of \a fragment as a piece of the cloud: from the first that it
+ * owns to the last. */
+CloudPiece
+pieceOf(const fragments::Plan& plan, const fragments::Fragment& fragment);
+
+/** \brief The fragments that the points of input \a number are in; empty behind the
+ * last input. */
+std::vector<std::size_t>
+fragmentsOfInput(const fragments::Plan& plan, std::size_t number);
+
+/** \brief Which of the outputs of a run in fragments, one for each input. */
+struct PartsOutput {
+  const fragments::Plan& plan;
+  const std::string& folder;
+  std::size_t number;
+  const std::vector<bool>& usable;
+};
+
+/** \brief Writes input \a which.number again, with what \a add makes of the records of
+ * its points: add(cloud, records, how many are left out). Points without one have
+ * \a unknown. */
+template <class Record, class Add>
+void
+writeParts(const PartsOutput& which,
+           CloudInput& input,
+           CloudOutput& output,
+           const Record& unknown,
+           Add add,
+           Frame& frame,
+           ProgressMonitor* monitor)
+{
+  constexpr std::size_t block = 400000;
+  io::ReadOptions options = input.readOptions();
+  options.shift = which.plan.shift;
+  std::vector<std::string> warnings;
+  io::PointStream stream(
+      which.plan.inputs[which.number].path, options, block, &warnings, monitor);
+  fragments::RecordStream results(
+      which.plan, which.folder, which.number, sizeof(Record), which.usable);
+  io::CloudSink sink(output.pathFor(input, which.number), &warnings, monitor);
+  io::Cloud cloud;
+  while (stream.next(cloud)) {
+    std::vector<Record> records(cloud.points.size(), unknown);
+    results.next(records.size(), records.data());
+    const io::UsablePoints usable(cloud, nullptr, input.classes());
+    add(cloud, records, usable.leftOut());
+    sink.add(cloud);
+  }
+  sink.commit();
+  frame.warn(warnings);
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "commands.h"
+#include "fragment_run.h"
+
+namespace linelet::apps {
+
+namespace {
+
+/** \brief Two numbers with \a between them, as "A-B" or "K/N". */
+std::pair<std::size_t, std::size_t>
+pairIn(const std::string& text, char between, const char* option)
+{
+  std::size_t one = 0, other = 0;
+  char sign = 0, behind = 0;
+  const int got = std::sscanf(text.c_str(), "%zu%c%zu%c", &one, &sign, &other, &behind);
+  if (got != 3 || sign != between || text[0] == '-')
+    throw std::invalid_argument(std::string(option) + " is '" + text +
+                                "', it must be " + (between == '/' ? "K/N" : "A-B"));
+  return {one, other};
+}
+
+} // namespace
+
+int
+runWork(const std::vector<std::string>& arguments)
+{
+  Frame frame(
+      "work",
+      "Works on a plan: on all fragments that are not done, or on some. Any "
+      "number of workers may run at once, on machines that share the files; "
+      "what is done is not done again, and two that do the same write the same. "
+      "Fragments have numbers from 0 on.");
+  std::string place, range, every;
+  std::size_t task = 0;
+  frame.app.add_option("OUTPUT", place, "what was planned as the output")->required();
+  auto* one =
+      frame.app.add_option("--task", task, "only this fragment")->type_name("N");
+  frame.app.add_option("--tasks", range, "only fragments A to B")
+      ->type_name("A-B")
+      ->excludes(one);
+  frame.app
+      .add_option("--every",
+                  every,
+                  "worker K of N, K from 1 on: every N-th fragment; auto: as mpirun or "
+                  "Slurm number their processes")
+      ->type_name("K/N")
+      ->excludes(one);
+  frame.parse(arguments);
+  std::unique_ptr<FragmentJob> job;
+  FragmentRun run = FragmentRun::open(place, job);
+  if (frame.threads > 0)
+    job->frame().threads = frame.threads;
+  const std::size_t count = run.plan().tiling.boxes();
+  std::size_t first = 0, last = count - 1, step = 1;
+  if (one->count() > 0)
+    first = last = task;
+  if (!range.empty())
+    std::tie(first, last) = pairIn(range, '-', "--tasks");
+  if (first >= count)
+    throw std::runtime_error("there is no fragment " + std::to_string(first) + ", " +
+                             std::to_string(count) + " are planned");
+  last = std::min(last, count - 1);
+  if (every == "auto") {
+    for (const auto& [rank, size] :
+         {std::pair("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
+          std::pair("SLURM_PROCID", "SLURM_NTASKS")})
+      if (std::getenv(rank) != nullptr && std::getenv(size) != nullptr) {
+        every =
+            std::to_string(std::atoi(std::getenv(rank)) + 1) + "/" + std::getenv(size);
+        break;
+      }
+    if (every == "auto")
+      throw std::runtime_error("--every auto: neither mpirun nor Slurm started this");
+  }
+  if (!every.empty()) {
+    const auto [worker, workers] = pairIn(every, '/', "--every");
+    if (worker < 1 || worker > workers)
+      throw std::invalid_argument("--every is '" + every + "', K must be 1 to N");
+    first += worker - 1;
+    step = workers;
+  }
+  std::vector<std::size_t> tasks;
+  for (std::size_t t = first; t <= last; t += step)
+    tasks.push_back(t);
+  run.ledger().forgetFailures();
+  const auto failed = run.work(*job, tasks, false);
+  std::printf("%s: %zu fragments, %zu failed\n",
+              run.folder().c_str(),
+              tasks.size(),
+              failed.size());
+  for (const std::size_t number : failed)
+    std::fprintf(stderr,
+                 "linelet work: fragment %zu: %s\n",
+                 number,
+                 run.ledger().find(fragments::Ledger::task, number)->reason.c_str());
+  frame.summary["fragments"] = tasks.size();
+  frame.summary["failed"] = failed;
+  const int code = frame.finish();
+  return failed.empty() ? code : 1;
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <linelet/fragments/ledger.h>
+#include <linelet/fragments/plan.h>
+#include <linelet/io/point_file.h>
+#include <linelet/io/usable_points.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC fragments {
+
+/** \brief The points of one input in a fragment; they follow one another. */
+struct Section {
+  std::size_t input = 0, first = 0, count = 0;
+};
+
+/** \brief The points of a fragment with its ghost zone, in the order of the inputs. */
+struct Fragment {
+  std::size_t number = 0;
+  Points points;                     ///< relative to the plan's shift
+  std::vector<std::uint8_t> classes; ///< of all points; 0 where they have none
+  std::vector<std::uint32_t> places; ///< in their inputs
+  std::vector<bool> core;            ///< whether it owns them
+  std::vector<Section> sections;     ///< by input
+
+  /** \brief How many it owns. */
+  std::size_t
+  owned() const;
+};
+
+/** \brief Cuts inputs into the pieces that fragments are put together from: each input
+ * is read once, in blocks, and each usable point written to every fragment that it is
+ * in, or in the ghost zone of. */
+class Pieces {
+public:
+  /** \param[in] folder of the run
+   * \param[in] options how to read, the plan's shift apart */
+  Pieces(const Plan& plan,
+         std::string folder,
+         io::ReadOptions options,
+         io::ClassFilter classes);
+
+  /** \brief Cuts the inputs of fragment \a number that are not cut yet, one worker at a
+   * time, and puts it together.
+   * \throws io::FileError where an input cannot be read, or has points where its header
+   * says there are none, or another worker is done with the fragment; Canceled */
+  Fragment
+  load(std::size_t number, ProgressMonitor* monitor = nullptr) const;
+
+  /** \brief Removes the pieces of a fragment that is done. */
+  void
+  remove(std::size_t number) const;
+
+private:
+  void
+  cut(std::size_t input, ProgressMonitor* monitor) const;
+  void
+  refuseIfDone(std::size_t fragment) const;
+  void
+  cutOrTellWhyNot(std::size_t input, ProgressMonitor* monitor) const;
+  std::uint64_t
+  require(std::size_t input, std::size_t fragment, ProgressMonitor* monitor) const;
+  void
+  append(const Section& section, Fragment& fragment) const;
+  std::string
+  path(std::size_t fragment, std::size_t input) const;
+
+  const Plan& plan_;
+  std::string folder_;
+  io::ReadOptions options_;
+  io::ClassFilter classes_;
+  Ledger ledger_;
+};
+
+} // namespace fragments
+} // namespace linelet

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <linelet/fragments/tiling.h>
+#include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC fragments {
+
+/** \brief A file to read, and how to tell that it is still the same. */
+struct PlannedInput {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::int64_t changed = 0;     ///< nanoseconds since 1970
+  Extent extent;                ///< by its header, world coordinates
+  double low_z = 0, high_z = 0; ///< likewise
+};
+
+/** \brief What is to be done, made from headers alone: which command, on which files,
+ * in which boxes. Kept as `plan.json` in the folder of the run. */
+struct Plan {
+  std::string version;                ///< of linelet
+  std::string command;                ///< tensor, multiscale, ...
+  std::vector<std::string> arguments; ///< behind the command's name
+  std::string place;                  ///< folder that relative paths start from
+  std::vector<PlannedInput> inputs;   ///< in the order of the whole cloud
+  Point shift = Point::Zero();        ///< of all points
+  double ghost = 0;                   ///< width of the ghost zones
+  double most_points = 0;             ///< a fragment may have, by the memory; 0: any
+  Tiling tiling;                      ///< in world coordinates
+
+  /** \brief A hash of all of it. */
+  std::string
+  fingerprint() const;
+
+  /** \brief How far points are copied: \ref ghost, and what rounding may add. */
+  double
+  reach() const;
+
+  /** \brief The inputs that fragment \a number may have points of. */
+  std::vector<std::size_t>
+  inputsOf(std::size_t number) const;
+};
+
+/** \brief The state of \a path now, without its extent. \throws io::FileError */
+PlannedInput
+stateOf(const std::string& path);
+
+/** \brief Fails where an input is not what it was when the plan was made.
+ * \throws io::FileError */
+void
+checkInputs(const Plan& plan);
+
+/** \brief Writes `plan.json` in \a folder, which is made. \throws io::FileError */
+void
+savePlan(const Plan& plan, const std::string& folder);
+
+/** \brief Reads it. \throws io::FileError where there is none, or it is damaged */
+Plan
+loadPlan(const std::string& folder);
+
+} // namespace fragments
+} // namespace linelet

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC fragments {
+
+/** \brief Time of a fragment by its number of points n, as the finished ones tell:
+ * t = a + b n + c n^2 by least squares (Grasso et al. 2015, section 4). As long as
+ * fewer than three different sizes are known, the highest terms are left out; never
+ * negative. */
+class TimePrediction {
+public:
+  /** \brief Notes a finished fragment, \a seconds long. */
+  void
+  add(double points, double seconds);
+
+  /** \brief Whether anything is known. */
+  bool
+  known() const
+  {
+    return !points_.empty();
+  }
+
+  /** \brief Expected seconds of a fragment; 0 as long as nothing is known. */
+  double
+  operator()(double points) const;
+
+private:
+  std::vector<double> points_, seconds_;
+  double unit_ = 1;             ///< largest number of points so far
+  double coefficients_[3] = {}; ///< in multiples of unit_
+};
+
+} // namespace fragments
+} // namespace linelet

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <linelet/io/cloud.h>
+#include <linelet/io/point_file.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC io {
+
+/** \brief Reads a point file a block of points at a time, in its order. Of LAS and LAZ
+ * no more than a block is in memory, each chunk is decoded once, and all that the
+ * options leave out is passed over; other formats are one block. */
+class PointStream {
+public:
+  /** \param[in] block about how many points to read at a time */
+  PointStream(std::string path,
+              ReadOptions options,
+              std::size_t block = 1000000,
+              std::vector<std::string>* warnings = nullptr,
+              ProgressMonitor* monitor = nullptr);
+
+  /** \brief Reads the next block, as \ref readCloud would the file; it may be empty.
+   * \return whether there was one
+   * \throws FileError, Canceled */
+  bool
+  next(Cloud& cloud);
+
+private:
+  bool
+  nextOfLas(Cloud& cloud);
+
+  std::string path_;
+  ReadOptions options_;
+  std::size_t block_, first_ = 0;
+  bool begun_ = false, over_ = false;
+  std::vector<std::string>* warnings_;
+  ProgressMonitor* monitor_;
+};
+
+/** \brief Writes a LAS or LAZ file a part at a time: byte for byte what \ref writeCloud
+ * makes of all parts together. */
+class CloudSink {
+public:
+  /** \brief Whether \a path, by its ending, can be written so. */
+  static bool
+  takes(const std::string& path);
+
+  /** \throws FileError unless it \ref takes it */
+  explicit CloudSink(const std::string& path,
+                     std::vector<std::string>* warnings = nullptr,
+                     ProgressMonitor* monitor = nullptr);
+  ~CloudSink();
+
+  /** \brief Adds the points of \a cloud, which has the columns of those before.
+   * \throws FileError where it does not fit to them */
+  void
+  add(const Cloud& cloud);
+
+  /** \brief The file is whole: put it in its place. \throws FileError also where
+   * nothing was added */
+  void
+  commit();
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace io
+} // namespace linelet

@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/fragments/pieces.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <unistd.h>
+
+#include <linelet/io/cloud_stream.h>
+#include <linelet/io/file_error.h>
+
+namespace linelet::fragments {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// In the file of a piece points follow one another; what it is whole with, the ledger
+// knows. Read on the machine, or kind of machine, that wrote it.
+struct Record {
+  double x, y, z;
+  std::uint32_t place, number_of_class;
+};
+static_assert(sizeof(Record) == 32);
+
+struct Closer {
+  void
+  operator()(std::FILE* file) const
+  {
+    std::fclose(file);
+  }
+};
+using File = std::unique_ptr<std::FILE, Closer>;
+
+[[noreturn]] void
+cannotWrite(const std::string& path)
+{
+  throw io::FileError(path + ": cannot be written (" + std::strerror(errno) +
+                      "); check that the folder exists, may be written and has room");
+}
+
+/** Pieces under construction, with names that no other worker uses; removed unless they
+ * are whole. */
+class Construction {
+public:
+  ~Construction()
+  {
+    for (const auto& piece : pieces_)
+      if (!piece.second.place.empty())
+        std::remove(piece.second.place.c_str());
+  }
+
+  void
+  add(std::size_t fragment, const Record& record)
+  {
+    pieces_[fragment].records.push_back(record);
+  }
+
+  /** Puts what has come together behind what is there; \a path tells names. */
+  template <class Path>
+  void
+  flush(Path path)
+  {
+    for (auto& [fragment, piece] : pieces_) {
+      if (piece.records.empty())
+        continue;
+      if (piece.place.empty()) {
+        const std::string name = path(fragment);
+        std::error_code ignored; // the file tells
+        fs::create_directories(fs::path(name).parent_path(), ignored);
+        piece.place = name + ".part-" + std::to_string(::getpid());
+        std::remove(piece.place.c_str());
+      }
+      const File file(std::fopen(piece.place.c_str(), "ab"));
+      if (!file ||
+          std::fwrite(
+              piece.records.data(), sizeof(Record), piece.records.size(), file.get()) !=
+              piece.records.size() ||
+          std::fflush(file.get()) != 0)
+        cannotWrite(piece.place);
+      piece.points += piece.records.size();
+      piece.records.clear();
+    }
+  }
+
+  /** All are whole. \return their points */
+  template <class Path>
+  std::map<std::size_t, std::uint64_t>
+  publish(Path path)
+  {
+    std::map<std::size_t, std::uint64_t> points;
+    for (auto& [fragment, piece] : pieces_) {
+      const std::string name = path(fragment);
+      if (std::rename(piece.place.c_str(), name.c_str()) != 0)
+        cannotWrite(name);
+      piece.place.clear();
+      points[fragment] = piece.points;
+    }
+    return points;
+  }
+
+private:
+  struct Piece {
+    std::vector<Record> records;
+    std::string place;
+    std::uint64_t points = 0;
+  };
+  std::map<std::size_t, Piece> pieces_;
+};
+
+} // namespace
+
+std::size_t
+Fragment::owned() const
+{
+  return static_cast<std::size_t>(std::count(core.begin(), core.end(), true));
+}
+
+Pieces::Pieces(const Plan& plan,
+               std::string folder,
+               io::ReadOptions options,
+               io::ClassFilter classes)
+    : plan_(plan),
+      folder_(std::move(folder)),
+      options_(std::move(options)),
+      classes_(std::move(classes)),
+      ledger_(folder_, plan.fingerprint())
+{
+  options_.shift = plan.shift;
+}
+
+std::string
+Pieces::path(std::size_t fragment, std::size_t input) const
+{
+  char name[64];
+  std::snprintf(name, sizeof(name), "%06zu/%06zu.bin", fragment, input);
+  return (fs::path(folder_) / "pieces" / name).string();
+}
+
+void
+Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
+{
+  const PlannedInput& planned = plan_.inputs[input];
+  const Area& area = planned.extent.area;
+  const auto pathFor = [&](std::size_t fragment) { return path(fragment, input); };
+  std::vector<bool> wanted(plan_.tiling.boxes(), false);
+  for (const std::size_t f : plan_.tiling.near(area, plan_.reach()))
+    wanted[f] = !ledger_.done(Ledger::task, f);
+  Construction pieces;
+  io::PointStream stream(planned.path, options_, 500000, nullptr, monitor);
+  io::Cloud cloud;
+  std::size_t first = 0;
+  while (stream.next(cloud)) {
+    if (first + cloud.points.size() > std::numeric_limits<std::uint32_t>::max())
+      throw io::FileError(planned.path +
+                          ": has more than 4,294,967,295 points; cut it in two");
+    const io::UsablePoints usable(cloud, nullptr, classes_);
+    const io::Column* classes = cloud.find("classification");
+    const Point offset = cloud.shift - plan_.shift;
+    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+      if (!usable.points()[i].allFinite())
+        continue;
+      const Point p = usable.points()[i] + offset;
+      const Point world = p + plan_.shift;
+      for (std::size_t a = 0; a < 2; ++a) {
+        const double value = world[static_cast<Eigen::Index>(a)];
+        if (value < area.low[a] || value > area.high[a])
+          throw io::FileError(planned.path +
+                              ": has points outside of the bounds that its header "
+                              "names; write it anew with linelet convert");
+      }
+      const Record record{p.x(),
+                          p.y(),
+                          p.z(),
+                          static_cast<std::uint32_t>(first + i),
+                          classes == nullptr
+                              ? 0
+                              : static_cast<std::uint32_t>(io::valueAt(*classes, i))};
+      plan_.tiling.forEachNear(
+          world.x(), world.y(), plan_.reach(), [&](std::size_t fragment) {
+            if (wanted[fragment])
+              pieces.add(fragment, record);
+          });
+    }
+    first += cloud.points.size();
+    pieces.flush(pathFor);
+    throwIfCanceled(monitor);
+  }
+  Ledger::Entry entry;
+  entry.done = true;
+  entry.points = static_cast<double>(first);
+  entry.pieces = pieces.publish(pathFor);
+  ledger_.write(Ledger::cut, input, entry);
+}
+
+void
+Pieces::append(const Section& section, Fragment& fragment) const
+{
+  const std::string name = path(fragment.number, section.input);
+  const File file(std::fopen(name.c_str(), "rb"));
+  std::vector<Record> block(65536);
+  std::size_t got = 0;
+  while (file &&
+         (got = std::fread(block.data(), sizeof(Record), block.size(), file.get())) > 0)
+    for (std::size_t i = 0; i < got; ++i) {
+      const Record& record = block[i];
+      const Point p(record.x, record.y, record.z);
+      fragment.points.push_back(p);
+      fragment.classes.push_back(static_cast<std::uint8_t>(record.number_of_class));
+      fragment.places.push_back(record.place);
+      const Point world = p + plan_.shift;
+      fragment.core.push_back(plan_.tiling.owner(world.x(), world.y()) ==
+                              fragment.number);
+    }
+  if (fragment.points.size() != section.first + section.count)
+    throw io::FileError(name + ": cannot be read; check its disk");
+}
+
+void
+Pieces::refuseIfDone(std::size_t fragment) const
+{
+  if (ledger_.done(Ledger::task, fragment))
+    throw io::FileError("fragment " + std::to_string(fragment) +
+                        " was done by another worker in the meantime");
+}
+
+std::uint64_t
+Pieces::require(std::size_t input, std::size_t fragment, ProgressMonitor* monitor) const
+{
+  const auto points = [&]() -> std::optional<std::uint64_t> {
+    refuseIfDone(fragment);
+    const auto entry = ledger_.find(Ledger::cut, input);
+    if (!entry)
+      return {};
+    if (!entry->done)
+      throw io::FileError(entry->reason);
+    const auto piece = entry->pieces.find(fragment);
+    if (piece == entry->pieces.end())
+      return 0;
+    std::error_code error;
+    const auto bytes = fs::file_size(path(fragment, input), error);
+    if (error || bytes != piece->second * sizeof(Record))
+      return {};
+    return piece->second;
+  };
+  if (const auto known = points())
+    return *known;
+  // Not cut yet, or by now without this piece.
+  const WorkLock lock(ledger_.path(Ledger::cut, input));
+  if (const auto known = points())
+    return *known;
+  cutOrTellWhyNot(input, monitor);
+  if (const auto known = points())
+    return *known;
+  throw io::FileError(path(fragment, input) + ": cannot be read back");
+}
+
+void
+Pieces::cutOrTellWhyNot(std::size_t input, ProgressMonitor* monitor) const
+{
+  for (const bool again : {false, true})
+    try {
+      return cut(input, monitor);
+    }
+    catch (const Canceled&) {
+      throw;
+    }
+    catch (const std::exception& error) {
+      if (!again)
+        continue;
+      Ledger::Entry entry;
+      entry.reason = error.what();
+      ledger_.write(Ledger::cut, input, entry); // other fragments need not try
+      throw;
+    }
+}
+
+Fragment
+Pieces::load(std::size_t number, ProgressMonitor* monitor) const
+{
+  Fragment fragment;
+  fragment.number = number;
+  std::uint64_t all = 0;
+  for (const std::size_t input : plan_.inputsOf(number)) {
+    const std::uint64_t points = require(input, number, monitor);
+    if (points > 0)
+      fragment.sections.push_back({input, all, points});
+    all += points;
+  }
+  fragment.points.reserve(all);
+  fragment.classes.reserve(all);
+  fragment.places.reserve(all);
+  fragment.core.reserve(all);
+  for (const Section& section : fragment.sections)
+    append(section, fragment);
+  // Who cuts an input anew leaves out what is done by then: no points, but no error.
+  refuseIfDone(number);
+  return fragment;
+}
+
+void
+Pieces::remove(std::size_t number) const
+{
+  std::error_code ignored;
+  fs::remove_all(fs::path(path(number, 0)).parent_path(), ignored);
+}
+
+} // namespace linelet::fragments

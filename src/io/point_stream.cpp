@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <linelet/io/cloud_stream.h>
+
+#include <utility>
+
+#include "files.h"
+#include "readers.h"
+#include "reference_systems.h"
+#include "source.h"
+
+namespace linelet::io {
+
+PointStream::PointStream(std::string path,
+                         ReadOptions options,
+                         std::size_t block,
+                         std::vector<std::string>* warnings,
+                         ProgressMonitor* monitor)
+    : path_(std::move(path)),
+      options_(std::move(options)),
+      block_(block),
+      warnings_(warnings),
+      monitor_(monitor)
+{
+}
+
+bool
+PointStream::next(Cloud& cloud)
+{
+  if (over_)
+    return false;
+  const std::string ending = endingOf(path_);
+  if (ending == ".las" || ending == ".laz")
+    return nextOfLas(cloud);
+  cloud = readCloud(path_, options_, warnings_, monitor_);
+  over_ = true;
+  return true;
+}
+
+bool
+PointStream::nextOfLas(Cloud& cloud)
+{
+  // Mapped anew for every block, so that no more of it than that counts as memory.
+  const MappedFile file(path_, monitor_);
+  std::size_t passed = 0;
+  Source source{
+      {path_, begun_ ? nullptr : warnings_, monitor_}, file.bytes(), options_};
+  source.first = first_;
+  source.behind = first_ + block_;
+  source.passed = &passed;
+  Cloud block = readLas(source);
+  over_ = passed == 0;
+  if (over_ && begun_)
+    return false;
+  if (!options_.crs.empty())
+    block.wkt = declaredReference(options_.crs);
+  if (!options_.shift && !block.points.empty())
+    options_.shift = block.shift; // one for all blocks
+  first_ += passed;
+  begun_ = true;
+  cloud = std::move(block);
+  return true;
+}
+
+} // namespace linelet::io

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is worked on in fragments is, byte for byte, what is worked on in one piece;
+// whatever happens in between.
+
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/mount.h>
+
+#include "run_tool.h"
+
+namespace linelet::test {
+
+#define ENGINE "grid"
+
+namespace fs = std::filesystem;
+
+class FragmentsTest : public ToolTest {
+protected:
+  /** A simulated corridor of some 80,000 points, as one file, and as four tiles. */
+  void
+  SetUp() override
+  {
+    const std::string whole = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
+    runWell("convert " + whole + " " + path("whole.laz"));
+    runWell("info " + whole + " --json " + path("info.json"));
+    const auto bounds = json(path("info.json"))["bounds"];
+    const double x0 = bounds["minimum"][0], x1 = bounds["maximum"][0],
+                 y0 = bounds["minimum"][1], y1 = bounds["maximum"][1];
+    fs::create_directories(path("tiles"));
+    for (int i = 0; i < 4; ++i) {
+      // Borders between the millimeters of the points, so that each is in one tile.
+      const double side = (x1 - x0) / 4;
+      const double from = std::floor((x0 + side * i) * 100) / 100 + 0.00031,
+                   to = std::floor((x0 + side * (i + 1)) * 100) / 100 + 0.00031;
+      char text[200];
+      std::snprintf(text,
+                    sizeof(text),
+                    " --bounds %.6f,%.6f,%.6f,%.6f",
+                    i == 0 ? x0 - 1 : from,
+                    y0 - 1,
+                    i == 3 ? x1 + 1 : to,
+                    y1 + 1);
+      runWell("convert " + whole + " " + tile(i) + text);
+    }
+  }
+
+  std::string
+  tile(int number) const
+  {
+    return path("tiles/t" + std::to_string(number) + ".laz");
+  }
+
+  /** All files of a folder, by name. */
+  static std::string
+  folderContents(const std::string& folder)
+  {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+      files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string all;
+    for (const fs::path& file : files)
+      all += file.filename().string() + '\n' + contents(file.string());
+    return all;
+  }
+
+  /** Starts the tool; its process id. */
+  static pid_t
+  start(const std::vector<std::string>& arguments)
+  {
+    const pid_t child = ::fork();
+    if (child != 0)
+      return child;
+    const int null = ::open("/dev/null", O_WRONLY);
+    ::dup2(null, 1);
+    ::dup2(null, 2);
+    std::vector<char*> texts = {const_cast<char*>(LINELET_TOOL)};
+    for (const std::string& argument : arguments)
+      texts.push_back(const_cast<char*>(argument.c_str()));
+    texts.push_back(nullptr);
+    ::execv(LINELET_TOOL, texts.data());
+    ::_exit(127);
+  }
+
+  static int
+  waitFor(pid_t child)
+  {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+  }
+
+  const std::string options_ = " --radius 1.5 --engine " ENGINE " ";
+};
+
+TEST_F(FragmentsTest, TensorOfOneFileIsTheSameForAnyChunk)
+{
+  const std::string in = path("whole.laz");
+  runWell("tensor" + options_ + in + " " + path("a.las"));
+  for (const std::string chunk : {"17.3", "40", "1000"}) {
+    runWell("tensor" + options_ + in + " " + path("b.las") + " --chunk " + chunk);
+    EXPECT_TRUE(contents(path("a.las")) == contents(path("b.las"))) << chunk;
+    EXPECT_FALSE(fs::exists(path("b.las.fragments"))) << "nothing is to stay";
+  }
+}
+
+TEST_F(FragmentsTest, TensorOfTilesIsThatOfTheWholeFolder)
+{
+  runWell("tensor" + options_ + path("tiles") + " " + path("a"));
+  runWell("tensor" + options_ + path("tiles") + " " + path("b") + " --chunk 33");
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
+  // Cut for memory, crowded boxes further.
+  runWell("tensor" + options_ + path("tiles") + " " + path("c") +
+          " --memory 20M --json " + path("c.json"));
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("c")));
+  EXPECT_GT(json(path("c.json"))["fragments"], 1);
+}
+
+TEST_F(FragmentsTest, MultiscaleIsTheSame)
+{
+  const std::string job = "multiscale --radii 0.5,1,2,4 --engine grid " + path("tiles");
+  runWell(job + " " + path("a"));
+  runWell(job + " " + path("b") + " --chunk 47 --json " + path("b.json"));
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
+  runWell("multiscale --radii 0.5,1,2,4 --engine grid " + path("whole.laz") + " " +
+          path("c.las") + " --json " + path("c.json"));
+  EXPECT_NEAR(
+      json(path("b.json"))["noise_rate"], json(path("c.json"))["noise_rate"], 1e-9);
+}
+
+TEST_F(FragmentsTest, VerbsDoTheSameInWorkersOfTheirOwn)
+{
+  const std::string job = "tensor" + options_ + path("tiles") + " ";
+  runWell(job + path("a"));
+  const Outcome planned = runWell("plan " + job + path("b") + " --chunk 45");
+  EXPECT_NE(planned.out.find("fragments"), std::string::npos);
+  EXPECT_EQ(run("status " + path("b")).code, 1) << "not done yet";
+  expectOneLineOf("merge " + path("b"), "--partial");
+  runWell("work " + path("b") + " --task 0");
+  runWell("work " + path("b") + " --tasks 1-2");
+  // Two at once, on the same tasks, and each on its half.
+  const pid_t one = start({"work", path("b")}), other = start({"work", path("b")});
+  runWell("work " + path("b") + " --every 1/2");
+  runWell("work " + path("b") + " --every 2/2");
+  EXPECT_EQ(waitFor(one), 0);
+  EXPECT_EQ(waitFor(other), 0);
+  runWell("status " + path("b") + " --json " + path("s.json"));
+  EXPECT_EQ(json(path("s.json"))["left"], 0);
+  runWell("merge " + path("b"));
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
+}
+
+TEST_F(FragmentsTest, AnInputThatChangedIsRefused)
+{
+  runWell("plan tensor" + options_ + path("tiles") + " " + path("b") + " --chunk 45");
+  runWell("work " + path("b") + " --task 0");
+  fs::last_write_time(tile(2), fs::last_write_time(tile(2)) + std::chrono::seconds(1));
+  expectOneLineOf("work " + path("b"), tile(2));
+  expectOneLineOf("merge " + path("b"), tile(2));
+}
+
+TEST_F(FragmentsTest, ATruncatedTileIsNamedAndTheRestIsKept)
+{
+  const std::string job = "tensor" + options_ + path("tiles") + " ";
+  runWell(job + path("a"));
+  const std::string whole = contents(tile(3));
+  fs::resize_file(tile(3), whole.size() * 2 / 3);
+  expectOneLineOf(job + path("b") + " --chunk 45", tile(3));
+  write("tiles/t3.laz", whole);
+  // It is another file now: a plan that knew the broken one is not gone on with.
+  expectOneLineOf(job + path("b") + " --chunk 45 --resume", "--resume");
+  runWell(job + path("b") + " --chunk 45");
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
+}
+
+TEST_F(FragmentsTest, PartialResultsAreAskedForAndTold)
+{
+  runWell("plan tensor" + options_ + path("tiles") + " " + path("b") + " --chunk 45");
+  runWell("work " + path("b") + " --tasks 0-1");
+  const Outcome outcome = run("merge " + path("b") + " --partial");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.error.find("missing"), std::string::npos);
+  EXPECT_TRUE(fs::exists(path("b/t0.laz")));
+}
+
+// Killed 50 times at any moment, and gone on with.
+TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  const std::string job = "tensor" + options_ + path("tiles") + " ";
+  const auto begin = std::chrono::steady_clock::now();
+  runWell(job + path("a") + " --chunk 12");
+  const double whole =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::uniform_real_distribution<double> moment(0, whole / 4);
+  int killed = 0;
+  for (int i = 0; i < 50; ++i) {
+    std::vector<std::string> arguments = {"tensor",
+                                          "--radius",
+                                          "1.5",
+                                          "--engine",
+                                          ENGINE,
+                                          path("tiles"),
+                                          path("b"),
+                                          "--chunk",
+                                          "12"};
+    if (i > 0)
+      arguments.push_back("--resume");
+    const pid_t child = start(arguments);
+    std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+    ::kill(child, SIGKILL);
+    const int status = waitFor(child);
+    killed += WIFSIGNALED(status) ? 1 : 0;
+    if (WIFEXITED(status)) {
+      ASSERT_EQ(WEXITSTATUS(status), 0) << "seed " << seed;
+      fs::remove_all(path("b")); // done: from the beginning
+    }
+  }
+  runWell(job + path("b") + " --chunk 12 --resume");
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")))
+      << "seed " << seed;
+  EXPECT_GT(killed, 20) << "seed " << seed;
+}
+
+TEST_F(FragmentsTest, ASignalEndsAtOnceAndWhatIsDoneIsKept)
+{
+  const std::string job = "tensor" + options_ + path("tiles") + " ";
+  const pid_t child = start({"tensor",
+                             "--radius",
+                             "6",
+                             "--engine",
+                             ENGINE,
+                             path("tiles"),
+                             path("b"),
+                             "--chunk",
+                             "12"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  const auto asked = std::chrono::steady_clock::now();
+  ::kill(child, SIGTERM);
+  const int status = waitFor(child);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(2500));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    GTEST_SKIP() << "was done before the signal";
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+// A disk that is full is told, and once there is room it goes on.
+TEST_F(FragmentsTest, DiskFull)
+{
+  fs::create_directories(path("disk"));
+  if (::mount("none", path("disk").c_str(), "tmpfs", 0, "size=6m") != 0)
+    GTEST_SKIP() << "needs a file system of its own, which only root may mount";
+  const std::string job = "tensor" + options_ + path("tiles") + " ";
+  runWell(job + path("a"));
+  const std::string again = job + path("disk/b") + " --chunk 45 ";
+  const Outcome outcome = run(again);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(lines(outcome.error), 1) << outcome.error;
+  EXPECT_NE(outcome.error.find("No space left"), std::string::npos) << outcome.error;
+  EXPECT_EQ(::mount("none", path("disk").c_str(), "tmpfs", MS_REMOUNT, "size=200m"), 0);
+  runWell(again + " --resume");
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("disk/b")));
+  ::umount(path("disk").c_str());
+}
+
+TEST_F(FragmentsTest, WhatHasNoFragmentsSaysSo)
+{
+  expectOneLineOf("plan convert a b", "convert");
+  expectOneLineOf("plan tensor --knn 9 " + path("tiles") + " " + path("b"), "--radius");
+  expectOneLineOf("work " + path("nothing"), "nothing");
+  EXPECT_EQ(run("tensor --memory much " + path("tiles") + " " + path("b")).code, 2);
+  EXPECT_EQ(run("plan --help").code, 0);
+  EXPECT_EQ(run("plan").code, 2);
+}
+
+// Too small for a point: one by one, and one point alone.
+TEST_F(FragmentsTest, DegenerateInputs)
+{
+  write("one.xyz", "1 2 3\n");
+  write("same.xyz", "1 2 3\n1 2 3\n1 2 3\n");
+  for (const std::string name : {"one", "same"}) {
+    runWell("convert " + path(name + ".xyz") + " " + path(name + ".las"));
+    runWell("tensor" + options_ + path(name + ".las") + " " + path("a.las"));
+    runWell("tensor" + options_ + path(name + ".las") + " " + path("b.las") +
+            " --chunk 1");
+    EXPECT_TRUE(contents(path("a.las")) == contents(path("b.las"))) << name;
+  }
+}
+
+} // namespace linelet::test
