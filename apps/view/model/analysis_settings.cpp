@@ -59,6 +59,11 @@ exact(double value)
 }
 
 template <class T>
+constexpr bool is_list = false;
+template <class T>
+constexpr bool is_list<std::vector<T>> = true;
+
+template <class T>
 std::string
 textOf(const T& value)
 {
@@ -72,10 +77,10 @@ textOf(const T& value)
     return exact(value);
   else if constexpr (std::is_same_v<T, std::string>)
     return value;
-  else if constexpr (std::is_same_v<T, std::vector<double>>) {
+  else if constexpr (is_list<T>) {
     std::string text;
-    for (const double one : value)
-      text += (text.empty() ? "" : ",") + exact(one);
+    for (const auto& one : value)
+      text += (text.empty() ? "" : ",") + textOf(one);
     return text;
   }
   else
@@ -154,7 +159,7 @@ public:
       p.kind = Parameter::Kind::Number;
       p.range = "0 or more";
     }
-    else if constexpr (std::is_same_v<T, std::vector<double>>) {
+    else if constexpr (is_list<T>) {
       p.kind = Parameter::Kind::Numbers;
       p.range = "numbers with commas, or none";
     }
@@ -174,8 +179,7 @@ struct Emptier {
   void
   operator()(const char* visited, T& value, const char*) const
   {
-    if constexpr (std::is_same_v<T, std::vector<double>> ||
-                  std::is_same_v<T, std::string>)
+    if constexpr (is_list<T> || std::is_same_v<T, std::string>)
       if (name == visited) {
         value = T();
         done = true;

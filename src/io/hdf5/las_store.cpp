@@ -227,7 +227,7 @@ readLasOrigin(const Handle& group, const Cloud& cloud)
     if (!(std::abs(origin->grid.scale[axis]) > 0) ||
         !std::isfinite(origin->grid.scale[axis]) ||
         !std::isfinite(origin->grid.offset[axis]) ||
-        std::abs(corner[static_cast<std::size_t>(axis)]) > 0x1p40)
+        std::abs(static_cast<double>(corner[static_cast<std::size_t>(axis)])) > 0x1p40)
       throw Error("its LAS scale or offset is damaged");
   origin->extras = readExtras(group, cloud);
   return origin;
