@@ -14,6 +14,7 @@ namespace {
 constexpr double bundle_width = 0.7; // meters between conductors of one bundle
 constexpr double least_cover = 0.5;  // of the bins of a conductor in its own right
 constexpr double complete = 0.8;     // part of its neighbor's length
+constexpr double alike = 0.25; // of the points of one conductor, another has at least
 
 /** The conductor that hangs like \a whole, shifted to where \a part was seen. */
 bool
@@ -41,6 +42,33 @@ completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& resu
   return occupied >= least_cover * bins;
 }
 
+/** Frees the points of pieces that are but the scatter of a wire: they lie in its tube
+ * and have few points beside its own, where conductors of a bundle are seen alike. */
+void
+dropScatter(Growth& growth, std::vector<Piece>& pieces)
+{
+  const auto isScatter = [&](const Piece& piece) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& wire) {
+      if (alike * static_cast<double>(wire.members.size()) <=
+          static_cast<double>(piece.members.size()))
+        return false;
+      const Parallel parallel = compare(piece.model, wire.model);
+      return parallel.overlap >= 0.7 * piece.model.length() &&
+             parallel.distance <= wire.tolerance();
+    });
+  };
+  std::vector<char> scatter;
+  for (const Piece& piece : pieces)
+    scatter.push_back(isScatter(piece));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (scatter[i] != 0)
+      growth.claim(pieces[i], Growth::nobody);
+    else if (kept++ != i)
+      pieces[kept - 1] = std::move(pieces[i]);
+  pieces.resize(kept);
+}
+
 } // namespace
 
 std::vector<Strand>
@@ -48,6 +76,7 @@ sortBundles(Growth& growth,
             std::vector<Piece> pieces,
             const PowerLineSettings& settings)
 {
+  dropScatter(growth, pieces);
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return a.model.length() > b.model.length();
   });

@@ -99,9 +99,10 @@ groundUnder(const Points& points,
             PowerLineNetwork& network,
             const ProgressMonitor* monitor)
 {
-  Ground ground = findGround(points, classes, settings.use_classes, monitor);
+  const bool terrain = showsTerrain(points, classes);
+  Ground ground = findGround(points, classes, settings.use_classes, monitor, terrain);
   throwIfCanceled(monitor);
-  if (showsTerrain(points, classes))
+  if (terrain)
     network.ground = ground;
   else
     for (float& height : ground.heights)

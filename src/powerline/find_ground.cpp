@@ -264,7 +264,8 @@ Ground
 findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
            bool use_classes,
-           const ProgressMonitor* monitor)
+           const ProgressMonitor* monitor,
+           bool on_surfaces)
 {
   const PlanExtent extent = planExtent(points, cell_size);
   throwIfCanceled(monitor);
@@ -292,7 +293,8 @@ findGround(const Points& points,
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
-  forgetLines(g);
+  if (on_surfaces)
+    forgetLines(g);
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;

@@ -19,13 +19,16 @@ namespace linelet::powerline {
  * out from its surroundings by more than terrain can. What was lowered is filled from
  * the terrain around, and the raster refined to the mean height of the points next to
  * it.
- * \param[in] classes empty, or one a point
- * \param[in] use_classes take points of class 2 for the terrain, where there are any */
+ * \param[in] classes empty, or one per point
+ * \param[in] use_classes take points of class 2 for the terrain, where there are any
+ * \param[in] on_surfaces what lies on no surface is no terrain; not where there is none
+ * to be seen, see \ref showsTerrain */
 Ground
 findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
            bool use_classes,
-           const ProgressMonitor* monitor = nullptr);
+           const ProgressMonitor* monitor = nullptr,
+           bool on_surfaces = true);
 
 /** \brief How \ref fillHoles looks at larger cells. */
 enum class Fill {

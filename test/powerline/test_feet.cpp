@@ -58,7 +58,8 @@ expectSameInFeet(const std::vector<io::VectorLayer>& feet,
   };
   ASSERT_EQ(feet.size(), meters.size());
   for (std::size_t l = 0; l < feet.size(); ++l) {
-    // Rounding moves what tracking finds beside the wires, and by more than itself.
+    // A point at the border of a wire's tube changes sides by rounding, and moves the
+    // wire by millimeters; what is found beside the wires by more.
     if (meters[l].name == "unexplained")
       continue;
     ASSERT_EQ(feet[l].features.size(), meters[l].features.size());
@@ -70,7 +71,7 @@ expectSameInFeet(const std::vector<io::VectorLayer>& feet,
       ASSERT_EQ(a.vertices.size(), b.vertices.size());
       const Point unit(survey_foot, survey_foot, height);
       for (std::size_t v = 0; v < a.vertices.size(); ++v)
-        EXPECT_LT((a.vertices[v].cwiseProduct(unit) - b.vertices[v]).norm(), 1e-3);
+        EXPECT_LT((a.vertices[v].cwiseProduct(unit) - b.vertices[v]).norm(), 5e-3);
       for (std::size_t k = 0; k < a.attributes.size(); ++k) {
         const auto& [name, value] = a.attributes[k];
         const auto* number = std::get_if<double>(&value);
@@ -82,7 +83,9 @@ expectSameInFeet(const std::vector<io::VectorLayer>& feet,
         if (std::isnan(expected))
           EXPECT_TRUE(std::isnan(*number)) << name;
         else
-          EXPECT_NEAR(*number * scaleOf(name), expected, 1e-3) << name;
+          EXPECT_NEAR(
+              *number * scaleOf(name), expected, 5e-3 + 1e-4 * std::abs(expected))
+              << name;
       }
     }
   }

@@ -59,7 +59,10 @@ occurrences(const std::string& text, const std::string& what)
 
 class Report : public testing::Test {
 protected:
-  Report() : network_(test::networkByHand()), cloud_(test::cloudByHand(network_)) {}
+  Report() : network_(test::networkByHand()), cloud_(test::cloudByHand(network_))
+  {
+    options_.source = "by_hand.las";
+  }
 
   std::string
   page() const
@@ -69,7 +72,7 @@ protected:
 
   PowerLineNetwork network_;
   io::Cloud cloud_;
-  OutputOptions options_{"by_hand.las", 5, {}, {}, false, {}, {}};
+  OutputOptions options_;
 };
 
 TEST_F(Report, IsWellFormedAndStandsAlone)

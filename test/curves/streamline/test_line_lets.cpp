@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <linelet/search/uniform_grid.h>
-
+#include "curves/streamline/cloud_neighbors.h"
 #include "curves/streamline/joining.h"
 #include "curves/streamline/line_lets.h"
 #include "curves/streamline/meeting.h"
@@ -139,8 +138,8 @@ TEST(Pruning, OpenEndsAreCutBackToThePoints)
   LineLets lets(1.4);
   const Index line = straight(lets, {0, 0, 0}, {10, 0, 0});
   lets.lines[line].ends[front_side].kind = EndKind::Cutoff;
-  const UniformGrid grid({{0, 0, 0}, {3, 0, 0}, {6, 0, 0}}, 1);
-  pruneOpenEnds(lets, grid, 1.2);
+  const Points points = {{0, 0, 0}, {3, 0, 0}, {6, 0, 0}};
+  pruneOpenEnds(lets, CloudNeighbors(points, 1), 1.2);
   const CurveNetwork network = join(lets, 0);
   ASSERT_EQ(network.curves.size(), 1u);
   EXPECT_NEAR(length(network), 7, 1e-12) << "x = 7 is the last within 1.2 of a point";
@@ -157,7 +156,7 @@ TEST(Pruning, ClosedEndsAndJoinedVerticesStay)
   Points points;
   for (int i = 0; i <= 10; ++i)
     points.emplace_back(0, -i, 0);
-  pruneOpenEnds(lets, UniformGrid(points, 1), 0.5);
+  pruneOpenEnds(lets, CloudNeighbors(points, 1), 0.5);
   EXPECT_NEAR(length(join(lets, 0)), 10, 1e-12);
 }
 
@@ -165,6 +164,7 @@ TEST(Pruning, ALineLetFarFromAllPointsVanishes)
 {
   LineLets lets(1.4);
   straight(lets, {0, 0, 0}, {10, 0, 0});
-  pruneOpenEnds(lets, UniformGrid({{50, 0, 0}}, 1), 1);
+  const Points points = {{50, 0, 0}};
+  pruneOpenEnds(lets, CloudNeighbors(points, 1), 1);
   EXPECT_TRUE(join(lets, 0).curves.empty());
 }
