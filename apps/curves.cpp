@@ -31,7 +31,8 @@ bool
 isOfPublishedPreset(const CLI::Option* option)
 {
   return option->get_group() == "published" && option->count() > 0 &&
-         option->results() != std::vector<std::string>{option->get_default_str()};
+         option->results() != std::vector<std::string>{option->get_default_str()} &&
+         !(option->get_expected_max() == 0 && option->as<std::string>() == "false");
 }
 
 bool

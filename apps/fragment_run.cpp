@@ -92,8 +92,13 @@ wantsFragments(FragmentJob& job)
   for (const std::string& file : job.input().files())
     if (!isLas(file))
       return false; // only headers of these are quickly read
-  for (const io::FileSummary& file : job.input().summaries())
-    points += static_cast<double>(file.points);
+  try {
+    for (const io::FileSummary& file : job.input().summaries())
+      points += static_cast<double>(file.points);
+  }
+  catch (const io::FileError&) {
+    return false; // told when the file is read, after the outputs have been looked at
+  }
   return points * job.bytesPerPoint(false) > options.memory.bytes();
 }
 
@@ -397,8 +402,11 @@ FragmentRun::merge(FragmentJob& job, bool partial)
   }
   for (std::size_t f = 0; f < usable.size(); ++f) {
     double& peak = figures["peak_bytes"];
-    if (const auto entry = ledger_.find(Ledger::task, f))
+    if (const auto entry = ledger_.find(Ledger::task, f)) {
       peak = std::max(peak, entry->peak_bytes);
+      for (const auto& [name, value] : entry->figures)
+        figures[name] += value;
+    }
   }
   std::error_code ignored;
   fs::remove_all(fs::path(folder_) / "results", ignored);

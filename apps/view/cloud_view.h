@@ -36,7 +36,7 @@ public:
   void
   setPointSize(double pixels);
   void
-  showLines();     ///< curves, truth, wires
+  showLines(); ///< curves, truth, wires
   void
   showSelection(); ///< point, its ellipsoid, preview box, drawn line
 

@@ -47,7 +47,8 @@ private:
   QComboBox *of_, *kernel_;
 };
 
-/** \brief The multi-scale image: radii upwards, places to the right, colors of shape. */
+/** \brief The multi-scale image: radii upwards, places to the right, colors of shape.
+ */
 class ImagePanel : public QWidget {
 public:
   explicit ImagePanel(const Model& model);

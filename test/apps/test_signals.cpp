@@ -182,8 +182,6 @@ TEST_F(Signals, EndMultiScaleShapes)
                     "100",
                     "--graphs",
                     path("graphs.csv")});
-  expectEnds({"multiscale", cloud, path("out.las"), "--centroid-shift", "100"},
-             SIGTERM);
   expectEndsByBoth({"image", cloud, path("out.png"), "--max-radius", "100"});
   expectEnds({"image",
               cloud,

@@ -123,7 +123,8 @@ TEST_P(CurveReconstructionInPcl, IndicesChooseThePoints)
 {
   auto both = cloudOf(bench::Geometry::Line);
   const std::size_t line = both->size();
-  for (const auto& point : *cloudOf(bench::Geometry::Circle))
+  const auto circle = cloudOf(bench::Geometry::Circle);
+  for (const auto& point : *circle)
     both->emplace_back(point.x, point.y, point.z + 50);
   both->emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.F, 0.F);
   both->is_dense = false;

@@ -19,10 +19,10 @@ namespace LINELET_PUBLIC powerline {
 enum class HazardKind : std::uint8_t {
   Ground,     ///< the terrain
   Vegetation, ///< trees, bushes
-  Building,   ///< houses, masts, booms: whatever is smooth and closed, or stiff and thin
-  Wire,       ///< a wire of another line
-  Support,    ///< a pylon or pole of another line
-  FallIn      ///< a tree that would reach the wire by falling
+  Building, ///< houses, masts, booms: whatever is smooth and closed, or stiff and thin
+  Wire,     ///< a wire of another line
+  Support,  ///< a pylon or pole of another line
+  FallIn    ///< a tree that would reach the wire by falling
 };
 
 constexpr std::size_t hazard_kinds = 6;

@@ -98,13 +98,13 @@ describe(SurroundingClasses& s, Visit&& visit)
 
 /** \brief Collects what stands near the wires of \a network.
  *
- * A point of one of \a classes is what that says. All others (0, 1 and what is not named
- * here) are told apart by shape and returns: roofs and walls are planar over some meters
- * and give single echoes, masts and booms are linear there, wires that were not found
- * are linear and take no part, the rest is vegetation; fewer than four such points
- * within a meter of each other are a bird or noise. Points of the classes 2, 7, 8, 9,
- * 11, 13 to 16 and 18 are none of them, nor is anything but a building at the bodies,
- * arms and insulators of the supports of a wire.
+ * A point of one of \a classes is what that says. All others (0, 1 and what is not
+ * named here) are told apart by shape and returns: roofs and walls are planar over some
+ * meters and give single echoes, masts and booms are linear there, wires that were not
+ * found are linear and take no part, the rest is vegetation; fewer than four such
+ * points within a meter of each other are a bird or noise. Points of the classes 2, 7,
+ * 8, 9, 11, 13 to 16 and 18 are none of them, nor is anything but a building at the
+ * bodies, arms and insulators of the supports of a wire.
  * \param[in] cloud what the network was extracted from
  * \param[in] usable its points that take part
  * \param[in] limits how far from a wire is near

@@ -3,6 +3,10 @@
 
 #include "dataset.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace linelet::io::hdf5 {
 
 namespace {
@@ -106,6 +110,33 @@ Column1D::append(const void* values, std::size_t count)
         what);
 }
 
+namespace {
+
+/** \brief Refuses a record whose fields overlap or reach beyond it: HDF5 1.10 trusts
+ * them where it converts, and reads and writes outside of its buffers. */
+void
+checkRecord(hid_t type, const std::string& name)
+{
+  if (H5Tget_class(type) != H5T_COMPOUND)
+    return;
+  std::vector<std::pair<std::size_t, std::size_t>> fields; // begin, end
+  for (int i = 0; i < H5Tget_nmembers(type); ++i) {
+    const auto number = static_cast<unsigned>(i);
+    const Handle field(H5Tget_member_type(type, number), H5Tclose, "read " + name);
+    const std::size_t begin = H5Tget_member_offset(type, number);
+    fields.emplace_back(begin, begin + H5Tget_size(field.id()));
+  }
+  std::sort(fields.begin(), fields.end());
+  std::size_t end = 0;
+  for (const auto& [begin, next] : fields) {
+    if (begin < end || next > H5Tget_size(type))
+      throw Error("cannot read " + name + ": the fields of its records are damaged");
+    end = next;
+  }
+}
+
+} // namespace
+
 StoredColumn::StoredColumn(const Handle& group, const std::string& name) : name_(name)
 {
   const std::string what = "read " + name;
@@ -117,6 +148,7 @@ StoredColumn::StoredColumn(const Handle& group, const std::string& name) : name_
     return;
   hsize_t extent[2] = {0, 1};
   check(H5Sget_simple_extent_dims(space.id(), extent, nullptr), what);
+  checkRecord(type.id(), name);
   members_ = membersOf(type.id());
   const double bytes = static_cast<double>(extent[0]) * static_cast<double>(extent[1]) *
                        static_cast<double>(H5Tget_size(type.id()));

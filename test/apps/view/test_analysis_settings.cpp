@@ -54,7 +54,7 @@ TEST_F(AnalysisSettingsTest, EveryParameterIsDescribed)
   EXPECT_EQ(find(list, "max-gap").kind, Parameter::Kind::Number);
   const auto curves = AnalysisSettings().parameters(Analysis::Curves);
   EXPECT_EQ(find(curves, "branch-angle").heading, "published");
-  EXPECT_EQ(find(curves, "preset").choices.size(), 2u);
+  EXPECT_EQ(find(curves, "preset").choices.size(), 3u);
 }
 
 // All digits of a number, lists, kernels with parameters, flags: what goes into a file
