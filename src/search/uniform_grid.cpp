@@ -122,6 +122,16 @@ UniformGrid::layRows(const Points& points)
     rows_[axis] = static_cast<std::size_t>(extent[axis + 1] / row_size_) + 1;
 }
 
+std::array<double, 2>
+UniformGrid::rowBounds(std::size_t row, int axis) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double slack = 1e-3 * row_size_; // for rounding
+  const double low = row_low_[axis] + static_cast<double>(row) * row_size_;
+  return {row == 0 ? -infinity : low - slack,
+          row + 1 == rows_[axis - 1] ? infinity : low + row_size_ + slack};
+}
+
 Indices
 UniformGrid::within(const Point& query, double radius) const
 {

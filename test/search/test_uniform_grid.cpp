@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -61,6 +62,49 @@ TEST(UniformGrid, FindsWhatBruteForceFinds)
       EXPECT_EQ(bruteForce(points, query, reach * (1 + 1e-12)).size(), 7u);
     }
   }
+}
+
+TEST(UniformGrid, RunsInACylinderHoldAllOfIt)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Points points = randomPoints(2000, Point(10, 10, 10), seed);
+    if (seed % 3 == 0)
+      points.emplace_back(0, 9000, 0); // far away: in the outermost row
+    const UniformGrid grid(points, 0.1 * seed);
+    const Points ends = randomPoints(40, Point(12, 12, 12), seed + 2000);
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      const Point from = ends[k] - Point::Constant(1);
+      Point to = ends[k + 1] - Point::Constant(1);
+      for (int axis = 0; axis < 3; ++axis) // along an axis, or a single place
+        if (seed % 7 == 0 || seed % 5 == static_cast<unsigned>(axis))
+          to[axis] = from[axis];
+      for (const double radius : {0.0, 0.3, 2.0, 30.0}) {
+        std::vector<int> seen(points.size(), 0);
+        std::size_t total = 0;
+        grid.forEachRunInCylinder(
+            from, to, radius, [&](std::size_t begin, std::size_t end) {
+              for (std::size_t j = begin; j < end; ++j)
+                ++seen[grid.inputIndices()[j]];
+              total += end - begin;
+            });
+        const Point along = to - from;
+        std::size_t near = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const Point v = points[i] - from;
+          const double t = along.norm() > 0 ? along.dot(v) / along.squaredNorm() : 0;
+          const bool within = t >= 0 && t <= 1 && (v - t * along).norm() <= radius;
+          near += within;
+          EXPECT_TRUE(seen[i] == 1 || (!within && seen[i] == 0)) << i;
+        }
+        EXPECT_TRUE(along.norm() < 5 || radius > 1 || total < points.size() / 2)
+            << total << " for " << near;
+      }
+    }
+  }
+  const UniformGrid none({}, 1);
+  none.forEachRunInCylinder(
+      {0, 0, 0}, {1, 1, 1}, 1, [](std::size_t, std::size_t) { FAIL(); });
 }
 
 TEST(UniformGrid, SurvivesDegenerateSets)

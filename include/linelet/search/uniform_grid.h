@@ -4,12 +4,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include <linelet/search/rows_of_cylinder.h>
 #include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
 
@@ -83,6 +85,16 @@ public:
   void
   forEachRun(const Point& query, double radius, Visit&& visit) const;
 
+  /** \brief Calls visit(begin, end) for runs of sorted indices, ascending, that
+   * together hold every point of a cylinder, and some others.
+   * \param[in] from, to middles of its flat ends */
+  template <class Visit>
+  void
+  forEachRunInCylinder(const Point& from,
+                       const Point& to,
+                       double radius,
+                       Visit&& visit) const;
+
   /** \brief Indices of the points within \a radius of \a query, in grid order. */
   Indices
   within(const Point& query, double radius) const;
@@ -133,6 +145,51 @@ private:
   template <class Visit>
   void
   forEachSorted(const Point& query, double radius, Visit&& visit) const;
+
+  /** \brief Where the rows of number \a row on \a axis begin and end; those on the
+   * outside have no end. */
+  std::array<double, 2>
+  rowBounds(std::size_t row, int axis) const;
+
+  /** \brief The first sorted index from \a begin on, in one row, that is not left of
+   * \a x, or one of the few before. */
+  std::size_t
+  aboutFirst(std::size_t begin, std::size_t end, double x) const
+  {
+    for (std::size_t count = end - begin; count > few;) {
+      const std::size_t half = count / 2;
+      if (points_[begin + half].x() < x) {
+        begin += half + 1;
+        count -= half + 1;
+      }
+      else
+        count = half;
+    }
+    return begin;
+  }
+
+  /** \brief The end of the points of one row, from \a begin on, that are not right of
+   * \a x, or one of the few behind. */
+  std::size_t
+  aboutEnd(std::size_t begin, std::size_t end, double x) const
+  {
+    // Most runs are short: look for their end in growing steps.
+    for (std::size_t step = 2 * few; begin + step < end; step *= 2) {
+      if (points_[begin + step].x() > x) {
+        end = begin + step;
+        break;
+      }
+      begin += step;
+    }
+    while (end - begin > 2 * few) {
+      const std::size_t half = begin + (end - begin) / 2;
+      if (points_[half].x() <= x)
+        begin = half + 1;
+      else
+        end = half;
+    }
+    return end;
+  }
 
   /** \brief The nearest point seen so far. */
   struct Nearest {
@@ -186,20 +243,10 @@ UniformGrid::forEachRow(const Point& query, double radius, Visit&& visit) const
   const std::size_t z_end = row(high.z(), 2);
   for (std::size_t z = row(low.z(), 2); z <= z_end; ++z) {
     for (std::size_t y = y_begin; y <= y_end; ++y) {
-      std::size_t sorted_index = row_begin_[z * rows_[0] + y];
+      const std::size_t begin = row_begin_[z * rows_[0] + y];
       const std::size_t end = row_begin_[z * rows_[0] + y + 1];
-      if (sorted_index == end || points_[end - 1].x() < low.x())
-        continue;
-      for (std::size_t count = end - sorted_index; count > few;) {
-        const std::size_t half = count / 2;
-        if (points_[sorted_index + half].x() < low.x()) {
-          sorted_index += half + 1;
-          count -= half + 1;
-        }
-        else
-          count = half;
-      }
-      visit(sorted_index, end);
+      if (begin != end && points_[end - 1].x() >= low.x())
+        visit(aboutFirst(begin, end, low.x()), end);
     }
   }
 }
@@ -224,26 +271,39 @@ UniformGrid::forEachRun(const Point& query, double radius, Visit&& visit) const
 {
   const double high = query.x() + radius;
   forEachRow(query, radius, [&](std::size_t begin, std::size_t end) {
-    if (points_[begin].x() > high)
-      return;
-    // Most runs are short: look for their end in growing steps.
-    std::size_t sorted_index = begin;
-    for (std::size_t step = 2 * few; sorted_index + step < end; step *= 2) {
-      if (points_[sorted_index + step].x() > high) {
-        end = sorted_index + step;
-        break;
-      }
-      sorted_index += step;
-    }
-    while (end - sorted_index > 2 * few) {
-      const std::size_t half = sorted_index + (end - sorted_index) / 2;
-      if (points_[half].x() <= high)
-        sorted_index = half + 1;
-      else
-        end = half;
-    }
-    visit(begin, end);
+    if (points_[begin].x() <= high)
+      visit(begin, aboutEnd(begin, end, high));
   });
+}
+
+template <class Visit>
+void
+UniformGrid::forEachRunInCylinder(const Point& from,
+                                  const Point& to,
+                                  double radius,
+                                  Visit&& visit) const
+{
+  if (points_.empty() || !(radius >= 0) || !from.allFinite() || !to.allFinite())
+    return;
+  const double margin = 1e-3 * row_size_; // rounding is far below
+  const RowsOfCylinder cylinder(from, to, radius, margin);
+  const Point &low = cylinder.low, &high = cylinder.high;
+  if ((high.array() < min_.array()).any() || (low.array() > max_.array()).any())
+    return;
+  const std::size_t y_begin = row(low.y(), 1), y_end = row(high.y(), 1);
+  const std::size_t z_end = row(high.z(), 2);
+  for (std::size_t z = row(low.z(), 2); z <= z_end; ++z) {
+    const std::array<double, 2> z_bounds = rowBounds(z, 2);
+    for (std::size_t y = y_begin; y <= y_end; ++y) {
+      const auto [first, last] = cylinder.alongRow(rowBounds(y, 1), z_bounds);
+      if (!(first <= last))
+        continue;
+      const std::size_t end = row_begin_[z * rows_[0] + y + 1];
+      const std::size_t begin = aboutFirst(row_begin_[z * rows_[0] + y], end, first);
+      if (begin != end && points_[begin].x() <= last)
+        visit(begin, aboutEnd(begin, end, last));
+    }
+  }
 }
 
 } // namespace linelet

@@ -81,13 +81,14 @@ lookAhead(const TrackedScene& scene,
     else
       result.near.push_back({place, static_cast<Index>(i)});
   };
-  const double half = 0.5 * length;
-  scene.grid.forEachRun(state.ahead(half),
-                        std::sqrt(half * half + ring * ring),
-                        [&](std::size_t begin, std::size_t end) {
-                          for (std::size_t i = begin; i < end; ++i)
-                            visit(i);
-                        });
+  const double sagitta = 0.5 * state.curvature.norm() * length * length;
+  scene.grid.forEachRunInCylinder(state.at,
+                                  state.at + length * state.direction,
+                                  ring + sagitta,
+                                  [&](std::size_t begin, std::size_t end) {
+                                    for (std::size_t i = begin; i < end; ++i)
+                                      visit(i);
+                                  });
   const double area = M_PI * (ring * ring - gate * gate);
   const double volume = (outside + few) / (area * length);
   // A surface through the gate fills two opposite sectors, an edge of one a single one,
