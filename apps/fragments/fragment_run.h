@@ -4,20 +4,15 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include <linelet/fragments/ledger.h>
 
 #include "fragment_job.h"
 
 namespace linelet::apps {
-
-/** \brief Runs \a job: in one piece where that fits its memory, else in fragments, all
- * in this process. \param[in] arguments those it was made of
- * \return the exit code */
-int
-runJob(FragmentJob& job,
-       const std::string& name,
-       const std::vector<std::string>& arguments);
 
 /** \brief A run in fragments: its plan, and what is done of it. */
 class FragmentRun {
@@ -82,7 +77,7 @@ private:
   FragmentRun(fragments::Plan plan, std::string folder);
 
   void
-  computeOne(FragmentJob& job, const fragments::Fragment& fragment, double& seconds);
+  computeOne(FragmentJob& job, const fragments::Fragment& fragment);
   void
   writeReady(FragmentJob& job);
   void

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "fragment_job.h"
+#include "fragment_options.h"
 
 #include <cctype>
 #include <cmath>
@@ -55,17 +55,5 @@ parsed(const std::string& text)
 } // namespace
 
 MemorySize::MemorySize(std::string_view text) : text_(text), bytes_(parsed(text_)) {}
-
-std::unique_ptr<FragmentJob>
-makeFragmentJob(const std::string& name, const std::vector<std::string>& arguments)
-{
-  if (name == "tensor")
-    return makeTensorJob(arguments);
-  if (name == "multiscale")
-    return makeMultiscaleJob(arguments);
-  throw std::runtime_error("'" + name +
-                           "' is no command that works in fragments; those are tensor "
-                           "and multiscale");
-}
 
 } // namespace linelet::apps

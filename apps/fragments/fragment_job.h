@@ -4,68 +4,19 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include <linelet/fragments/ledger.h>
 #include <linelet/fragments/pieces.h>
 #include <linelet/fragments/plan.h>
 
 #include "cloud_files.h"
+#include "fragment_options.h"
 #include "frame.h"
 
 namespace linelet::apps {
-
-/** \brief An amount of memory, as text: "8G", "500M", "2e9"; "auto" is half of the
- * machine's. */
-class MemorySize {
-public:
-  /** \throws std::invalid_argument */
-  explicit MemorySize(std::string_view text);
-
-  const std::string&
-  name() const
-  {
-    return text_;
-  }
-
-  double
-  bytes() const
-  {
-    return bytes_;
-  }
-
-private:
-  std::string text_;
-  double bytes_;
-};
-
-/** \brief How a cloud that does not fit is cut. */
-struct FragmentOptions {
-  double chunk = 0;
-  MemorySize memory{"auto"};
-  bool resume = false;
-};
-
-template <class Visit>
-void
-describe(FragmentOptions& s, Visit&& visit)
-{
-  visit("memory",
-        s.memory,
-        "Fragments: LAS and LAZ that would take more than this are worked on in "
-        "fragments, with the same result: 8G, 500M; auto: half of the machine's");
-  visit("chunk",
-        s.chunk,
-        "Fragments: side of the fragments, unit of the file, which are then made in "
-        "any case; 0: as wide as --memory allows");
-  visit("resume",
-        s.resume,
-        "Fragments: go on where a run of the same command was broken off");
-}
 
 /** \brief A command that can work on a cloud in fragments. */
 class FragmentJob {

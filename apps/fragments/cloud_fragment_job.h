@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "fragment_job.h"
+#include "fragment_parts.h"
+
+namespace linelet::apps {
+
+/** \brief A command that makes a cloud of every cloud that it reads. */
+class CloudFragmentJob : public FragmentJob {
+public:
+  Frame&
+  frame() override
+  {
+    return frame_;
+  }
+  CloudInput&
+  input() override
+  {
+    return input_;
+  }
+  const FragmentOptions&
+  options() const override
+  {
+    return fragments_;
+  }
+  const std::string&
+  place() const override
+  {
+    return output_.path();
+  }
+  std::vector<std::size_t>
+  needs(const fragments::Plan& plan, std::size_t number) override
+  {
+    return fragmentsOfInput(plan, number);
+  }
+
+protected:
+  CloudFragmentJob(const std::string& command, const std::string& summary)
+      : frame_(command, summary)
+  {
+  }
+
+  Frame frame_;
+  FragmentOptions fragments_;
+  CloudInput input_{frame_};
+  CloudOutput output_{frame_};
+};
+
+} // namespace linelet::apps

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fragment_job.h"
+
+#include <stdexcept>
+
+namespace linelet::apps {
+
+std::unique_ptr<FragmentJob>
+makeFragmentJob(const std::string& name, const std::vector<std::string>& arguments)
+{
+  if (name == "tensor")
+    return makeTensorJob(arguments);
+  if (name == "multiscale")
+    return makeMultiscaleJob(arguments);
+  throw std::runtime_error("'" + name +
+                           "' is no command that works in fragments; those are tensor "
+                           "and multiscale");
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include <linelet/fragments/records.h>
+
+#include "fragment_run.h"
+#include "quiet_monitor.h"
+#include "work_meter.h"
+
+namespace linelet::apps {
+
+namespace fs = std::filesystem;
+using fragments::Ledger;
+
+void
+FragmentRun::writeOutput(FragmentJob& job,
+                         std::size_t number,
+                         const std::vector<bool>& usable)
+{
+  QuietMonitor monitor(job.frame().monitor);
+  Ledger::Entry entry;
+  const WorkMeter meter;
+  entry.figures = job.write(plan_, folder_, number, usable, &monitor);
+  entry.done = true;
+  meter.note(entry);
+  ledger_.write(Ledger::output, number, entry);
+}
+
+/** Writes the outputs whose fragments are all there, and removes the results that no
+ * other output needs. */
+void
+FragmentRun::writeReady(FragmentJob& job)
+{
+  std::vector<bool> done(plan_.tiling.boxes()), needed(done.size(), false);
+  for (std::size_t f = 0; f < done.size(); ++f)
+    done[f] = ledger_.done(Ledger::task, f);
+  const auto isDone = [&](std::size_t f) { return done[f]; };
+  for (std::size_t i = 0;; ++i) {
+    const auto needs = job.needs(plan_, i);
+    if (needs.empty())
+      break;
+    if (ledger_.done(Ledger::output, i))
+      continue;
+    if (std::all_of(needs.begin(), needs.end(), isDone))
+      writeOutput(job, i, done);
+    else
+      for (const std::size_t f : needs)
+        needed[f] = true;
+  }
+  for (std::size_t f = 0; f < done.size(); ++f)
+    if (done[f] && !needed[f]) {
+      std::error_code ignored;
+      fs::remove(fragments::resultPath(folder_, f), ignored);
+    }
+}
+
+std::size_t
+FragmentRun::merge(FragmentJob& job, bool partial)
+{
+  std::vector<bool> usable(plan_.tiling.boxes());
+  std::size_t missing = 0, first = 0;
+  for (std::size_t f = usable.size(); f-- > 0;) {
+    usable[f] = ledger_.done(Ledger::task, f);
+    if (!usable[f]) {
+      ++missing;
+      first = f;
+    }
+  }
+  if (missing > 0 && !partial) {
+    const auto entry = ledger_.find(Ledger::task, first);
+    throw std::runtime_error(
+        std::to_string(missing) + " of " + std::to_string(usable.size()) +
+        " fragments are not done, the first is number " + std::to_string(first) +
+        (entry ? " (" + entry->reason + ")" : std::string()) +
+        "; work on them, or merge the others with --partial");
+  }
+  std::map<std::string, double> figures;
+  for (std::size_t i = 0; !job.needs(plan_, i).empty(); ++i) {
+    if (!ledger_.done(Ledger::output, i))
+      writeOutput(job, i, usable);
+    const auto entry = ledger_.find(Ledger::output, i);
+    if (!entry)
+      throw std::runtime_error(ledger_.path(Ledger::output, i) + ": is gone");
+    for (const auto& [name, value] : entry->figures)
+      figures[name] += value;
+  }
+  for (std::size_t f = 0; f < usable.size(); ++f) {
+    double& peak = figures["peak_bytes"];
+    if (const auto entry = ledger_.find(Ledger::task, f)) {
+      peak = std::max(peak, entry->peak_bytes);
+      for (const auto& [name, value] : entry->figures)
+        figures[name] += value;
+    }
+  }
+  std::error_code ignored;
+  fs::remove_all(fs::path(folder_) / "results", ignored);
+  job.frame().summary["fragments"] = usable.size();
+  job.frame().summary["fragments_missing"] = missing;
+  job.report(figures);
+  return missing;
+}
+
+} // namespace linelet::apps

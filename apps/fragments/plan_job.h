@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/fragments/plan.h>
+
+#include "fragment_job.h"
+
+namespace linelet::apps {
+
+/** \brief Whether the input of \a job is cut: it is asked for, or the cloud in one
+ * piece would take more than its memory. */
+bool
+wantsFragments(FragmentJob& job);
+
+/** \brief The plan of \a job, out of headers. \param[in] arguments those it was made
+ * of */
+fragments::Plan
+planOf(FragmentJob& job,
+       const std::string& name,
+       const std::vector<std::string>& arguments);
+
+} // namespace linelet::apps

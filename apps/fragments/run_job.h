@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fragment_job.h"
+
+namespace linelet::apps {
+
+/** \brief Runs \a job: in one piece where that fits its memory, else in fragments, all
+ * in this process. \param[in] arguments those it was made of
+ * \return the exit code */
+int
+runJob(FragmentJob& job,
+       const std::string& name,
+       const std::vector<std::string>& arguments);
+
+} // namespace linelet::apps

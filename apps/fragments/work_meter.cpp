@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "work_meter.h"
+
+#include <sys/resource.h>
+
+namespace linelet::apps {
+
+void
+WorkMeter::note(fragments::Ledger::Entry& entry) const
+{
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  entry.peak_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+  entry.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+}
+
+} // namespace linelet::apps

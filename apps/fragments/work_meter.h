@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <chrono>
+
+#include <linelet/fragments/ledger.h>
+
+namespace linelet::apps {
+
+/** \brief Time since it was made, and memory of the process. */
+class WorkMeter {
+public:
+  /** \brief Notes both in \a entry. */
+  void
+  note(fragments::Ledger::Entry& entry) const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
+};
+
+} // namespace linelet::apps

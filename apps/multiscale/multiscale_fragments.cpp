@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "fragments/fragment_parts.h"
+#include "multiscale_job.h"
+#include "noise_result.h"
+#include "shape_columns.h"
+
+namespace linelet::apps {
+
+void
+MultiscaleJob::check()
+{
+  if (looksAtOneCloud())
+    throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
+                             "--stop-change look at one cloud; leave them out, or give "
+                             "more --memory");
+  if (settings_.radii.empty() && !(settings_.scale_unit > 0))
+    throw std::runtime_error("fragments do not tell the scale unit of the whole cloud; "
+                             "give --radii or --scale-unit, or more --memory");
+  settings_.radii = multiScaleRadii(Points(), settings_).radii;
+  if (settings_.engine == ScaleEngine::Auto)
+    settings_.engine = ScaleEngine::Grid; // what it is for large clouds
+  checkPartsOutput(input_, output_);
+}
+
+std::map<std::string, double>
+MultiscaleJob::compute(const fragments::Plan& plan,
+                       const fragments::Fragment& fragment,
+                       const std::string& result,
+                       ProgressMonitor* monitor)
+{
+  std::vector<MultiScaleShape> shapes(fragment.points.size());
+  settings_.threads = frame_.threads; // of this worker
+  const CloudPiece piece = pieceOf(plan, fragment);
+  const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(piece.begin);
+  const auto measured = [&](const MultiScaleSettings& settings) {
+    const auto some = pieceShapes(fragment.points, piece, settings, monitor).shapes;
+    std::copy(some.begin(), some.end(), first);
+  };
+  double sum = 0, count = 0;
+  const auto addNoise = [&] {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      if (fragment.core[i] && !std::isnan(shapes[i].min_sphericity)) {
+        sum += static_cast<double>(shapes[i].min_sphericity);
+        ++count;
+      }
+  };
+  if (settings_.centroid != Centroid::QueryPoint && piece.end > piece.begin) {
+    measured(aboutPoints(settings_));
+    addNoise();
+  }
+  if (piece.end > piece.begin)
+    measured(settings_);
+  if (settings_.centroid == Centroid::QueryPoint)
+    addNoise();
+  fragments::writeRecords(result, fragment, shapes.data(), sizeof(shapes[0]));
+  return {{"sphericity", sum}, {"spheres", count}};
+}
+
+std::map<std::string, double>
+MultiscaleJob::write(const fragments::Plan& plan,
+                     const std::string& folder,
+                     std::size_t number,
+                     const std::vector<bool>& usable,
+                     ProgressMonitor* monitor)
+{
+  double points = 0, unknown = 0, left_out = 0;
+  const auto add = [&](io::Cloud& cloud,
+                       const std::vector<MultiScaleShape>& shapes,
+                       std::size_t without) {
+    points += static_cast<double>(shapes.size());
+    left_out += static_cast<double>(without);
+    for (const MultiScaleShape& shape : shapes)
+      unknown += shape.scale < 0 ? 1 : 0;
+    addColumns(cloud, shapes);
+  };
+  // What a point that is not finite gets.
+  const Points nowhere = {Point::Constant(std::nan(""))};
+  MultiScaleSettings settings = settings_;
+  settings.engine = ScaleEngine::Sweep;
+  const auto none = multiScaleShapes(nowhere, nowhere, settings).shapes;
+  writeParts<MultiScaleShape>({plan, folder, number, usable},
+                              input_,
+                              output_,
+                              none.front(),
+                              add,
+                              frame_,
+                              monitor);
+  return {{"points", points}, {"left_out", left_out}, {"unknown", unknown - left_out}};
+}
+
+void
+MultiscaleJob::report(const std::map<std::string, double>& figures)
+{
+  const double rate = 3.15 * figures.at("sphericity") / figures.at("spheres");
+  std::printf("%s: %.0f points, %zu radii from %.6g to %.6g\nnoise rate %.4f\n",
+              output_.path().c_str(),
+              figures.at("points"),
+              settings_.radii.size(),
+              settings_.radii.front(),
+              settings_.radii.back(),
+              rate);
+  printUnknown(static_cast<std::size_t>(figures.at("unknown")), settings_);
+  frame_.summary["points"] = figures.at("points");
+  frame_.summary["left_out"] = figures.at("left_out");
+  frame_.summary["radii"] = settings_.radii;
+  frame_.summary["engine"] = nameOf(settings_.engine);
+  frame_.summary["noise_rate"] = rate;
+  frame_.summary["unknown"] = figures.at("unknown");
+}
+
+} // namespace linelet::apps

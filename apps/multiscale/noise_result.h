@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <linelet/features/multi_scale.h>
+
+namespace linelet::apps {
+
+/** \brief What was found in a file: how far the points are from their curves, and how
+ * many points have no scale. */
+struct NoiseResult {
+  double noise_rate, noise_width;
+  std::size_t points, left_out, unknown;
+};
+
+/** \param[in] about_points the shapes with tensors about the points themselves */
+NoiseResult
+resultOf(const std::vector<MultiScaleShape>& shapes,
+         const std::vector<MultiScaleShape>& about_points,
+         std::size_t left_out);
+
+/** \brief Says what was found in \a file. */
+void
+print(const NoiseResult& result,
+      const MultiScaleShapes& plan,
+      const MultiScaleSettings& settings,
+      const std::string& file);
+
+/** \brief Says how many points have no optimal scale, where some do not. */
+void
+printUnknown(std::size_t unknown, const MultiScaleSettings& settings);
+
+/** \brief The noise measures are defined for shapes about the query points. */
+MultiScaleSettings
+aboutPoints(MultiScaleSettings settings);
+
+} // namespace linelet::apps

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/features/multi_scale.h>
+#include <linelet/io/cloud.h>
+
+namespace linelet::apps {
+
+/** \brief Makes \a shapes, one a point, attributes of \a cloud. */
+void
+addColumns(io::Cloud& cloud, const std::vector<MultiScaleShape>& shapes);
+
+} // namespace linelet::apps

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "neighbor_finder.h"
+
+#include <stdexcept>
+
+#include <linelet/features/tensor_estimation.h>
+
+namespace linelet::apps {
+
+void
+settle(NeighborFinder& finder)
+{
+  if (finder.search == SearchOption::Auto)
+    return;
+  if (finder.engine != EngineOption::Auto)
+    throw std::runtime_error("--search " + std::string(nameOf(finder.search)) +
+                             " and --engine " + std::string(nameOf(finder.engine)) +
+                             " both say who finds the neighbors; give one of them");
+  finder.engine =
+      finder.search == SearchOption::Grid ? EngineOption::Grid : EngineOption::Tree;
+}
+
+std::vector<PointDistributionTensor>
+tensorsWith(const NeighborFinder& finder,
+            const Points& points,
+            const Points& queries,
+            TensorSettings settings,
+            const NeighborhoodSizes& sizes,
+            Frame& frame)
+{
+  if (isOfPcl(finder.search))
+    return estimateWithPcl(
+        finder.search, points, queries, settings, sizes, &frame.monitor);
+  settings.engine = finder.onProcessor();
+  return finder.engine == EngineOption::OpenCL
+             ? estimateOnDevice(finder.device, points, queries, settings, sizes, frame)
+             : estimateTensors(points, queries, settings, sizes, &frame.monitor);
+}
+
+} // namespace linelet::apps
