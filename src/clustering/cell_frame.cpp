@@ -10,6 +10,8 @@
 
 #include <linelet/support/text.h>
 
+#include "box_kernels.h"
+
 namespace linelet::clustering {
 
 namespace {
@@ -55,6 +57,27 @@ rangeOf(const Points& points, int threads, const Place& place)
   return whole;
 }
 
+/** \brief The box of the points. */
+Range
+rangeOf(const Points& points, int threads)
+{
+  Range whole;
+  const BoxKernels kernels = boxKernels();
+  const auto parts = static_cast<std::size_t>(threads);
+#pragma omp parallel for num_threads(threads)
+  for (int part = 0; part < threads; ++part) {
+    Range range;
+    const auto number = static_cast<std::size_t>(part);
+    const std::size_t begin = points.size() * number / parts;
+    kernels.extend(points.data() + begin,
+                   points.size() * (number + 1) / parts - begin,
+                   {range.low.data(), range.high.data()});
+#pragma omp critical
+    whole.add(range);
+  }
+  return whole;
+}
+
 [[noreturn]] void
 refuse()
 {
@@ -84,8 +107,7 @@ CellFrame
 boxes(const Points& points, const ClusterSettings& settings, double leaf, int threads)
 {
   CellFrame frame;
-  const Range range =
-      rangeOf(points, threads, [](const Point& p) -> const Point& { return p; });
+  const Range range = rangeOf(points, threads);
   if (range.empty())
     return frame;
   frame.low = range.low;

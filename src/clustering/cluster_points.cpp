@@ -68,24 +68,23 @@ neighborsOf(const CellDirectory& directory,
   return neighbors;
 }
 
-/** \brief Origins in units so fine that sums of squares of \a points offsets, each at
- * most twice the reach of a cell, still fit into 63 bits. */
 std::vector<CellOrigin>
-originsOf(const CellFrame& frame, const std::vector<Cell>& cells, std::size_t points)
+originsOf(const CellFrame& frame,
+          const std::vector<Cell>& cells,
+          std::size_t points,
+          int threads)
 {
-  int bits = 30;
-  while (bits > 1 && std::ldexp(static_cast<double>(points), 2 * bits + 2) >= 0x1p63)
-    --bits;
-  std::vector<CellOrigin> origins;
-  origins.reserve(cells.size());
-  for (const Cell& cell : cells) {
+  const int bits = offsetBits(points);
+  std::vector<CellOrigin> origins(cells.size());
+#pragma omp parallel for num_threads(threads)
+  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(cells.size()); ++k) {
+    const Cell& cell = cells[static_cast<std::size_t>(k)];
+    CellOrigin& origin = origins[static_cast<std::size_t>(k)];
     const Point middle = frame.middle(cell), reach = frame.reach(cell);
-    CellOrigin origin{};
     for (std::size_t a = 0; a < 3; ++a) {
       origin.middle[a] = middle[static_cast<Eigen::Index>(a)];
       origin.scale[a] = std::ldexp(1 / reach[static_cast<Eigen::Index>(a)], bits);
     }
-    origins.push_back(origin);
   }
   return origins;
 }
@@ -201,7 +200,8 @@ clusterWith(const MakePasses& make,
     passes->fill(directory, frame);
   throwIfCanceled(monitor);
   const std::vector<Cell> cells = directory.all();
-  const std::vector<CellOrigin> origins = originsOf(frame, cells, points.size());
+  const std::vector<CellOrigin> origins =
+      originsOf(frame, cells, points.size(), threads);
   passes->findHomes(
       directory, frame, settings.moves > 0 ? settings.border : 0, origins);
   if (settings.moves > 0) {

@@ -10,7 +10,9 @@
 #include <memory>
 #include <utility>
 
-#include "nearest_face.h"
+#include "box_kernels.h"
+#include "point_blocks.h"
+#include "support/huge_pages.h"
 #include "support/parallel_failure.h"
 
 namespace linelet::clustering {
@@ -41,15 +43,25 @@ take(const Bits& bits, RankedBits& set)
 class HostPasses : public PointPasses {
 public:
   HostPasses(const Points& points, std::vector<std::int32_t> field, int threads)
-      : points_(points), field_(std::move(field)), threads_(threads)
+      : points_(points),
+        field_(std::move(field)),
+        threads_(threads),
+        exact_(offsetBits(points.size()) <= exact_bits)
   {
   }
 
   void
   fill(CellDirectory& directory, const CellFrame& frame) override
   {
-    frame.perspective ? fillFrom<true>(directory, frame)
-                      : fillFrom<false>(directory, frame);
+    const BlockLocator locator(frame, 0);
+    if (!directory.markAll(points_.size())) {
+      Bits bits(directory.marked.words.size());
+      markCells(locator, bits, [&](const Cell& cell) { return directory.brick(cell); });
+      take(bits, directory.marked);
+    }
+    Bits bits(directory.marked.count * CellDirectory::brick_cells / 32);
+    markCells(locator, bits, [&](const Cell& cell) { return directory.bit(cell); });
+    take(bits, directory.occupied);
   }
 
   void
@@ -60,14 +72,14 @@ public:
   {
     origins_ = origins;
     slots_ = directory.slots();
+    reserveHuge(assigned_, points_.size());
     assigned_.resize(points_.size());
     // As they are: filling them would take one thread as long as all that follows.
     home_.reset(border > 0 ? new Index[points_.size()] : nullptr);
     face_.reset(border > 0 ? new std::uint8_t[points_.size()] : nullptr);
     sums_.assign(slots_, {});
     runs_.clear();
-    frame.perspective ? findFrom<true>(directory, frame, border)
-                      : findFrom<false>(directory, frame, border);
+    findFrom(directory, BlockLocator(frame, border));
   }
 
   void
@@ -161,37 +173,37 @@ private:
     return std::abs((x + y) + z);
   }
 
+  /** \brief Calls work(begin, end, part) for as many parts of the points as there are
+   * threads. */
   template <class Work>
   void
-  forAll(const Work& work)
+  forParts(const Work& work)
   {
-#pragma omp parallel for num_threads(threads_) schedule(static)
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(points_.size()); ++i)
-      work(static_cast<std::size_t>(i));
+    ParallelFailure failure;
+    const auto parts = static_cast<std::size_t>(threads_);
+#pragma omp parallel for num_threads(threads_) schedule(static, 1)
+    for (int number = 0; number < threads_; ++number)
+      failure.guard([&] {
+        const auto part = static_cast<std::size_t>(number);
+        work(points_.size() * part / parts, points_.size() * (part + 1) / parts, part);
+      });
+    failure.rethrow();
   }
 
-  template <bool Perspective>
+  /** \brief Marks the numbers that \a number makes of the points' cells. */
+  template <class Number>
   void
-  fillFrom(CellDirectory& directory, const CellFrame& frame)
+  markCells(const BlockLocator& locator, Bits& bits, const Number& number)
   {
-    if (!directory.markAll(points_.size())) {
-      Bits bits(directory.marked.words.size());
-      forAll([&](std::size_t i) {
-        Cell cell;
-        Point part;
-        if (frame.locate<Perspective>(points_[i], cell, part))
-          mark(bits, directory.brick(cell));
-      });
-      take(bits, directory.marked);
-    }
-    Bits bits(directory.marked.count * CellDirectory::brick_cells / 32);
-    forAll([&](std::size_t i) {
-      Cell cell;
-      Point part;
-      if (frame.locate<Perspective>(points_[i], cell, part))
-        mark(bits, directory.bit(cell));
+    forParts([&](std::size_t begin, std::size_t end, std::size_t) {
+      locator.forRuns(points_,
+                      begin,
+                      end,
+                      [&](const PointBlock& block, std::size_t, int first, int) {
+                        if (block.cell[first] != PointBlock::nowhere)
+                          mark(bits, number(locator.cellOf(block.cell[first])));
+                      });
     });
-    take(bits, directory.occupied);
   }
 
   /** \brief Whether every thread can have sums of its own for all cells. */
@@ -227,50 +239,74 @@ private:
     sum.second[5] += Sign * (z * z);
   }
 
-  /** \brief Calls work(point, sums) for all points; what it adds to the sums, those of
-   * a thread, comes to those of all. */
-  template <class Work>
+  /** \brief Adds a run of points of a slot, which is their home. */
   void
-  forAllWithSums(const Work& work)
+  addRun(const PointBlock& block,
+         std::size_t start,
+         int first,
+         int count,
+         Index slot,
+         std::vector<CellSums>& sums) const
   {
-    std::vector<std::vector<CellSums>> parts(static_cast<std::size_t>(threads_));
-    ParallelFailure failure;
-#pragma omp parallel for num_threads(threads_) schedule(static, 1)
-    for (int part = 0; part < threads_; ++part)
-      failure.guard([&] {
-        const auto number = static_cast<std::size_t>(part), all = parts.size();
-        parts[number].resize(sumsByThread() ? slots_ : 0);
-        const std::size_t end = points_.size() * (number + 1) / all;
-        for (std::size_t i = points_.size() * number / all; i < end; ++i)
-          work(i, parts[number]);
-      });
-    failure.rethrow();
-    if (!sumsByThread())
+    constexpr int few = 2; // that are faster added one by one
+    if (count > few && exact_) {
+      kernels_.add(block, first, count, origins_[slot], sums[slot]);
       return;
-    for (const std::vector<CellSums>& sums : parts)
-      for (std::size_t slot = 0; slot < slots_; ++slot)
-        sums_[slot] += sums[slot];
+    }
+    for (int i = first; i < first + count; ++i)
+      add<1>(start + static_cast<std::size_t>(i), slot, sums);
   }
 
-  template <bool Perspective>
+  /** \brief Calls work(begin, end, sums) for parts of the points; what it adds to the
+   * sums, those of a thread, comes to those of all. */
+  template <class Work>
   void
-  findFrom(const CellDirectory& directory, const CellFrame& frame, double border)
+  forPartsWithSums(const Work& work)
   {
-    const double step_scale = steps / border;
-    const bool by_thread = sumsByThread();
-    forAllWithSums([&](std::size_t i, std::vector<CellSums>& sums) {
-      Cell cell;
-      Point part;
-      const bool located = frame.locate<Perspective>(points_[i], cell, part);
-      const Index slot = located ? directory.slot(cell) : CellDirectory::none;
-      assigned_[i] = slot;
-      if (home_) {
-        home_[i] = slot;
-        face_[i] = located ? nearestFace(part, border, step_scale) : inside_cell;
-      }
-      if (by_thread && located)
-        add<1>(i, slot, sums);
+    std::vector<std::vector<CellSums>> parts(static_cast<std::size_t>(threads_));
+    forParts([&](std::size_t begin, std::size_t end, std::size_t part) {
+      const std::size_t size = sumsByThread() ? slots_ : 0;
+      reserveHuge(parts[part], size);
+      parts[part].resize(size);
+      work(begin, end, parts[part]);
     });
+    if (!sumsByThread())
+      return;
+#pragma omp parallel for num_threads(threads_)
+    for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(slots_); ++k)
+      for (const std::vector<CellSums>& sums : parts)
+        sums_[static_cast<std::size_t>(k)] += sums[static_cast<std::size_t>(k)];
+  }
+
+  void
+  findFrom(const CellDirectory& directory, const BlockLocator& locator)
+  {
+    const bool by_thread = sumsByThread();
+    forPartsWithSums(
+        [&](std::size_t begin, std::size_t end, std::vector<CellSums>& sums) {
+          double last = PointBlock::nowhere;
+          Index slot = CellDirectory::none;
+          locator.forRuns(
+              points_,
+              begin,
+              end,
+              [&](const PointBlock& block, std::size_t start, int first, int count) {
+                if (block.cell[first] != last) {
+                  last = block.cell[first];
+                  slot = last != PointBlock::nowhere
+                             ? directory.slot(locator.cellOf(last))
+                             : CellDirectory::none;
+                }
+                const std::size_t at = start + static_cast<std::size_t>(first);
+                std::fill_n(assigned_.data() + at, count, slot);
+                if (home_) {
+                  std::fill_n(home_.get() + at, count, slot);
+                  std::copy_n(block.face + first, count, face_.get() + at);
+                }
+                if (by_thread && slot != CellDirectory::none)
+                  addRun(block, start, first, count, slot, sums);
+              });
+        });
   }
 
   /** \brief Cuts the slots into as many runs as there are threads, of about as many
@@ -321,19 +357,22 @@ private:
   forMovable(const Work& work)
   {
     const bool by_thread = sumsByThread();
-    forAllWithSums([&](std::size_t i, std::vector<CellSums>& sums) {
-      if (face_[i] == inside_cell)
-        return;
-      const Index behind = neighbors_[home_[i] * faces + face_[i] / steps];
-      if (behind == CellDirectory::none)
-        return;
-      const Index before = assigned_[i];
-      assigned_[i] = work(i, home_[i], behind);
-      if (!by_thread || assigned_[i] == before)
-        return;
-      add<-1>(i, before, sums);
-      add<1>(i, assigned_[i], sums);
-    });
+    forPartsWithSums(
+        [&](std::size_t begin, std::size_t end, std::vector<CellSums>& sums) {
+          for (std::size_t i = begin; i < end; ++i) {
+            if (face_[i] == inside_cell)
+              continue;
+            const Index behind = neighbors_[home_[i] * faces + face_[i] / steps];
+            if (behind == CellDirectory::none)
+              continue;
+            const Index before = assigned_[i];
+            assigned_[i] = work(i, home_[i], behind);
+            if (!by_thread || assigned_[i] == before)
+              continue;
+            add<-1>(i, before, sums);
+            add<1>(i, assigned_[i], sums);
+          }
+        });
   }
 
   const Points& points_;
@@ -347,6 +386,8 @@ private:
   std::unique_ptr<Index[]> home_; // these two where points may move
   std::unique_ptr<std::uint8_t[]> face_;
   Indices runs_;
+  BoxKernels kernels_ = boxKernels();
+  bool exact_; // sums of a block in double
 };
 
 } // namespace

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +33,18 @@ struct CellOrigin {
   std::array<double, 3> middle;
   std::array<double, 3> scale; ///< integers a unit of length
 };
+
+/** \brief Bits of an offset of a whole reach (see \ref CellFrame::reach): as many as
+ * still let sums of the squares of \a points offsets, each at most twice as long, fit
+ * into 63 bits. */
+inline int
+offsetBits(std::size_t points)
+{
+  int bits = 30;
+  while (bits > 1 && std::ldexp(static_cast<double>(points), 2 * bits + 2) >= 0x1p63)
+    --bits;
+  return bits;
+}
 
 /** \brief Sums over the members of a cell, of integer offsets from its middle. */
 struct CellSums {

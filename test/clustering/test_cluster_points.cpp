@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -61,6 +63,35 @@ TEST(ClusterPoints, WithoutMovesAreTheBoxesOfTheGrid)
   for (const Representative& r : clusters.representatives)
     EXPECT_EQ(r.count, counts[r.cell]);
   expectMomentsOfMembers(points, clusters, leaf);
+}
+
+/** \brief Large clouds are summed up on vectors, run by run of points in one cell: runs
+ * of every length, across blocks, with points between them that are left out. */
+TEST(ClusterPoints, MomentsHoldForLongAndShortRuns)
+{
+  constexpr unsigned seed = 12;
+  SCOPED_TRACE(seed);
+  Points points = house(150001, seed);
+  const auto third = static_cast<std::ptrdiff_t>(points.size() / 3);
+  std::sort(points.begin(), points.begin() + third, [](const Point& a, const Point& b) {
+    return std::floor(a.x()) != std::floor(b.x()) ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::sort(points.begin() + third,
+            points.begin() + 2 * third,
+            [](const Point& a, const Point& b) { return a.y() < b.y(); });
+  for (std::size_t i = 0; i < points.size(); i += 997)
+    points[i][static_cast<Eigen::Index>(i % 3)] =
+        i % 2 == 0 ? std::nan("") : std::numeric_limits<double>::infinity();
+  for (const unsigned moves : {0U, 2U}) {
+    SCOPED_TRACE(moves);
+    ClusterSettings settings = settingsOf(0.8, moves);
+    const Clusters clusters = clusterPoints(points, settings);
+    expectMomentsOfMembers(points, clusters, 0.8);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_EQ(clusters.cluster_of[i] == Clusters::none, !points[i].allFinite());
+    settings.threads = 3;
+    EXPECT_EQ(clusterPoints(points, settings).cluster_of, clusters.cluster_of);
+  }
 }
 
 TEST(ClusterPoints, MomentsHoldUnderEveryRuleAndFarFromTheOrigin)

@@ -61,6 +61,10 @@ TEST(OpenCLClusters, AreThoseOfTheProcessorBitForBit)
   settings = {};
   settings.count = 500;
   expectSame(engine.cluster(points, settings), clusterPoints(points, settings));
+  // So many that the processor sums them up on vectors.
+  const Points many = house(150001, 32);
+  expectSame(engine.cluster(many, settingsOf(0.4, 2)),
+             clusterPoints(many, settingsOf(0.4, 2)));
 }
 
 TEST(OpenCLClusters, OfNothingAreNothingAndNonsenseIsRefused)

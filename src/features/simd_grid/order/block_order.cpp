@@ -9,8 +9,8 @@
 
 #include <hwy/cache_control.h>
 
-#include "huge_pages.h"
 #include "key_sort.h"
+#include "support/huge_pages.h"
 
 namespace linelet::grid {
 

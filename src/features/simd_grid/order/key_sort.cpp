@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "huge_pages.h"
+#include "support/huge_pages.h"
 
 namespace linelet::grid {
 

@@ -14,8 +14,8 @@
 #include <linelet/support/threads.h>
 
 #include "block_sweep.h"
-#include "features/simd_grid/order/huge_pages.h"
 #include "features/simd_grid/order/reach.h"
+#include "support/huge_pages.h"
 
 namespace linelet {
 

@@ -11,7 +11,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace linelet::grid {
+namespace linelet {
 
 /** \brief Makes room for \a count elements in an empty vector, in huge pages where the
  * system has them: large arrays that are read and written in no order spend much of
@@ -32,4 +32,4 @@ reserveHuge(std::vector<T>& elements, std::size_t count)
 #endif
 }
 
-} // namespace linelet::grid
+} // namespace linelet

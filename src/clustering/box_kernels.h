@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <linelet/support/points.h>
+
+#include "cell_frame.h"
+#include "point_passes.h"
+
+namespace linelet::clustering {
+
+/** \brief So many points, one after the other, and the cells they are in. */
+struct PointBlock {
+  static constexpr int size = 256;
+  static constexpr int margin = 8; ///< that whole vectors can be read beyond the end
+  static constexpr double nowhere = -1;
+
+  int count = 0;
+  double x[size + margin], y[size + margin], z[size + margin];
+  double cell[size + margin];       ///< number of the cell in the grid, or \ref nowhere
+  std::int32_t face[size + margin]; ///< see \ref nearestFace
+  int runs = 0;
+  std::int32_t ends[size + margin]; ///< of runs of points in one cell
+};
+
+/** \brief Three coordinates each; infinite the wrong way round if the box is empty. */
+struct Corners {
+  double *low, *high;
+};
+
+/** \brief What \ref CellFrame::locate, \ref nearestFace and the sums of members do, on
+ * vectors: the same bits. */
+struct BoxKernels {
+  /// Widens the corners by the points all of whose coordinates are finite.
+  void (*extend)(const Point* points, std::size_t count, const Corners& corners);
+
+  /// Fills the block with up to PointBlock::size points and their cells.
+  void (*locate)(const CellFrame& frame, const Point* points, int count, PointBlock&);
+
+  /// Finds the faces of points as \ref locate does their cells.
+  void (*locateWithFaces)(const CellFrame& frame,
+                          double border,
+                          const Point* points,
+                          int count,
+                          PointBlock&);
+
+  /// Finds the runs of points in one cell.
+  void (*findRuns)(PointBlock&);
+
+  /// Adds the points from \a first on to the sums. All partial sums must stay below
+  /// 2^53, see \ref exact_bits.
+  void (*add)(const PointBlock&,
+              int first,
+              int count,
+              const CellOrigin& origin,
+              CellSums& sums);
+};
+
+/** \brief Offsets of so many bits, see \ref offsetBits, add up exactly in double over a
+ * block: 2 (bits + 1) + log2(PointBlock::size) < 53. */
+constexpr int exact_bits = 21;
+
+/** \brief The kernels for this processor. */
+BoxKernels
+boxKernels();
+
+} // namespace linelet::clustering
