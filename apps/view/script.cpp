@@ -15,10 +15,10 @@
 
 #include <linelet/io/output_file.h>
 
-#include "cloud_view.h"
+#include "cloud/cloud_view.h"
 #include "controls.h"
+#include "panels/wires_panel.h"
 #include "window.h"
-#include "wires_panel.h"
 
 namespace linelet::view {
 

@@ -3,17 +3,12 @@
 
 #include "window.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QImage>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -22,15 +17,16 @@
 #include <QTabWidget>
 #include <QThread>
 #include <QTimer>
-#include <QToolBar>
-#include <QVBoxLayout>
 
-#include <linelet/io/output_file.h>
-
-#include "cloud_view.h"
+#include "cloud/cloud_view.h"
 #include "controls.h"
-#include "panels.h"
-#include "wires_panel.h"
+#include "panels/error_panel.h"
+#include "panels/graphs_panel.h"
+#include "panels/image_panel.h"
+#include "panels/kernel_panel.h"
+#include "panels/legend_panel.h"
+#include "panels/profile_panel.h"
+#include "panels/wires_panel.h"
 
 namespace linelet::view {
 
@@ -66,6 +62,7 @@ Window::Window()
   setCentralWidget(cloud_view_);
   makeToolBar();
   makeDocks();
+  connectPanels();
   statusBar()->addWidget(status_, 1);
   progress_->setMaximumWidth(320);
   statusBar()->addPermanentWidget(progress_);
@@ -88,179 +85,6 @@ Window::~Window()
   delete takeCentralWidget();
   for (QDockWidget* dock : findChildren<QDockWidget*>())
     delete dock;
-}
-
-void
-Window::makeToolBar()
-{
-  auto* bar = addToolBar("tools");
-  bar->setMovable(false);
-  const auto add =
-      [&](const char* label, const char* name, const char* tip, auto what) {
-        QAction* action = bar->addAction(label, what);
-        action->setObjectName(name);
-        action->setToolTip(tip);
-        return action;
-      };
-  add("Open…", "open", "Point files, curves", [this] {
-    std::vector<std::string> paths;
-    for (const QString& path : QFileDialog::getOpenFileNames(this, "Open"))
-      paths.push_back(path.toStdString());
-    if (!paths.empty())
-      open(paths);
-  });
-  add("Open folder…", "open_folder", "Results of powerlines, or tiles", [this] {
-    const QString path = QFileDialog::getExistingDirectory(this, "Open folder");
-    if (!path.isEmpty())
-      open({path.toStdString()});
-  });
-  bar->addSeparator();
-  add("Whole cloud", "show_all", "Look at everything", [this] {
-    cloud_view_->showAll();
-  });
-  add("From above", "from_above", "Look down", [this] { cloud_view_->look(0, 89.9); });
-  add("From the side", "from_side", "Look north", [this] { cloud_view_->look(0, 5); });
-  add("To the selection",
-      "to_selection",
-      "Look at the selected point from near",
-      [this] {
-        if (const auto point = model.selected())
-          cloud_view_->lookAt(
-              model.scene().cloud.points[*point],
-              std::max(20 * model.scene().scale_unit, 3 * model.tensorRadius()));
-      });
-  bar->addSeparator();
-  add("Preview box", "preview", "Compute in a box around the selection", [this] {
-    previewAround(50 * model.scene().scale_unit);
-  });
-  add("No box", "no_preview", "Compute on the whole cloud", [this] {
-    preview(std::nullopt);
-  });
-  auto* at_once = add("Recompute at once",
-                      "at_once",
-                      "Compute again whenever an option changes",
-                      [] {});
-  at_once->setCheckable(true);
-  connect(at_once, &QAction::toggled, [this](bool on) { at_once_ = on; });
-  bar->addSeparator();
-  add("Image along the curve", "image_curve", "Multi-scale image", [this] {
-    imageAlongCurve();
-  });
-  add("Draw a line",
-      "draw_line",
-      "Click its vertices; click here again to end it",
-      [this] { drawing_ ? endLine() : beginLine(); });
-  add("Image around the point",
-      "image_point",
-      "Neighborhood, along its direction",
-      [this] { imageAround(); });
-  auto* everywhere = add("Ellipsoids",
-                         "ellipsoids",
-                         "Ellipsoids of the computed tensors everywhere",
-                         [] {});
-  everywhere->setCheckable(true);
-  connect(everywhere, &QAction::toggled, [this](bool on) {
-    if (on && model.results().tensors == nullptr)
-      say("Compute tensor first: its ellipsoids are shown.", true);
-    cloud_view_->showEllipsoids(on);
-  });
-}
-
-void
-Window::makeDocks()
-{
-  const auto dock = [&](const char* title, QWidget* widget, Qt::DockWidgetArea area) {
-    auto* box = new QDockWidget(title);
-    box->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    box->setWidget(widget);
-    addDockWidget(area, box);
-    return box;
-  };
-  colors_->setObjectName("color");
-  size_->setRange(1, 12);
-  size_->setValue(2);
-  size_->setObjectName("point_size");
-  auto* look = new QWidget;
-  auto* layout = new QVBoxLayout(look);
-  layout->setContentsMargins(6, 4, 6, 4);
-  auto* row = new QHBoxLayout;
-  row->addWidget(new QLabel("color"));
-  row->addWidget(colors_, 1);
-  row->addWidget(new QLabel("size"));
-  row->addWidget(size_);
-  layout->addLayout(row);
-  layout->addWidget(legend_);
-  layout->addWidget(controls_, 1);
-  auto* left = dock("Cloud and options", look, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  const auto add = [&](QWidget* panel, const char* title, const char* name) {
-    panel->setObjectName(name);
-    panels_->addTab(panel, title);
-  };
-  add(graphs_, "Graphs", "graphs");
-  add(kernel_, "Kernel", "kernel_panel");
-  add(image_, "Multi-scale image", "image");
-  add(profile_, "Span profile", "profile");
-  add(error_, "Error", "error");
-  add(wires_, "Wires", "wires_panel");
-  auto* below = dock("Views", panels_, Qt::BottomDockWidgetArea);
-  resizeDocks({left}, {340}, Qt::Horizontal);
-  resizeDocks({below}, {320}, Qt::Vertical);
-
-  connect(colors_, QOverload<int>::of(&QComboBox::activated), [this] {
-    setColor(colors_->currentText().toStdString());
-  });
-  connect(size_, QOverload<int>::of(&QSpinBox::valueChanged), [this](int pixels) {
-    cloud_view_->setPointSize(pixels);
-  });
-  controls_->on_compute = [this](Analysis analysis) { compute(analysis); };
-  controls_->on_change = [this](Analysis analysis) {
-    kernel_->refresh();
-    if (analysis == Analysis::MultiScale && model.selected())
-      model.select(model.selected());
-    cloud_view_->showSelection();
-    if (at_once_ && model.stale(analysis))
-      compute(analysis);
-  };
-  kernel_->on_change = [this](Analysis analysis) {
-    controls_->refresh();
-    controls_->on_change(analysis);
-  };
-  controls_->on_copy = [this](Analysis analysis) {
-    const std::string line = model.commandLine(analysis);
-    QApplication::clipboard()->setText(text(line));
-    say("Copied: " + line);
-  };
-  controls_->on_save = [this](Analysis analysis) {
-    const QString path = QFileDialog::getSaveFileName(this, "Save options");
-    if (path.isEmpty())
-      return;
-    try {
-      io::OutputFile file(path.toStdString());
-      file.write(model.config(analysis));
-      file.commit();
-      say("Saved; run it with linelet " + std::string(nameOf(analysis)) + " --config " +
-          path.toStdString());
-    }
-    catch (const std::exception& error) {
-      say(error.what(), true);
-    }
-  };
-  controls_->on_load = [this](Analysis analysis) {
-    const QString path = QFileDialog::getOpenFileName(this, "Load options");
-    if (path.isEmpty())
-      return;
-    try {
-      model.settings.loadConfig(analysis, path.toStdString());
-      controls_->refresh();
-      controls_->on_change(analysis);
-    }
-    catch (const std::exception& error) {
-      say(error.what(), true);
-    }
-  };
-  wires_->on_select = [this](int id) { selectWire(id); };
-  wires_->on_error = [this](const std::string& error) { say(error, true); };
 }
 
 void
@@ -402,131 +226,6 @@ void
 Window::setPointSize(int pixels)
 {
   size_->setValue(pixels);
-}
-
-void
-Window::select(std::optional<Index> point)
-{
-  model.select(point);
-  if (!point)
-    return;
-  const Point at = model.scene().cloud.points[*point] + model.scene().cloud.shift;
-  say("point " + std::to_string(*point) + " at " +
-      QString("%1 %2 %3")
-          .arg(at.x(), 0, 'f', 2)
-          .arg(at.y(), 0, 'f', 2)
-          .arg(at.z(), 0, 'f', 2)
-          .toStdString());
-  const auto* network = model.lines();
-  if (network != nullptr && *point < network->wire_id.size() &&
-      network->wire_id[*point] > 0)
-    selectWire(network->wire_id[*point], false);
-}
-
-void
-Window::selectWire(int id, bool approach)
-{
-  if (id == model.wire())
-    return;
-  model.selectWire(id);
-  const powerline::Wire& wire = model.lines()->wires[static_cast<std::size_t>(id) - 1];
-  if (approach)
-    cloud_view_->lookAt(model.toCloud((wire.front + wire.back) / 2),
-                        std::max(0.6 * wire.span_length, 5.0));
-  cloud_view_->showLines();
-}
-
-void
-Window::selectCurve(int place)
-{
-  if (place < -1 || place >= static_cast<int>(model.curves().curves.size()))
-    throw std::invalid_argument("there is no curve " + std::to_string(place) +
-                                "; there are " +
-                                std::to_string(model.curves().curves.size()));
-  model.curve = place;
-  cloud_view_->showLines();
-  error_->refresh();
-}
-
-void
-Window::previewAround(double half_width)
-{
-  if (!model.selected())
-    return say("Click a point first: the box is laid around it.", true);
-  const Point at = model.scene().cloud.points[*model.selected()];
-  const Point half = Point::Constant(half_width);
-  preview(Box{at - half, at + half});
-}
-
-void
-Window::preview(const std::optional<Box>& box)
-{
-  model.setPreview(box);
-  controls_->refresh();
-  cloud_view_->showSelection();
-}
-
-void
-Window::beginLine()
-{
-  drawing_ = true;
-  cloud_view_->drawn_line.clear();
-  say("Click the vertices of the line; choose Draw a line again to end it.");
-}
-
-void
-Window::endLine()
-{
-  drawing_ = false;
-  if (cloud_view_->drawn_line.size() < 2)
-    return say("A line needs two vertices at least.", true);
-  model.imageAlong(cloud_view_->drawn_line);
-  showPanel("image");
-}
-
-void
-Window::imageAlongCurve()
-{
-  Points line;
-  const CurveNetwork& curves = model.curves();
-  if (model.wire() > 0)
-    for (const Point& p : powerline::polyline(
-             model.lines()->wires[static_cast<std::size_t>(model.wire()) - 1]))
-      line.push_back(model.toCloud(p));
-  else if (model.curve >= 0)
-    line = curves.curves[static_cast<std::size_t>(model.curve)].points;
-  if (line.size() < 2)
-    return say("Choose a wire or a curve first: the image runs along it.", true);
-  model.imageAlong(line);
-  showPanel("image");
-}
-
-void
-Window::imageAround()
-{
-  try {
-    model.imageAround();
-    showPanel("image");
-  }
-  catch (const std::exception& error) {
-    say(error.what(), true);
-  }
-}
-
-void
-Window::clicked(const Ray& ray, double depth)
-{
-  const Scene& scene = model.scene();
-  const Index found =
-      scene.grid == nullptr ? UniformGrid::none : pick(*scene.grid, ray, depth);
-  if (found == UniformGrid::none)
-    return say("no point there");
-  if (drawing_) {
-    cloud_view_->drawn_line.push_back(scene.points[found]);
-    cloud_view_->showSelection();
-    return;
-  }
-  select(found);
 }
 
 void

@@ -124,6 +124,8 @@ private:
   makeToolBar();
   void
   makeDocks();
+  void
+  connectPanels();
 
   CloudView* cloud_view_;
   Controls* controls_;

@@ -257,11 +257,11 @@ private:
   std::shared_ptr<const PointGraphs> graphs_;
   std::shared_ptr<const ScaleImage> image_;
   // Radii of the whole cloud, by what they depend on.
-  struct Ladder {
+  struct KnownRadii {
     std::string of;
     std::vector<double> radii;
   };
-  std::shared_ptr<const Ladder> ladder_;
+  std::shared_ptr<const KnownRadii> known_radii_;
   int wire_ = 0;
   std::vector<powerline::Review> reviews_; // one a wire of lines()
   Changes changes_;

@@ -16,6 +16,8 @@ class QTimer;
 
 namespace linelet::view {
 
+class Camera;
+
 /** \brief The cloud in space, with curves, wires, selection and preview box over it. A
  * random part of the points while it moves, all when it is still. Left button: turn,
  * click: pick; right or middle: shift; wheel: nearer. */
@@ -87,6 +89,7 @@ private:
   struct Actors;
   const Model& model_;
   std::unique_ptr<Actors> actors_;
+  std::unique_ptr<Camera> camera_; // of the actors' renderer
   QTimer* still_;
   QPoint pressed_, last_;
   bool dragging_ = false;

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <utility>
+
+#include <QPoint>
+#include <QPointF>
+#include <QWidget>
+#include <vtkRenderer.h>
+
+#include <linelet/support/points.h>
+
+#include "model/picking.h"
+#include "model/scene.h"
+
+namespace linelet::view {
+
+/** \brief The camera of a renderer, upright, in a widget whose pixels count from the
+ * upper left. */
+class Camera {
+public:
+  /** Both must outlive this. */
+  Camera(vtkRenderer& renderer, const QWidget& widget);
+
+  /** \brief Turns it about what it looks at: degrees clockwise from north, and above
+   * the horizon. */
+  void
+  look(double azimuth, double elevation);
+  void
+  lookAt(const Point& place, double radius);
+  void
+  showAll(const Box& box);
+
+  /** \brief Turns it as the mouse goes. */
+  void
+  turn(QPoint step);
+  /** \brief Shifts it so that what it looks at goes with the mouse. */
+  void
+  shift(QPoint step);
+  void
+  approach(double factor);
+  void
+  setFocus(const Point& place);
+
+  QPointF
+  pixelOf(const Point& p) const;
+
+  /** \brief The ray of a pixel, and how deep \a box goes along it. */
+  std::pair<Ray, double>
+  rayAt(QPointF pixel, const Box& box) const;
+
+private:
+  vtkRenderer& renderer_;
+  const QWidget& widget_;
+};
+
+} // namespace linelet::view

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/features/multi_scale.h>
+
+#include "neighborhood.h"
+
+namespace linelet::view {
+
+/** \brief The shapes of \a points, in the steps of `multiscale --graphs`; their graphs
+ * go to \a store, unless it is null or they would take too much room. */
+MultiScaleShapes
+measureScales(const Points& points,
+              MultiScaleSettings settings,
+              GraphStore* store,
+              ProgressMonitor* monitor);
+
+} // namespace linelet::view
