@@ -190,8 +190,9 @@ TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
   const PowerLineNetwork n = extractPowerLines(line.scene.points);
   ASSERT_EQ(n.wires.size(), 6u);
   for (const Wire& wire : n.wires)
-    if (wire.vegetation.known())
+    if (wire.vegetation.known()) {
       EXPECT_GT(wire.vegetation.distance, 2) << "wire " << wire.id;
+    }
 }
 
 // Four conductors 0.45 m apart with one point a meter each look like no line anywhere.

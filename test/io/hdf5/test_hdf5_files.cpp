@@ -1,139 +1,22 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
-#include <gtest/gtest.h>
-
-#include <linelet/io/file_error.h>
-#include <linelet/io/hdf5_file.h>
-#include <linelet/io/point_file.h>
 #include <linelet/io/vector_file.h>
 
-#include "io/file_helpers.h"
+#include "io/hdf5/hdf5_test.h"
 #include "test_data.h"
 
 using namespace linelet;
-using namespace linelet::io;
 using namespace linelet::test;
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/** \brief A cloud with a column of every type, a tensor and a name with a slash. */
-Cloud
-example(std::size_t count, std::size_t first = 0)
-{
-  Cloud cloud;
-  cloud.shift = Point(512000.25, 5427000.5, 200);
-  cloud.wkt = "LOCAL_CS[\"somewhere\"]";
-  for (std::size_t i = first; i < first + count; ++i)
-    cloud.points.emplace_back(0.1 * static_cast<double>(i), std::sqrt(i), 1e-3);
-  const auto fill = [&](const char* name, auto zero, const char* description = "") {
-    std::vector<decltype(zero)> values;
-    for (std::size_t i = first; i < first + count; ++i)
-      values.push_back(static_cast<decltype(zero)>(i * 1234567 + values.size() % 3));
-    cloud.set({name, std::move(values), description});
-  };
-  fill("i8", std::int8_t{});
-  fill("classification", std::uint8_t{});
-  for (const char* entry : {"xx", "xy", "xz", "yy", "yz", "zz"})
-    fill(entry, float{}, "neighborhood tensor");
-  fill("a/b.", std::int16_t{}, "a description with \xC3\xA4");
-  fill("intensity", std::uint16_t{});
-  fill("i32", std::int32_t{});
-  fill("u32", std::uint32_t{});
-  fill("i64", std::int64_t{});
-  fill("u64", std::uint64_t{});
-  fill("time", double{});
-  return cloud;
-}
-
-/** \brief NaN for NaN. */
-bool
-sameBits(const Values& a, const Values& b)
-{
-  return a.index() == b.index() &&
-         std::visit(
-             [&](const auto& values) {
-               using V = std::decay_t<decltype(values)>;
-               const V& others = std::get<V>(b);
-               return values.size() == others.size() &&
-                      std::memcmp(values.data(),
-                                  others.data(),
-                                  values.size() * sizeof(values[0])) == 0;
-             },
-             a);
-}
-
-void
-expectEqual(const Cloud& a, const Cloud& b)
-{
-  EXPECT_EQ(a.shift, b.shift);
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.wkt, b.wkt);
-  ASSERT_EQ(a.columns.size(), b.columns.size());
-  for (std::size_t i = 0; i < a.columns.size(); ++i) {
-    EXPECT_EQ(a.columns[i].name, b.columns[i].name);
-    EXPECT_EQ(a.columns[i].description, b.columns[i].description);
-    EXPECT_TRUE(sameBits(a.columns[i].values, b.columns[i].values))
-        << a.columns[i].name;
-  }
-}
-
-Cloud
-part(const Cloud& cloud, std::size_t first, std::size_t count)
-{
-  Cloud some = cloud;
-  const auto cut = [&](auto& values) {
-    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
-    values.resize(count);
-  };
-  cut(some.points);
-  for (Column& column : some.columns)
-    std::visit(cut, column.values);
-  return some;
-}
-
-class Hdf5 : public testing::Test {
-protected:
-  void
-  SetUp() override
-  {
-    if (!hasHdf5())
-      GTEST_SKIP() << "built without HDF5";
-  }
-
-  Folder folder;
-};
-
-/** \brief Largest memory of this process so far, in MB. */
-double
-peakMemory()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.rfind("VmHWM:", 0) == 0)
-      return std::stod(line.substr(6)) / 1024;
-  return 0;
-}
-
-} // namespace
 
 TEST_F(Hdf5, KeepsEverythingOfACloud)
 {
@@ -222,61 +105,6 @@ TEST_F(Hdf5, BlocksMakeTheSameCloudAndCanBeReadAlone)
   EXPECT_THROW(readHdf5Points(path, 69999, 2), FileError);
 }
 
-TEST_F(Hdf5, ABlockOfOtherAttributesIsRefused)
-{
-  Hdf5CloudWriter writer(folder.file("cloud.h5"), example(1));
-  Cloud other = example(1);
-  other.columns.pop_back();
-  EXPECT_THROW(writer.append(other), FileError);
-}
-
-TEST_F(Hdf5, MemoryDoesNotGrowWithTheBlocks)
-{
-  const Cloud block = example(100000);
-  Hdf5CloudWriter writer(folder.file("cloud.h5"), part(block, 0, 0));
-  for (int k = 0; k < 5; ++k)
-    writer.append(block);
-  const double before = peakMemory();
-  for (int k = 0; k < 25; ++k) // 2.5 million points of 80 bytes: 200 MB
-    writer.append(block);
-  EXPECT_LT(peakMemory() - before, 20);
-  writer.commit();
-  EXPECT_EQ(hdf5Fragments(folder.file("cloud.h5")).back().first, 2900000u);
-}
-
-TEST_F(Hdf5, AKilledWriterLeavesTheOldFile)
-{
-  const std::string path = folder.file("cloud.h5");
-  const Cloud old = example(3);
-  for (const bool was_there : {false, true}) {
-    if (was_there)
-      writeCloud(path, old);
-    int pipe[2];
-    ASSERT_EQ(::pipe(pipe), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      const Cloud block = example(20000);
-      Hdf5CloudWriter writer(path, block);
-      for (;;) {
-        writer.append(block);
-        if (::write(pipe[1], "x", 1) != 1)
-          ::_exit(1);
-      }
-    }
-    char byte = 0;
-    for (int k = 0; k < 3; ++k)
-      ASSERT_EQ(::read(pipe[0], &byte, 1), 1);
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ::close(pipe[0]);
-    ::close(pipe[1]);
-    ASSERT_EQ(fs::exists(path), was_there);
-    if (was_there)
-      expectEqual(readCloud(path), old);
-  }
-}
-
 TEST_F(Hdf5, CurvesAndTheirCloudShareAFile)
 {
   CurveNetwork network;
@@ -346,77 +174,4 @@ TEST_F(Hdf5, OtherProgramsReadIt)
                            "\"a/b.\"",
                            "512000, 5.427e+06, 200"})
     EXPECT_NE(dump.find(part), std::string::npos) << part;
-}
-
-TEST_F(Hdf5, SaysInOneLineWhatIsWrong)
-{
-  writeBytes(folder.file("text.h5"), "no HDF5 at all");
-  writeBytes(folder.file("empty.h5"), "");
-  for (const char* name : {"text.h5", "empty.h5", "none.h5"})
-    try {
-      readCloud(folder.file(name));
-      FAIL() << name;
-    }
-    catch (const FileError& error) {
-      EXPECT_NE(std::string(error.what()).find(name), std::string::npos);
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    }
-  EXPECT_THROW(writeCloud("/dev/null/cloud.h5", example(1)), FileError);
-  EXPECT_THROW(writeCloud(folder.file("cloud.h5"), example(1), {true}), FileError);
-}
-
-// Whatever the bytes are, what comes out fits together, or is a FileError.
-TEST_F(Hdf5, DamagedFilesAreRefusedOrReadInPart)
-{
-  const std::string path = folder.file("cloud.h5");
-  Cloud cloud = example(300);
-  if (fs::exists(dataPath("readers/las/pdal_extrabytes.las")))
-    cloud =
-        part(readCloud(dataPath("readers/las/pdal_extrabytes.las").string()), 0, 300);
-  CurveNetwork network;
-  Curve curve;
-  curve.points.resize(40, Point(1, 2, 3));
-  network.curves.assign(5, curve);
-  network.junctions.push_back({Point(1, 2, 3), {0, 3}});
-  writeHdf5(path, cloud, network);
-  const std::string whole = bytesOf(path);
-
-  std::size_t refused = 0;
-  const auto tryIt = [&](const std::string& bytes) {
-    writeBytes(folder.file("damaged.h5"), bytes);
-    try {
-      const Cloud read = readCloud(folder.file("damaged.h5"));
-      for (const Column& column : read.columns)
-        ASSERT_EQ(size(column.values), read.points.size());
-      try {
-        writeCloud(folder.file("out.las"), read);
-      }
-      catch (const FileError&) {
-      }
-    }
-    catch (const FileError& error) {
-      ++refused;
-      ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    }
-    try {
-      for (const Curve& c : readCurves(folder.file("damaged.h5")).curves)
-        ASSERT_LE(c.points.size(), 200u);
-    }
-    catch (const FileError&) {
-    }
-  };
-  for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 97)
-    tryIt(whole.substr(0, length));
-  EXPECT_GT(refused, 90u) << "cut files";
-  constexpr unsigned seed = 17;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  boost::random::mt19937 random(seed);
-  boost::random::uniform_int_distribution<std::size_t> place(0, whole.size() - 1);
-  boost::random::uniform_int_distribution<int> value(0, 255), changes(1, 8);
-  for (int k = 0; k < 600; ++k) {
-    std::string bytes = whole;
-    for (int n = changes(random); n > 0; --n)
-      bytes[place(random)] = static_cast<char>(value(random));
-    tryIt(bytes);
-  }
 }

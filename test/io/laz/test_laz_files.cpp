@@ -173,11 +173,13 @@ TEST(LazFiles, CompatibilityModeIsReadAsWhatItStandsFor)
         ASSERT_NE(same, nullptr) << column.name;
         for (std::size_t i = 0; i < native.points.size(); ++i) {
           const double value = valueAt(*same, i);
-          if (column.name == "scan_angle")
+          if (column.name == "scan_angle") {
             EXPECT_NEAR(
                 value, 0.006 * (static_cast<double>(271 * i % 60001) - 30000), 1e-4);
-          else if (!packed || i == 0 || i % 137 != 0)
+          }
+          else if (!packed || i == 0 || i % 137 != 0) {
             ASSERT_EQ(value, valueAt(column, i)) << column.name << " of point " << i;
+          }
         }
       }
       EXPECT_EQ(compatible.find("LAS 1.4 scan angle"), nullptr);
