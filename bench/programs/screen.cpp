@@ -137,7 +137,7 @@ compareNormals(bool curved, double noise)
     report(name, normals, time);
   }
   for (const unsigned samples : {9U, 25U})
-    for (const unsigned smoothing : {0U, 4U})
+    for (const unsigned smoothing : {0U, 4U, 8U})
       for (const ScreenNormalMethod method : {ScreenNormalMethod::LocalDerivatives,
                                               ScreenNormalMethod::PlaneCircle,
                                               ScreenNormalMethod::PlaneDiagonals,

@@ -10,9 +10,9 @@
 namespace linelet::opencl {
 
 /** \brief A copy of \a values on the device. */
-template <class T>
+template <class T, class Allocator>
 cl::Buffer
-upload(const Context& context, const std::vector<T>& values)
+upload(const Context& context, const std::vector<T, Allocator>& values)
 {
   const std::size_t bytes = values.size() * sizeof(T);
   cl::Buffer buffer = context.buffer(bytes);

@@ -106,8 +106,7 @@ ScreenNormalEngine::estimate(const SampleLayers& samples,
     image.z[k] = normals[3 * k + 2];
   }
   screen::turnToEye(pixels, eye, image, threads);
-  for (unsigned pass = 0; pass < settings.smoothing; ++pass)
-    image = screen::smoothed(pixels, image, settings.max_distance, threads);
+  screen::smooth(pixels, settings, image, threads);
   return image;
 }
 

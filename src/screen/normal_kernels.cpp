@@ -7,6 +7,7 @@
 #include "normal_kernels.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -60,56 +61,85 @@ addDirections(const float* HWY_RESTRICT x,
   }
 }
 
+/** \brief Coordinates of the axes of every pixel of a block. */
+struct Axis {
+  float x[block], y[block], z[block];
+};
+
 /** \brief Turns axes p and q so that the entry between them vanishes (Jacobi). */
-#define LINELET_ROTATE(app, aqq, apq, apr, aqr, p, q)                                  \
-  {                                                                                    \
-    const float diff = aqq - app, twice = apq + apq;                                   \
-    const float root = std::sqrt(diff * diff + twice * twice);                         \
-    const float below = diff < 0 ? diff - root : diff + root;                          \
-    const float tangent = below != 0 ? twice / (below != 0 ? below : 1) : 0;           \
-    const float cosine = 1 / std::sqrt(tangent * tangent + 1);                         \
-    const float sine = tangent * cosine;                                               \
-    app -= tangent * apq;                                                              \
-    aqq += tangent * apq;                                                              \
-    apq = 0;                                                                           \
-    const float pr = apr, px = p[0], py = p[1], pz = p[2];                             \
-    apr = cosine * pr - sine * aqr;                                                    \
-    aqr = cosine * aqr + sine * pr;                                                    \
-    p[0] = cosine * px - sine * q[0];                                                  \
-    q[0] = cosine * q[0] + sine * px;                                                  \
-    p[1] = cosine * py - sine * q[1];                                                  \
-    q[1] = cosine * q[1] + sine * py;                                                  \
-    p[2] = cosine * pz - sine * q[2];                                                  \
-    q[2] = cosine * q[2] + sine * pz;                                                  \
+inline void
+rotate(float* HWY_RESTRICT app,
+       float* HWY_RESTRICT aqq,
+       float* HWY_RESTRICT apq,
+       float* HWY_RESTRICT apr,
+       float* HWY_RESTRICT aqr,
+       Axis& HWY_RESTRICT p,
+       Axis& HWY_RESTRICT q)
+{
+  for (int i = 0; i < block; ++i) {
+    const float diff = aqq[i] - app[i], twice = apq[i] + apq[i];
+    const float root = std::sqrt(diff * diff + twice * twice);
+    const float below = diff < 0 ? diff - root : diff + root;
+    const float tangent = below != 0 ? twice / (below != 0 ? below : 1) : 0;
+    const float cosine = 1 / std::sqrt(tangent * tangent + 1);
+    const float sine = tangent * cosine;
+    app[i] -= tangent * apq[i];
+    aqq[i] += tangent * apq[i];
+    apq[i] = 0;
+    const float pr = apr[i], qr = aqr[i];
+    apr[i] = cosine * pr - sine * qr;
+    aqr[i] = cosine * qr + sine * pr;
+    const float px = p.x[i], py = p.y[i], pz = p.z[i];
+    const float qx = q.x[i], qy = q.y[i], qz = q.z[i];
+    p.x[i] = cosine * px - sine * qx;
+    q.x[i] = cosine * qx + sine * px;
+    p.y[i] = cosine * py - sine * qy;
+    q.y[i] = cosine * qy + sine * py;
+    p.z[i] = cosine * pz - sine * qz;
+    q.z[i] = cosine * qz + sine * pz;
   }
+}
 
 /** \brief The eigenvectors of the smallest eigenvalues; NaN where two of the three are
  * nothing: one direction alone has no normal. */
 inline void
-smallest(const Tensors& t, NormalBlock& out)
+smallest(Tensors& t, NormalBlock& out)
 {
+  Axis u, v, w;
+  float traces[block];
   for (int i = 0; i < block; ++i) {
     const float trace = (t.xx[i] + t.yy[i]) + t.zz[i];
     const float scale = 1 / (trace > 0 ? trace : 1);
-    float xx = t.xx[i] * scale, xy = t.xy[i] * scale, xz = t.xz[i] * scale;
-    float yy = t.yy[i] * scale, yz = t.yz[i] * scale, zz = t.zz[i] * scale;
-    float u[3] = {1, 0, 0}, v[3] = {0, 1, 0}, w[3] = {0, 0, 1};
-    for (int turn = 0; turn < 4; ++turn) {
-      LINELET_ROTATE(xx, yy, xy, xz, yz, u, v)
-      LINELET_ROTATE(xx, zz, xz, xy, yz, u, w)
-      LINELET_ROTATE(yy, zz, yz, xy, xz, v, w)
-    }
+    traces[i] = trace;
+    t.xx[i] *= scale;
+    t.xy[i] *= scale;
+    t.xz[i] *= scale;
+    t.yy[i] *= scale;
+    t.yz[i] *= scale;
+    t.zz[i] *= scale;
+    u.x[i] = v.y[i] = w.z[i] = 1;
+    u.y[i] = u.z[i] = v.x[i] = v.z[i] = w.x[i] = w.y[i] = 0;
+  }
+  for (int turn = 0; turn < 4; ++turn) {
+    rotate(t.xx, t.yy, t.xy, t.xz, t.yz, u, v);
+    rotate(t.xx, t.zz, t.xz, t.xy, t.yz, u, w);
+    rotate(t.yy, t.zz, t.yz, t.xy, t.xz, v, w);
+  }
+  for (int i = 0; i < block; ++i) {
+    const float xx = t.xx[i], yy = t.yy[i], zz = t.zz[i];
     const bool by_y = yy < xx;
     float least = by_y ? yy : xx;
-    float nx = by_y ? v[0] : u[0], ny = by_y ? v[1] : u[1], nz = by_y ? v[2] : u[2];
+    float nx = by_y ? v.x[i] : u.x[i];
+    float ny = by_y ? v.y[i] : u.y[i];
+    float nz = by_y ? v.z[i] : u.z[i];
     const bool by_z = zz < least;
     least = by_z ? zz : least;
-    nx = by_z ? w[0] : nx;
-    ny = by_z ? w[1] : ny;
-    nz = by_z ? w[2] : nz;
-    const float most = xx > yy ? (xx > zz ? xx : zz) : (yy > zz ? yy : zz);
+    nx = by_z ? w.x[i] : nx;
+    ny = by_z ? w.y[i] : ny;
+    nz = by_z ? w.z[i] : nz;
+    const float more = xx > yy ? xx : yy, most = more > zz ? more : zz;
     constexpr float nothing = 1e-6F;
-    const bool known = (trace > 0) & (1 - most - least > nothing);
+    const bool known = (traces[i] > 0) & (1 - most - least > nothing);
     out.x[i] = known ? nx : unknown;
     out.y[i] = known ? ny : unknown;
     out.z[i] = known ? nz : unknown;
@@ -141,60 +171,52 @@ tensorNormals(
   smallest(t, out);
 }
 
-/** \brief Adds (a - b) x (c - d) where all four count. */
+/** \brief Places of a block. */
+struct Places {
+  Places(const float* px, const float* py, const float* pz, std::ptrdiff_t from)
+      : x(px + from), y(py + from), z(pz + from)
+  {
+  }
+
+  const float *HWY_RESTRICT x, *HWY_RESTRICT y, *HWY_RESTRICT z;
+};
+
+/** \brief Adds (a - b) x (c - d) where all four are near the own position o. */
 inline void
-addCross(const PaddedSamples& s,
-         std::ptrdiff_t a,
-         std::ptrdiff_t b,
-         std::ptrdiff_t c,
-         std::ptrdiff_t d,
-         std::ptrdiff_t at,
-         float limit,
-         NormalBlock& sum)
+addCross(
+    Places a, Places b, Places c, Places d, Places o, float limit, NormalBlock& sum)
 {
-  const float *x = s.x.data(), *y = s.y.data(), *z = s.z.data();
-  const float *cx = s.cx.data() + at, *cy = s.cy.data() + at, *cz = s.cz.data() + at;
-  const auto near = [&](std::ptrdiff_t k, int i) {
-    const float dx = x[k + i] - cx[i], dy = y[k + i] - cy[i], dz = z[k + i] - cz[i];
+  float *HWY_RESTRICT sx = sum.x, *HWY_RESTRICT sy = sum.y, *HWY_RESTRICT sz = sum.z;
+  const auto near = [&](const Places& p, int i) {
+    const float dx = p.x[i] - o.x[i], dy = p.y[i] - o.y[i], dz = p.z[i] - o.z[i];
     return (dx * dx + dy * dy) + dz * dz <= limit;
   };
   for (int i = 0; i < block; ++i) {
-    const float ux = x[a + i] - x[b + i], uy = y[a + i] - y[b + i],
-                uz = z[a + i] - z[b + i];
-    const float vx = x[c + i] - x[d + i], vy = y[c + i] - y[d + i],
-                vz = z[c + i] - z[d + i];
+    const float ux = a.x[i] - b.x[i], uy = a.y[i] - b.y[i], uz = a.z[i] - b.z[i];
+    const float vx = c.x[i] - d.x[i], vy = c.y[i] - d.y[i], vz = c.z[i] - d.z[i];
     const bool counts = near(a, i) & near(b, i) & near(c, i) & near(d, i);
-    sum.x[i] += counts ? uy * vz - uz * vy : 0;
-    sum.y[i] += counts ? uz * vx - ux * vz : 0;
-    sum.z[i] += counts ? ux * vy - uy * vx : 0;
+    sx[i] += counts ? uy * vz - uz * vy : 0;
+    sy[i] += counts ? uz * vx - ux * vz : 0;
+    sz[i] += counts ? ux * vy - uy * vx : 0;
   }
 }
 
-/** \brief Adds the unit normal of the triangle a, b, c, c being every pixel's own
- * position. */
+/** \brief Adds the unit normal of the triangle a, b and the own position o. */
 inline void
-addCorner(const PaddedSamples& s,
-          const float* HWY_RESTRICT x,
-          const float* HWY_RESTRICT y,
-          const float* HWY_RESTRICT z,
-          std::ptrdiff_t a,
-          std::ptrdiff_t b,
-          std::ptrdiff_t at,
-          float limit,
-          NormalBlock& sum)
+addCorner(Places a, Places b, Places o, float limit, NormalBlock& sum)
 {
-  const float *cx = s.cx.data() + at, *cy = s.cy.data() + at, *cz = s.cz.data() + at;
+  float *HWY_RESTRICT sx = sum.x, *HWY_RESTRICT sy = sum.y, *HWY_RESTRICT sz = sum.z;
   for (int i = 0; i < block; ++i) {
-    const float ux = x[a + i] - cx[i], uy = y[a + i] - cy[i], uz = z[a + i] - cz[i];
-    const float vx = x[b + i] - cx[i], vy = y[b + i] - cy[i], vz = z[b + i] - cz[i];
+    const float ux = a.x[i] - o.x[i], uy = a.y[i] - o.y[i], uz = a.z[i] - o.z[i];
+    const float vx = b.x[i] - o.x[i], vy = b.y[i] - o.y[i], vz = b.z[i] - o.z[i];
     const float nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     const float square = (nx * nx + ny * ny) + nz * nz;
     const bool counts = ((ux * ux + uy * uy) + uz * uz <= limit) &
                         ((vx * vx + vy * vy) + vz * vz <= limit) & (square > 0);
     const float scale = 1 / std::sqrt(counts ? square : 1);
-    sum.x[i] += counts ? nx * scale : 0;
-    sum.y[i] += counts ? ny * scale : 0;
-    sum.z[i] += counts ? nz * scale : 0;
+    sx[i] += counts ? nx * scale : 0;
+    sy[i] += counts ? ny * scale : 0;
+    sz[i] += counts ? nz * scale : 0;
   }
 }
 
@@ -218,10 +240,12 @@ derivativeNormals(const PaddedSamples& s,
                   std::ptrdiff_t at,
                   NormalBlock& out)
 {
-  const float *x = s.cx.data(), *y = s.cy.data(), *z = s.cz.data();
+  const auto own = [&](std::ptrdiff_t step) {
+    return Places(s.cx.data(), s.cy.data(), s.cz.data(), at + step);
+  };
   // Forwards, or backwards where that is missing.
   const auto sum = [&](std::ptrdiff_t down, std::ptrdiff_t right) {
-    addCorner(s, x, y, z, at + down, at + right, at, limit, out);
+    addCorner(own(down), own(right), own(0), limit, out);
   };
   out = {};
   sum(s.stride, 1);
@@ -257,36 +281,122 @@ normals(const PaddedSamples& s,
     return;
   }
   out = {};
+  const Places own(s.cx.data(), s.cy.data(), s.cz.data(), at);
   for (int layer = 0; layer < s.layers; ++layer)
     for (int ring = 0; ring < rings; ++ring) {
-      std::ptrdiff_t k[4];
-      for (int corner = 0; corner < 4; ++corner)
-        k[corner] = layer * s.layer + at + ring_places[ring][corner][1] * s.stride +
-                    ring_places[ring][corner][0];
+      const auto corner = [&](int number) {
+        const auto& place = ring_places[ring][number % 4];
+        return Places(s.x.data(),
+                      s.y.data(),
+                      s.z.data(),
+                      layer * s.layer + at + place[1] * s.stride + place[0]);
+      };
       if (settings.method == ScreenNormalMethod::PlaneDiagonals)
-        addCross(s, k[0], k[2], k[1], k[3], at, limit, out);
+        addCross(corner(0), corner(2), corner(1), corner(3), own, limit, out);
       else
-        for (int corner = 0; corner < 4; ++corner)
-          addCorner(s,
-                    s.x.data(),
-                    s.y.data(),
-                    s.z.data(),
-                    k[corner],
-                    k[(corner + 1) % 4],
-                    at,
-                    limit,
-                    out);
+        for (int k = 0; k < 4; ++k)
+          addCorner(corner(k), corner(k + 1), own, limit, out);
     }
   normalize(out);
+}
+
+void
+positions(PaddedSamples& s, float limit, int column, int row)
+{
+  const std::ptrdiff_t at = s.at(column, row);
+  Axis first = {}, sum = {};
+  float count[block] = {};
+  for (int layer = 0; layer < s.layers; ++layer) {
+    const Places p(s.x.data(), s.y.data(), s.z.data(), layer * s.layer + at);
+    for (int i = 0; i < block; ++i) {
+      // The difference is NaN where one is infinite.
+      const bool finite =
+          (p.x[i] - p.x[i] == 0) & (p.y[i] - p.y[i] == 0) & (p.z[i] - p.z[i] == 0);
+      const bool begins = finite & (count[i] == 0);
+      first.x[i] = begins ? p.x[i] : first.x[i];
+      first.y[i] = begins ? p.y[i] : first.y[i];
+      first.z[i] = begins ? p.z[i] : first.z[i];
+      const float dx = p.x[i] - first.x[i], dy = p.y[i] - first.y[i],
+                  dz = p.z[i] - first.z[i];
+      const bool counts = finite & ((dx * dx + dy * dy) + dz * dz <= limit);
+      sum.x[i] += counts ? dx : 0;
+      sum.y[i] += counts ? dy : 0;
+      sum.z[i] += counts ? dz : 0;
+      count[i] += counts ? 1 : 0;
+    }
+  }
+  float *HWY_RESTRICT x = s.cx.data() + at, *HWY_RESTRICT y = s.cy.data() + at,
+                      *HWY_RESTRICT z = s.cz.data() + at;
+  for (int i = 0; i < block; ++i) {
+    const bool any = count[i] > 0;
+    const float number = any ? count[i] : 1;
+    x[i] = any ? first.x[i] + sum.x[i] / number : unknown;
+    y[i] = any ? first.y[i] + sum.y[i] / number : unknown;
+    z[i] = any ? first.z[i] + sum.z[i] / number : unknown;
+  }
+}
+
+void
+smooth(const PaddedSamples& s,
+       const PaddedNormals& normals,
+       float limit,
+       int column,
+       int row,
+       PaddedNormals& out)
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::ScalableTag<float> floats;
+  using Vector = hn::Vec<decltype(floats)>;
+  struct Place {
+    Vector x, y, z;
+  };
+  const auto load =
+      [&](const auto& x, const auto& y, const auto& z, std::ptrdiff_t at) {
+        return Place{hn::LoadU(floats, x.data() + at),
+                     hn::LoadU(floats, y.data() + at),
+                     hn::LoadU(floats, z.data() + at)};
+      };
+  const auto squareOf = [](const Place& p) {
+    return hn::Add(hn::Add(hn::Mul(p.x, p.x), hn::Mul(p.y, p.y)), hn::Mul(p.z, p.z));
+  };
+  for (int i = 0; i < block; i += static_cast<int>(hn::Lanes(floats))) {
+    const std::ptrdiff_t at = s.at(column, row) + i;
+    const Place own = load(s.cx, s.cy, s.cz, at);
+    Place sum = {hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)};
+    for (int down = -1; down <= 1; ++down)
+      for (int right = -1; right <= 1; ++right) {
+        const std::ptrdiff_t there = at + down * s.stride + right;
+        const Place p = load(s.cx, s.cy, s.cz, there);
+        const Place n = load(normals.x, normals.y, normals.z, there);
+        const Place d = {hn::Sub(p.x, own.x), hn::Sub(p.y, own.y), hn::Sub(p.z, own.z)};
+        const auto counts = hn::And(hn::Le(squareOf(d), hn::Set(floats, limit)),
+                                    hn::Eq(n.x, n.x)); // not NaN
+        // 4 in the middle, 2 beside, 1 at the corners.
+        const Vector weight = hn::Set(
+            floats, static_cast<float>((2 - std::abs(right)) * (2 - std::abs(down))));
+        sum.x = hn::Add(sum.x, hn::IfThenElseZero(counts, hn::Mul(weight, n.x)));
+        sum.y = hn::Add(sum.y, hn::IfThenElseZero(counts, hn::Mul(weight, n.y)));
+        sum.z = hn::Add(sum.z, hn::IfThenElseZero(counts, hn::Mul(weight, n.z)));
+      }
+    const Place here = load(normals.x, normals.y, normals.z, at);
+    const Vector length = hn::Sqrt(squareOf(sum));
+    const auto known =
+        hn::And(hn::Eq(here.x, here.x), hn::Gt(length, hn::Zero(floats)));
+    const auto store = [&](Vector total, Vector before, float* to) {
+      hn::StoreU(
+          hn::IfThenElse(known, hn::Div(total, length), before), floats, to + at);
+    };
+    store(sum.x, here.x, out.x.data());
+    store(sum.y, here.y, out.y.data());
+    store(sum.z, here.z, out.z.data());
+  }
 }
 
 NormalKernels
 kernels()
 {
-  return {normals};
+  return {positions, normals, smooth};
 }
-
-#undef LINELET_ROTATE
 
 } // namespace HWY_NAMESPACE
 } // namespace linelet::screen

@@ -4,9 +4,10 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include <linelet/screen/screen_normals.h>
+
+#include "support/uninitialized.h"
 
 namespace linelet::screen {
 
@@ -18,8 +19,8 @@ struct PaddedSamples {
   int width = 0, height = 0, layers = 0;
   std::ptrdiff_t stride = 0; ///< from row to row
   std::ptrdiff_t layer = 0;  ///< from layer to layer
-  std::vector<float> x, y, z;
-  std::vector<float> cx, cy, cz; ///< every pixel's own position
+  UninitializedVector<float> x, y, z;
+  UninitializedVector<float> cx, cy, cz; ///< every pixel's own position
 
   std::ptrdiff_t
   at(int column, int row) const
@@ -53,13 +54,30 @@ struct NormalBlock {
   float x[block], y[block], z[block];
 };
 
+/** \brief Normals in the places of PaddedSamples::cx, NaN around them. */
+struct PaddedNormals {
+  UninitializedVector<float> x, y, z;
+};
+
 struct NormalKernels {
+  /// Finds the own positions of the pixels of one block: the mean of the samples that
+  /// are within \a limit, a square, of the first one.
+  void (*positions)(PaddedSamples& samples, float limit, int column, int row);
+
   /// Of one block, by the method of the settings.
   void (*normals)(const PaddedSamples& samples,
                   const ScreenNormalSettings& settings,
                   int column,
                   int row,
                   NormalBlock& out);
+
+  /// Smooths one block, see \ref smoothed.
+  void (*smooth)(const PaddedSamples& samples,
+                 const PaddedNormals& normals,
+                 float limit,
+                 int column,
+                 int row,
+                 PaddedNormals& out);
 };
 
 /** \brief The kernels for this processor. */

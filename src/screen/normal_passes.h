@@ -26,13 +26,13 @@ turnToEye(const PaddedSamples& samples,
           NormalImage& image,
           int threads);
 
-/** \brief Weighted means of 3 x 3 normals, 4 to 2 to 1 from the middle, of pixels
- * whose positions are near enough. */
-NormalImage
-smoothed(const PaddedSamples& samples,
-         const NormalImage& image,
-         double max_distance,
-         int threads);
+/** \brief Replaces normals, as often as the settings say, by weighted means of 3 x 3,
+ * 4 to 2 to 1 from the middle, of pixels whose positions are near enough. */
+void
+smooth(const PaddedSamples& samples,
+       const ScreenNormalSettings& settings,
+       NormalImage& image,
+       int threads);
 
 } // namespace screen
 } // namespace linelet

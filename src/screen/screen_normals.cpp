@@ -8,12 +8,14 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 
 #include "normal_kernels.h"
 #include "normal_passes.h"
+#include "support/huge_pages.h"
 
 namespace linelet {
 
@@ -31,6 +33,30 @@ validate(const ScreenNormalSettings& settings)
 
 namespace screen {
 
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+/** \brief The largest square of a distance that takes part. */
+float
+limitOf(double max_distance)
+{
+  const auto distance = static_cast<float>(max_distance);
+  return distance > 0 ? distance * distance : std::numeric_limits<float>::infinity();
+}
+
+/** \brief Copies a row of a picture into a padded one; NaN around it, and in rows
+ * beyond the picture. */
+void
+padRow(const float* from, const PaddedSamples& sizes, bool inside, float* to)
+{
+  float* const begin = std::fill_n(to, PaddedSamples::margin, nan);
+  float* const end = inside ? std::copy_n(from, sizes.width, begin) : begin;
+  std::fill(end, to + sizes.stride, nan);
+}
+
+} // namespace
+
 PaddedSamples
 padded(const SampleLayers& samples, double max_distance, int threads)
 {
@@ -41,54 +67,33 @@ padded(const SampleLayers& samples, double max_distance, int threads)
   // Blocks may reach beyond the last column.
   out.stride = samples.width + block + 2 * PaddedSamples::margin;
   out.layer = out.stride * (samples.height + 2 * PaddedSamples::margin);
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto size = static_cast<std::size_t>(out.layer);
-  const auto all = size * static_cast<std::size_t>(samples.layers);
+  const auto make = [](UninitializedVector<float>& values, std::size_t count) {
+    reserveHuge(values, count);
+    values.resize(count);
+  };
   for (auto* values : {&out.x, &out.y, &out.z})
-    values->assign(all, nan);
+    make(*values, size * static_cast<std::size_t>(samples.layers));
   for (auto* values : {&out.cx, &out.cy, &out.cz})
-    values->assign(size, nan);
-  const auto distance = static_cast<float>(max_distance);
-  const float limit =
-      distance > 0 ? distance * distance : std::numeric_limits<float>::infinity();
+    make(*values, size);
+  const float limit = limitOf(max_distance);
+  const NormalKernels kernels = normalKernels();
 #pragma omp parallel for num_threads(threads)
-  for (int row = 0; row < samples.height; ++row) {
+  for (int row = -PaddedSamples::margin; row < samples.height + PaddedSamples::margin;
+       ++row) {
+    const bool inside = row >= 0 && row < samples.height;
+    const std::ptrdiff_t begin = out.at(-PaddedSamples::margin, row);
     for (int layer = 0; layer < samples.layers; ++layer) {
-      const auto from = static_cast<std::ptrdiff_t>(samples.at(0, row, layer));
-      const std::ptrdiff_t to = layer * out.layer + out.at(0, row);
-      std::copy_n(samples.x.begin() + from, samples.width, out.x.begin() + to);
-      std::copy_n(samples.y.begin() + from, samples.width, out.y.begin() + to);
-      std::copy_n(samples.z.begin() + from, samples.width, out.z.begin() + to);
+      const std::size_t from = inside ? samples.at(0, row, layer) : 0;
+      const std::ptrdiff_t to = layer * out.layer + begin;
+      padRow(samples.x.data() + from, out, inside, out.x.data() + to);
+      padRow(samples.y.data() + from, out, inside, out.y.data() + to);
+      padRow(samples.z.data() + from, out, inside, out.z.data() + to);
     }
-    for (int column = 0; column < samples.width; ++column) {
-      float x = 0, y = 0, z = 0, fx = 0, fy = 0, fz = 0;
-      int count = 0;
-      for (int layer = 0; layer < samples.layers; ++layer) {
-        const std::size_t k = samples.at(column, row, layer);
-        if (!std::isfinite(samples.x[k]) || !std::isfinite(samples.y[k]) ||
-            !std::isfinite(samples.z[k]))
-          continue;
-        if (count == 0) {
-          fx = samples.x[k];
-          fy = samples.y[k];
-          fz = samples.z[k];
-        }
-        const float dx = samples.x[k] - fx, dy = samples.y[k] - fy,
-                    dz = samples.z[k] - fz;
-        if ((dx * dx + dy * dy) + dz * dz > limit)
-          continue;
-        x += dx;
-        y += dy;
-        z += dz;
-        ++count;
-      }
-      if (count == 0)
-        continue;
-      const auto k = static_cast<std::size_t>(out.at(column, row));
-      out.cx[k] = fx + x / static_cast<float>(count);
-      out.cy[k] = fy + y / static_cast<float>(count);
-      out.cz[k] = fz + z / static_cast<float>(count);
-    }
+    for (auto* values : {&out.cx, &out.cy, &out.cz})
+      std::fill_n(values->begin() + begin, out.stride, nan);
+    for (int column = 0; inside && column < samples.width; column += block)
+      kernels.positions(out, limit, column, row);
   }
   return out;
 }
@@ -101,9 +106,10 @@ emptyImage(const PaddedSamples& samples)
   image.height = samples.height;
   const auto size = static_cast<std::size_t>(samples.width) *
                     static_cast<std::size_t>(samples.height);
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  for (auto* values : {&image.x, &image.y, &image.z})
+  for (auto* values : {&image.x, &image.y, &image.z}) {
+    reserveHuge(*values, size);
     values->assign(size, nan);
+  }
   return image;
 }
 
@@ -113,73 +119,69 @@ turnToEye(const PaddedSamples& samples,
           NormalImage& image,
           int threads)
 {
+  const float ex = eye.x(), ey = eye.y(), ez = eye.z();
 #pragma omp parallel for num_threads(threads)
-  for (int row = 0; row < image.height; ++row)
+  for (int row = 0; row < image.height; ++row) {
+    const std::ptrdiff_t from = samples.at(0, row),
+                         to = std::ptrdiff_t{row} * image.width;
+    const float *cx = samples.cx.data() + from, *cy = samples.cy.data() + from,
+                *cz = samples.cz.data() + from;
+    float *x = image.x.data() + to, *y = image.y.data() + to, *z = image.z.data() + to;
     for (int column = 0; column < image.width; ++column) {
-      const auto k = static_cast<std::size_t>(samples.at(column, row));
-      const auto n =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-          static_cast<std::size_t>(column);
-      const float away = (image.x[n] * (eye.x() - samples.cx[k]) +
-                          image.y[n] * (eye.y() - samples.cy[k])) +
-                         image.z[n] * (eye.z() - samples.cz[k]);
-      if (away < 0) {
-        image.x[n] = -image.x[n];
-        image.y[n] = -image.y[n];
-        image.z[n] = -image.z[n];
-      }
+      const float away =
+          (x[column] * (ex - cx[column]) + y[column] * (ey - cy[column])) +
+          z[column] * (ez - cz[column]);
+      const float turn = away < 0 ? -1 : 1;
+      x[column] *= turn;
+      y[column] *= turn;
+      z[column] *= turn;
     }
+  }
 }
 
-NormalImage
-smoothed(const PaddedSamples& samples,
-         const NormalImage& image,
-         double max_distance,
-         int threads)
+void
+smooth(const PaddedSamples& samples,
+       const ScreenNormalSettings& settings,
+       NormalImage& image,
+       int threads)
 {
-  NormalImage out = image;
-  const auto distance = static_cast<float>(max_distance);
-  const float limit =
-      distance > 0 ? distance * distance : std::numeric_limits<float>::infinity();
-  const auto place = [&](int column, int row) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-           static_cast<std::size_t>(column);
-  };
-#pragma omp parallel for num_threads(threads)
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column) {
-      const std::size_t here = place(column, row);
-      if (std::isnan(image.x[here]))
-        continue;
-      const auto c = static_cast<std::size_t>(samples.at(column, row));
-      float x = 0, y = 0, z = 0;
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-          const int u = column + dx, v = row + dy;
-          if (u < 0 || v < 0 || u >= image.width || v >= image.height)
-            continue;
-          const std::size_t there = place(u, v);
-          const auto k = static_cast<std::size_t>(samples.at(u, v));
-          const float px = samples.cx[k] - samples.cx[c],
-                      py = samples.cy[k] - samples.cy[c],
-                      pz = samples.cz[k] - samples.cz[c];
-          if (std::isnan(image.x[there]) || !((px * px + py * py) + pz * pz <= limit))
-            continue;
-          // 4 in the middle, 2 beside, 1 at the corners.
-          const auto weight =
-              static_cast<float>((2 - std::abs(dx)) * (2 - std::abs(dy)));
-          x += weight * image.x[there];
-          y += weight * image.y[there];
-          z += weight * image.z[there];
-        }
-      const float length = std::sqrt((x * x + y * y) + z * z);
-      if (!(length > 0))
-        continue;
-      out.x[here] = x / length;
-      out.y[here] = y / length;
-      out.z[here] = z / length;
+  if (settings.smoothing == 0)
+    return;
+  PaddedNormals normals, next;
+  for (PaddedNormals* each : {&normals, &next})
+    for (auto* values : {&each->x, &each->y, &each->z}) {
+      reserveHuge(*values, samples.cx.size());
+      values->resize(samples.cx.size());
     }
-  return out;
+  const int width = image.width, height = image.height;
+  const auto place = [&](int row) { return std::ptrdiff_t{row} * width; };
+#pragma omp parallel for num_threads(threads)
+  for (int row = -PaddedSamples::margin; row < height + PaddedSamples::margin; ++row) {
+    const bool inside = row >= 0 && row < height;
+    const std::ptrdiff_t from = inside ? place(row) : 0,
+                         to = samples.at(-PaddedSamples::margin, row);
+    for (PaddedNormals* each : {&normals, &next}) {
+      padRow(image.x.data() + from, samples, inside, each->x.data() + to);
+      padRow(image.y.data() + from, samples, inside, each->y.data() + to);
+      padRow(image.z.data() + from, samples, inside, each->z.data() + to);
+    }
+  }
+  const float limit = limitOf(settings.max_distance);
+  const NormalKernels kernels = normalKernels();
+  for (unsigned pass = 0; pass < settings.smoothing; ++pass) {
+#pragma omp parallel for num_threads(threads)
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; column += block)
+        kernels.smooth(samples, normals, limit, column, row, next);
+    std::swap(normals, next);
+  }
+#pragma omp parallel for num_threads(threads)
+  for (int row = 0; row < height; ++row) {
+    const std::ptrdiff_t from = samples.at(0, row);
+    std::copy_n(normals.x.begin() + from, width, image.x.begin() + place(row));
+    std::copy_n(normals.y.begin() + from, width, image.y.begin() + place(row));
+    std::copy_n(normals.z.begin() + from, width, image.z.begin() + place(row));
+  }
 }
 
 } // namespace screen
@@ -207,8 +209,7 @@ screenNormals(const SampleLayers& samples,
       std::copy_n(normals.z, count, image.z.begin() + to);
     }
   screen::turnToEye(pixels, eye, image, threads);
-  for (unsigned pass = 0; pass < settings.smoothing; ++pass)
-    image = screen::smoothed(pixels, image, settings.max_distance, threads);
+  screen::smooth(pixels, settings, image, threads);
   return image;
 }
 

@@ -16,9 +16,9 @@ namespace linelet {
 /** \brief Makes room for \a count elements in an empty vector, in huge pages where the
  * system has them: large arrays that are read and written in no order spend much of
  * their time looking up pages. */
-template <class T>
+template <class T, class Allocator>
 void
-reserveHuge(std::vector<T>& elements, std::size_t count)
+reserveHuge(std::vector<T, Allocator>& elements, std::size_t count)
 {
   elements.reserve(count);
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
