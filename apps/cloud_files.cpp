@@ -27,6 +27,13 @@ warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame)
                projection_help);
 }
 
+namespace {
+
+/** Those by which io::UsablePoints chooses. */
+const std::vector<std::string> choosing = {"classification", "withheld"};
+
+} // namespace
+
 std::vector<double>
 valuesOf(const io::Cloud& cloud, const std::string& name, const std::string& file)
 {
@@ -69,6 +76,14 @@ CloudInput::several()
 }
 
 void
+CloudInput::readOnly(std::vector<std::string> names)
+{
+  if (use_ != Use::Copy)
+    names.insert(names.end(), choosing.begin(), choosing.end());
+  options_.attributes = std::move(names);
+}
+
+void
 CloudInput::checkReference(const std::string& path, const std::string& wkt)
 {
   const std::string name = io::referenceName(wkt);
@@ -102,6 +117,16 @@ CloudInput::summaries()
   }
   frame_.warn(warnings);
   return summaries_;
+}
+
+const std::vector<io::FileSummary>&
+CloudInput::headers()
+{
+  if (!options_.bounds.empty() || !options_.bounds_3d.empty() ||
+      options_.resolution > 0)
+    frame_.warn("--bounds, --bounds-3d and --resolution have no effect on what headers "
+                "say");
+  return summaries();
 }
 
 /** One for all files, that of a file with all their points. */
@@ -162,8 +187,10 @@ CloudInput::shift()
 {
   chooseShift();
   const std::string& path = files().front();
+  io::ReadOptions options = readOptions();
+  options.attributes.emplace(); // none
   io::Cloud cloud;
-  io::PointStream(path, readOptions(), 1, nullptr, &frame_.monitor).next(cloud);
+  io::PointStream(path, options, 1, nullptr, &frame_.monitor).next(cloud);
   checkUnits(cloud, path);
   return cloud.shift;
 }
@@ -242,6 +269,8 @@ CloudInput::surroundings(std::size_t number,
     }
   around.bounds_3d = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
   around.shift = cloud.shift;
+  if (field.empty())
+    around.attributes = choosing;
   const bool any = (low.array() <= high.array()).all();
   for (std::size_t i = 0; i < files().size(); ++i) {
     if (i == number) {

@@ -59,6 +59,11 @@ public:
   bool
   several();
 
+  /** \brief Of the attributes, only \a names are read, and those that choose the points
+   * of an analysis: for commands that copy none. */
+  void
+  readOnly(std::vector<std::string> names);
+
   /** \brief What was named first, for messages. */
   const std::string&
   path() const
@@ -77,6 +82,11 @@ public:
    * different reference systems */
   const std::vector<io::FileSummary>&
   summaries();
+
+  /** \brief The same for commands that read no points: a warning where some are chosen.
+   */
+  const std::vector<io::FileSummary>&
+  headers();
 
   /** \brief How the files are read. */
   io::ReadOptions

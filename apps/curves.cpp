@@ -86,6 +86,8 @@ runCurves(const std::vector<std::string>& arguments)
     for (const CLI::Option* option : frame.app.get_options(isOfPublishedPreset))
       frame.warn(option->get_name() + " has no effect without --preset published");
 
+  if (!isHdf5(output))
+    input.readOnly({});
   const io::Cloud cloud = input.read();
   const io::UsablePoints usable = input.usable(cloud);
   // With those that take no part as NaN, so that --start counts as the file does.

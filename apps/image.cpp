@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <linelet/io/output_file.h>
@@ -38,6 +41,15 @@ draw(const io::Cloud& cloud,
     break;
   }
   return pictureOfCloud(cloud, settings, shapes, file, frame);
+}
+
+/** Whether the points are to be colored by an attribute of that name. */
+bool
+isAttribute(const std::string& color)
+{
+  constexpr std::string_view others[] = {
+      "shape", "height", "grey", "rgb", "normal", "shaded"};
+  return std::find(std::begin(others), std::end(others), color) == std::end(others);
 }
 
 bool
@@ -101,6 +113,10 @@ runImage(const std::vector<std::string>& arguments)
       settings.height > most)
     throw std::runtime_error("width and height must be between 200 and 10000 pixels");
 
+  if (settings.kind != PictureKind::Cloud || !isAttribute(settings.color))
+    input.readOnly(settings.color == "rgb"
+                       ? std::vector<std::string>{"red", "green", "blue"}
+                       : std::vector<std::string>{});
   io::Cloud cloud = input.read();
   if (const auto usable = input.usable(cloud); usable.leftOut() > 0)
     cloud.points = usable.points();

@@ -263,7 +263,7 @@ printTable(CloudInput& input)
                 format.c_str(),
                 name.c_str());
   };
-  for (const io::FileSummary& file : input.summaries()) {
+  for (const io::FileSummary& file : input.headers()) {
     line(file.points, file.low, file.high, file.format, file.path);
     files.push_back({{"file", file.path},
                      {"format", file.format},

@@ -28,7 +28,7 @@ runVpc(const std::vector<std::string>& arguments)
   io::checkWritable(output);
 
   std::vector<std::string> warnings;
-  io::writeVirtualCloud(output, input.summaries(), &warnings);
+  io::writeVirtualCloud(output, input.headers(), &warnings);
   frame.warn(warnings);
   std::size_t points = 0;
   for (const io::FileSummary& file : input.summaries())

@@ -69,8 +69,13 @@ summaryOf(const std::string& path,
     if (!options.crs.empty())
       summary.wkt = declaredReference(options.crs);
   }
-  else
-    summary = summaryOfCloud(readCloud(path, options, warnings));
+  else {
+    ReadOptions all;
+    all.lenient = options.lenient;
+    all.crs = options.crs;
+    all.attributes.emplace(); // none
+    summary = summaryOfCloud(readCloud(path, all, warnings));
+  }
   summary.path = path;
   return summary;
 }

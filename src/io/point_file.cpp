@@ -13,6 +13,7 @@
 #include "readers.h"
 #include "reference_systems.h"
 #include "shift_file.h"
+#include "wanted_attributes.h"
 #include "window.h"
 #include "writers.h"
 
@@ -114,7 +115,10 @@ readCloud(const std::string& path,
     cloud.shift += readShift(path);
     if (options.shift)
       moveShift(cloud, *options.shift);
+    if (options.resolution > 0 && warnings != nullptr)
+      warnings->push_back(path + ": " + no_copc);
     crop(cloud, window);
+    keepWanted(cloud, options);
   }
   if (!options.crs.empty())
     declareReference(cloud, path, options.crs, warnings);

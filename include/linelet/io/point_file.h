@@ -25,6 +25,9 @@ struct ReadOptions {
   std::string crs;       ///< reference system of the input, "EPSG:n", a WKT or its file
   unsigned threads = 0;  ///< to decompress in; 0: all
   std::optional<Point> shift; ///< Cloud::shift to choose, as near as a LAS grid allows
+  /// Columns to read, of those that the file has; of LAZ with point formats 6 to 10,
+  /// the others are not even decompressed. Nothing: all.
+  std::optional<std::vector<std::string>> attributes;
 };
 
 template <class Visit>

@@ -29,9 +29,13 @@ CopcIndex::CopcIndex(std::string_view file, std::string_view info)
   spacing_ = load<double>(info.data() + 32);
   if (!low_.allFinite() || !(half > 0) || !std::isfinite(half))
     throw laz::Error("its COPC record describes no cube");
-  readPage(file,
-           load<std::uint64_t>(info.data() + 40),
-           load<std::uint64_t>(info.data() + 48));
+  std::vector<Page> pages = {
+      {load<std::uint64_t>(info.data() + 40), load<std::uint64_t>(info.data() + 48)}};
+  while (!pages.empty()) {
+    const Page page = pages.back();
+    pages.pop_back();
+    readPage(file, page, pages);
+  }
   std::sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) {
     return a.at < b.at;
   });
@@ -40,18 +44,18 @@ CopcIndex::CopcIndex(std::string_view file, std::string_view info)
 }
 
 void
-CopcIndex::readPage(std::string_view file, std::uint64_t at, std::uint64_t bytes)
+CopcIndex::readPage(std::string_view file, Page page, std::vector<Page>& pages)
 {
-  if (at > file.size() || bytes > file.size() - at)
-    throw laz::Error("a page of its COPC hierarchy, at byte " + std::to_string(at) +
-                     ", is outside of the file");
-  const char* page = file.data() + at;
-  for (std::size_t i = 0; i < bytes / entry_size; ++i) {
+  if (page.at > file.size() || page.bytes > file.size() - page.at)
+    throw laz::Error("a page of its COPC hierarchy, at byte " +
+                     std::to_string(page.at) + ", is outside of the file");
+  const char* entries = file.data() + page.at;
+  for (std::size_t i = 0; i < page.bytes / entry_size; ++i) {
     // A page that leads back to itself has no end.
     if (++entries_ > file.size() / entry_size)
       throw laz::Error(
           "its COPC hierarchy has more entries than the file has room for");
-    const char* entry = page + i * entry_size;
+    const char* entry = entries + i * entry_size;
     Node node{};
     node.level = load<std::int32_t>(entry);
     node.x = load<std::int32_t>(entry + 4);
@@ -61,7 +65,7 @@ CopcIndex::readPage(std::string_view file, std::uint64_t at, std::uint64_t bytes
     node.bytes = load<std::uint32_t>(entry + 24);
     const auto points = load<std::int32_t>(entry + 28);
     if (points == -1)
-      readPage(file, node.at, node.bytes);
+      pages.push_back({node.at, node.bytes});
     else if (points > 0) {
       node.points = static_cast<std::uint32_t>(points);
       if (node.level < 0 || node.level >= most_levels)

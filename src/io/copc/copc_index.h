@@ -40,8 +40,13 @@ private:
     std::uint32_t bytes, points;
   };
 
+  struct Page {
+    std::uint64_t at, bytes;
+  };
+
+  /** Takes the nodes of \a page, and puts the pages it leads to behind \a pages. */
   void
-  readPage(std::string_view file, std::uint64_t at, std::uint64_t bytes);
+  readPage(std::string_view file, Page page, std::vector<Page>& pages);
 
   Point low_; ///< corner of the cube
   double side_ = 0, spacing_ = 0;

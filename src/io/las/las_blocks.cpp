@@ -124,11 +124,14 @@ LasBlocks::load(const laz::Chunk& chunk, std::string& records, laz::Fields wante
 
 void
 LasBlocks::forEach(
+    laz::Fields wanted,
     const std::function<void(std::size_t number, const RecordBlock& block)>& use,
     const std::function<bool(const RecordBlock& block)>& worth) const
 {
   std::exception_ptr problem;
   std::atomic<bool> stop{false};
+  wanted |= laz::field::z;
+  const bool layered = layout_ && layout_->layered();
 #pragma omp parallel num_threads(threadCount(source_.options.threads))
   {
     std::string records;
@@ -138,14 +141,13 @@ LasBlocks::forEach(
         continue;
       try {
         const laz::Chunk& chunk = blocks_[i];
-        const bool layered = layout_ && layout_->layered();
         if (layout_)
-          load(chunk, records, layered && worth ? laz::field::z : laz::field::all);
+          load(chunk, records, layered && worth ? laz::field::z : wanted);
         const char* at = layout_ ? records.data() : source_.bytes.data() + chunk.at;
         const RecordBlock block{at, stride_, chunk.first, chunk.count};
         if (!worth || worth(block)) {
-          if (layered && worth)
-            load(chunk, records, laz::field::all);
+          if (layered && worth && wanted != laz::field::z)
+            load(chunk, records, wanted);
           use(i, block);
         }
         source_.advance(chunk.count);

@@ -68,9 +68,11 @@ public:
 
   /** \brief Calls \a use for every block, in several threads at once and in any order;
    * with \a worth, for those that it says true for. It gets blocks of which no more
-   * than the coordinates need be there. */
+   * than the coordinates need be there; \a use those with coordinates and the layers
+   * \a wanted. */
   void
-  forEach(const std::function<void(std::size_t number, const RecordBlock& block)>& use,
+  forEach(laz::Fields wanted,
+          const std::function<void(std::size_t number, const RecordBlock& block)>& use,
           const std::function<bool(const RecordBlock& block)>& worth = {}) const;
 
 private:

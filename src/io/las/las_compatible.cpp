@@ -27,6 +27,13 @@ constexpr std::array<std::string_view, 5> entries = {
 
 using Bytes = std::vector<std::uint8_t>;
 
+/** Whether \a record says that a file is in this mode. */
+bool
+isMark(const LasRecord& record)
+{
+  return record.is("lascompatible", 22204);
+}
+
 /** The bytes of the column \a name, or null where it has other values. */
 Bytes*
 bytesOf(Cloud& cloud, std::string_view name)
@@ -62,13 +69,16 @@ angles(const std::vector<std::int8_t>& degrees, const Column& rest)
 
 } // namespace
 
+bool
+isCompatible(const LasOrigin& origin)
+{
+  return origin.format <= 5 &&
+         std::any_of(origin.records.begin(), origin.records.end(), isMark);
+}
+
 int
 restoreCompatible(Cloud& cloud, LasOrigin& origin)
 {
-  const auto record =
-      std::find_if(origin.records.begin(),
-                   origin.records.end(),
-                   [](const LasRecord& r) { return r.is("lascompatible", 22204); });
   Column* degrees = cloud.find("scan_angle");
   const Column* rest = cloud.find(angle);
   Bytes *more_returns = bytesOf(cloud, returns),
@@ -76,9 +86,8 @@ restoreCompatible(Cloud& cloud, LasOrigin& origin)
   Bytes *number = bytesOf(cloud, "return_number"),
         *count = bytesOf(cloud, "number_of_returns"),
         *classification = bytesOf(cloud, "classification");
-  if (record == origin.records.end() || origin.format > 5 || degrees == nullptr ||
-      rest == nullptr || more_returns == nullptr || more_classes == nullptr ||
-      bits == nullptr ||
+  if (!isCompatible(origin) || degrees == nullptr || rest == nullptr ||
+      more_returns == nullptr || more_classes == nullptr || bits == nullptr ||
       !std::holds_alternative<std::vector<std::int8_t>>(degrees->values))
     return 0;
   const int format = formatOf(cloud, hasWaveform(origin.format));
@@ -117,7 +126,8 @@ restoreCompatible(Cloud& cloud, LasOrigin& origin)
                                        isEntry(extra.columns.front());
                               }),
                extras.end());
-  origin.records.erase(record);
+  origin.records.erase(
+      std::find_if(origin.records.begin(), origin.records.end(), isMark));
   std::string described;
   for (const LasExtra& extra : extras)
     described += extra.descriptor;

@@ -10,9 +10,11 @@
 
 #include "io/copc/copc_index.h"
 #include "io/readers.h"
+#include "io/wanted_attributes.h"
 #include "io/window.h"
 #include "las_blocks.h"
 #include "las_compatible.h"
+#include "las_layers.h"
 
 namespace linelet::io {
 
@@ -93,6 +95,7 @@ public:
       header_.count = blocks_.points();
     findExtras();
     makeColumns();
+    makeRoomForRaw();
   }
 
   Cloud
@@ -104,11 +107,12 @@ public:
       readSelected();
     else
       blocks_.forEach(
-          [this](std::size_t, const RecordBlock& block) { readBlock(block); });
+          layers_, [this](std::size_t, const RecordBlock& block) { readBlock(block); });
     dropRaw();
     cloud_.format = formatName(header_, *origin_);
     if (const int format = restoreCompatible(cloud_, *origin_); format != 0)
       cloud_.format += ", which stands for point format " + std::to_string(format);
+    keepWanted(cloud_, source_.options);
     std::string problem;
     cloud_.wkt = origin_->wkt = lasReferenceSystem(*origin_, problem);
     if (!problem.empty())
@@ -139,7 +143,7 @@ private:
       }
     }
     if (resolution > 0 && origin_->copc_levels == 0)
-      source_.warn("it is no COPC file; --resolution has no effect");
+      source_.warn(no_copc);
     return {source_, *origin_, header_};
   }
 
@@ -165,6 +169,7 @@ private:
       return false;
     };
     blocks_.forEach(
+        layers_,
         [this](std::size_t number, const RecordBlock& block) {
           for (std::size_t i = 0; i < block.count; ++i)
             if (isInWindow(block.record(i)))
@@ -204,9 +209,8 @@ private:
   readBlock(const RecordBlock& block)
   {
     readCoordinates(block);
-    const auto& fields = lasFields(origin_->format);
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      readField(fields[i], block, cloud_.columns[i]);
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+      readField(fields_[i], block, cloud_.columns[i]);
     readExtras(block);
   }
 
@@ -224,12 +228,14 @@ private:
     if (!complete)
       source_.warn("the extra bytes record describes more than the point records hold; "
                    "bytes it does not place are kept unread");
-    for (LasExtra& extra : origin_->extras) {
-      inexact_.push_back(std::make_unique<std::atomic<bool>>(extra.columns.empty()));
-      const bool scaled = extra.scaled[0] || extra.scaled[1] || extra.scaled[2];
-      if (extra.columns.empty() || scaled)
-        extra.raw.resize(extra.bytes * header_.count);
-    }
+  }
+
+  /** Whether the column \a name is read. What a file in compatibility mode stands for
+   * is made of columns of other names. */
+  bool
+  reads(std::string_view name) const
+  {
+    return isCompatible(*origin_) || isWanted(source_.options, name);
   }
 
   void
@@ -238,19 +244,48 @@ private:
     UniqueNames names;
     for (const LasField& field : lasFields(origin_->format)) {
       const ValueType type = field.isAngleStep() ? ValueType::Float32 : field.type;
-      cloud_.columns.push_back(
-          {names.take(std::string(field.name)), makeValues(type, header_.count), {}});
+      const std::string name = names.take(std::string(field.name));
+      if (!reads(name))
+        continue;
+      fields_.push_back(field);
+      layers_ |= layersOf(field);
+      cloud_.columns.push_back({name, makeValues(type, header_.count), {}});
     }
     for (LasExtra& extra : origin_->extras) {
       const std::string_view text(&extra.descriptor[160], 32);
       for (std::size_t c = 0; c < extra.columns.size(); ++c) {
         std::string& name = extra.columns[c];
         name = names.take(name.empty() ? "extra" : name);
+        extra_columns_.push_back(reads(name) ? cloud_.columns.size() : unread);
+        if (!reads(name))
+          continue;
+        layers_ |= laz::field::extra_bytes;
         const ValueType type = extra.scaled[c] ? ValueType::Float64 : extra.type;
         cloud_.columns.push_back({name,
                                   makeValues(type, header_.count),
                                   cleanName(text.substr(0, text.find('\0')))});
       }
+    }
+  }
+
+  /** For what the columns may not tell of the extra bytes, where these are read whole.
+   */
+  void
+  makeRoomForRaw()
+  {
+    for (LasExtra& extra : origin_->extras) {
+      inexact_.push_back(std::make_unique<std::atomic<bool>>(extra.columns.empty()));
+      const bool scaled = extra.scaled[0] || extra.scaled[1] || extra.scaled[2];
+      const bool whole =
+          extra.columns.empty()
+              ? !source_.options.attributes
+              : std::all_of(extra.columns.begin(),
+                            extra.columns.end(),
+                            [this](const std::string& name) { return reads(name); });
+      if (!whole || !(extra.columns.empty() || scaled))
+        continue;
+      extra.raw.resize(extra.bytes * header_.count);
+      layers_ |= laz::field::extra_bytes;
     }
   }
 
@@ -300,11 +335,12 @@ private:
   readExtras(const RecordBlock& block)
   {
     const char* at = block.records + lasRecordLength(origin_->format);
-    std::size_t column = lasFields(origin_->format).size();
+    std::size_t column = 0;
     for (std::size_t e = 0; e < origin_->extras.size(); ++e) {
       LasExtra& extra = origin_->extras[e];
       for (std::size_t c = 0; c < extra.columns.size(); ++c)
-        if (!readExtra(extra, c, at, block, cloud_.columns[column++]))
+        if (const std::size_t to = extra_columns_[column++];
+            to != unread && !readExtra(extra, c, at, block, cloud_.columns[to]))
           *inexact_[e] = true;
       for (std::size_t i = 0; i < block.count && !extra.raw.empty(); ++i)
         std::memcpy(&extra.raw[(block.first + i) * extra.bytes],
@@ -330,6 +366,10 @@ private:
   LasBlocks blocks_;
   std::vector<std::string> selected_; ///< records in the window, by block
   Cloud cloud_;
+  std::vector<LasField> fields_;           ///< of the first columns
+  laz::Fields layers_ = 0;                 ///< of all columns
+  std::vector<std::size_t> extra_columns_; ///< of the components of the extra entries
+  static constexpr std::size_t unread = static_cast<std::size_t>(-1);
   std::vector<std::unique_ptr<std::atomic<bool>>> inexact_; // one an extra entry
 };
 

@@ -3,8 +3,15 @@
 
 // Windows give the points that the whole file has there, and lists name their files.
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <set>
+#include <sstream>
 #include <tuple>
+#include <vector>
 
 #include <linelet/io/input_list.h>
 #include <linelet/io/point_file.h>
@@ -33,6 +40,45 @@ placesIn(const Cloud& cloud, const std::vector<double>& box)
   return places;
 }
 
+/** \brief Grid coordinates of the points of a LAS 1.4 file, sorted. */
+std::vector<std::array<std::int32_t, 3>>
+stepsOf(const std::string& las)
+{
+  std::vector<std::array<std::int32_t, 3>> steps(numberAt<std::uint64_t>(las, 247));
+  std::size_t at = numberAt<std::uint32_t>(las, 96);
+  for (auto& step : steps) {
+    step = {numberAt<std::int32_t>(las, at),
+            numberAt<std::int32_t>(las, at + 4),
+            numberAt<std::int32_t>(las, at + 8)};
+    at += numberAt<std::uint16_t>(las, 105);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+/** \brief Parts of the box of \a whole, at several distances. */
+std::vector<ReadOptions>
+windowsOf(const Cloud& whole)
+{
+  Point low = whole.shift + whole.points.front(), high = low;
+  for (const Point& point : whole.points) {
+    low = low.cwiseMin(whole.shift + point);
+    high = high.cwiseMax(whole.shift + point);
+  }
+  std::vector<ReadOptions> windows;
+  for (const double resolution : {0.0, 0.5, 3.0, 20.0, 500.0})
+    for (const double part : {1.0, 0.4, 0.05}) {
+      // Corners between the steps of the grid, where nobody rounds onto a point.
+      const Point from = low + (1 - part) / 3 * (high - low) - Point::Constant(0.00037);
+      const Point to = from + part * (high - low) + Point::Constant(0.00071);
+      ReadOptions options;
+      options.bounds_3d = {from.x(), from.y(), from.z(), to.x(), to.y(), to.z()};
+      options.resolution = resolution;
+      windows.push_back(options);
+    }
+  return windows;
+}
+
 } // namespace
 
 TEST(Windows, HoldThePointsThatTheWholeFileHasThere)
@@ -58,6 +104,89 @@ TEST(Windows, HoldThePointsThatTheWholeFileHasThere)
       EXPECT_EQ(part.points.size(), placesIn(whole, options.bounds).size());
     }
   }
+}
+
+TEST(Windows, OfCopcFilesAreThoseOfCopcReader)
+{
+  LINELET_NEEDS_DATA("readers/copc");
+  const char* chosen = std::getenv("LINELET_LAZ_PYTHON");
+  const std::string python = chosen != nullptr ? chosen : "python3";
+  if (std::system((python + " -c 'import laspy, lazrs' 2>/dev/null").c_str()) != 0)
+    GTEST_SKIP() << "no laspy and lazrs in " << python
+                 << "; LINELET_LAZ_PYTHON names a Python that has them";
+  const Folder folder;
+  // Of each line of a file: the grid coordinates, sorted, of the points in the bounds
+  // a[1:7] and the levels that the distance a[0] needs.
+  writeBytes(folder.file("query.py"),
+             "import laspy, numpy, sys\n"
+             "for k, line in enumerate(open(sys.argv[2])):\n"
+             "    a = [float(x) for x in line.split()]\n"
+             "    with laspy.CopcReader.open(sys.argv[1]) as reader:\n"
+             "        p = reader.query(bounds=laspy.copc.Bounds(numpy.array(a[1:4]), "
+             "numpy.array(a[4:7])), resolution=a[0] or None)\n"
+             "    xyz = numpy.stack([p.X, p.Y, p.Z], 1).astype('<i4')\n"
+             "    xyz = xyz[numpy.lexsort(xyz.T[::-1])]\n"
+             "    open(sys.argv[3] + str(k), 'wb').write(xyz.tobytes())\n");
+  std::size_t windows = 0, points = 0;
+  for (const char* name : {"lasR_example.copc.laz",
+                           "laspy_simple.copc.laz",
+                           "laspy_simple_with_page.copc.laz",
+                           "silvimetric_test_data_2.copc.laz"}) {
+    SCOPED_TRACE(name);
+    const std::string path = (dataPath("readers/copc") / name).string();
+    const std::vector<ReadOptions> queries = windowsOf(readCloud(path));
+    std::ostringstream lines;
+    for (const ReadOptions& options : queries) {
+      lines << options.resolution << std::fixed;
+      for (const double number : options.bounds_3d)
+        lines << ' ' << number;
+      lines << '\n';
+    }
+    writeBytes(folder.file("queries"), lines.str());
+    ASSERT_EQ(std::system((python + " " + folder.file("query.py") + " " + path + " " +
+                           folder.file("queries") + " " + folder.file("xyz"))
+                              .c_str()),
+              0);
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+      SCOPED_TRACE(k);
+      writeCloud(folder.file("out.las"), readCloud(path, queries[k]));
+      const auto found = stepsOf(bytesOf(folder.file("out.las")));
+      const std::string theirs = bytesOf(folder.file("xyz" + std::to_string(k)));
+      ASSERT_EQ(theirs.size(), 12 * found.size());
+      EXPECT_EQ(std::memcmp(theirs.data(), found.data(), theirs.size()), 0);
+      ++windows;
+      points += found.size();
+    }
+  }
+  EXPECT_EQ(windows, 60U);
+  EXPECT_GT(points, 10000U);
+}
+
+TEST(Windows, APageOfCopcThatLeadsToItselfEnds)
+{
+  LINELET_NEEDS_DATA("readers/copc");
+  const Folder folder;
+  std::string bytes = bytesOf(dataPath("readers/copc/laspy_simple.copc.laz"));
+  // As many entries as the file has room for, all of them this page again.
+  const std::uint64_t at = bytes.size(), size = 8000000;
+  std::string entry(32, '\0');
+  const std::int32_t another = -1, length = 32;
+  std::memcpy(&entry[16], &at, 8);
+  std::memcpy(&entry[24], &length, 4);
+  std::memcpy(&entry[28], &another, 4);
+  for (std::uint64_t i = 0; i < size; i += entry.size())
+    bytes += entry;
+  std::memcpy(&bytes[375 + 54 + 40], &at, 8);
+  const std::uint64_t page = length;
+  std::memcpy(&bytes[375 + 54 + 48], &page, 8);
+  writeBytes(folder.file("a.copc.laz"), bytes);
+  std::vector<std::string> warnings;
+  const Cloud cloud = readCloud(folder.file("a.copc.laz"), {}, &warnings);
+  EXPECT_EQ(cloud.points.size(), 1065U);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("more entries than the file has room for"),
+            std::string::npos)
+      << warnings[0];
 }
 
 TEST(Windows, ThatBoundNothingAreRefused)

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string_view>
+
+#include <linelet/io/point_file.h>
+
+namespace linelet::io {
+
+/** \brief Whether \a options ask for the column \a name. */
+bool
+isWanted(const ReadOptions& options, std::string_view name);
+
+/** \brief Drops the columns of \a cloud that \a options do not ask for. */
+void
+keepWanted(Cloud& cloud, const ReadOptions& options);
+
+} // namespace linelet::io
