@@ -5,15 +5,12 @@
 //   benchmark_clusters quality FILE LEAF...     equal numbers of representatives
 //   benchmark_clusters speed FILE POINTS...     copies of a tile side by side
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <exception>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,6 +21,8 @@
 #include <linelet/io/point_file.h>
 #include <linelet/search/kd_tree.h>
 #include <linelet/tensor/eigen_analysis.h>
+
+#include "best_time.h"
 
 using namespace linelet;
 
@@ -209,16 +208,11 @@ compareQuality(const std::string& file, float leaf)
       }
 }
 
-struct Time {
-  double wall = std::numeric_limits<double>::infinity();
-  double cpu = wall;
-};
-
 /** \brief Something to be timed; it returns a number of cells. */
 struct Candidate {
   std::string name;
   std::function<std::size_t()> work;
-  Time best;
+  bench::BestTime best;
   std::size_t cells = 0;
 };
 
@@ -229,16 +223,8 @@ race(std::vector<Candidate>& candidates)
 {
   constexpr int rounds = 7;
   for (int round = 0; round < rounds; ++round)
-    for (Candidate& candidate : candidates) {
-      const auto begin = std::chrono::steady_clock::now();
-      const std::clock_t cpu_begin = std::clock();
-      candidate.cells = candidate.work();
-      const std::chrono::duration<double> wall =
-          std::chrono::steady_clock::now() - begin;
-      const double cpu = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
-      candidate.best.wall = std::min(candidate.best.wall, wall.count());
-      candidate.best.cpu = std::min(candidate.best.cpu, cpu);
-    }
+    for (Candidate& candidate : candidates)
+      candidate.best.run([&] { candidate.cells = candidate.work(); });
 }
 
 /** \brief Copies of a tile in rows, so many points in all. */

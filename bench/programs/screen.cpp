@@ -7,13 +7,10 @@
 // Organized clouds of 640 x 480 with noise along the rays; a picture of 1600 x 1200
 // with 8 samples a pixel; POINTS splats (1e6). Of three repetitions the fastest counts.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
-#include <limits>
 #include <string>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -28,30 +25,21 @@
 #include <linelet/screen/screen_space_normal_estimation.h>
 #include <linelet/screen/tensor_splats.h>
 
+#include "best_time.h"
+
 using namespace linelet;
 
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-struct Time {
-  double wall = std::numeric_limits<double>::infinity(), cpu = wall;
-};
-
 template <class Work>
-Time
+bench::BestTime
 fastest(const Work& work)
 {
-  Time best;
-  for (int repetition = 0; repetition < 3; ++repetition) {
-    const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu_begin = std::clock();
-    work();
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    best.wall = std::min(best.wall, wall.count());
-    best.cpu = std::min(best.cpu,
-                        static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
-  }
+  bench::BestTime best;
+  for (int repetition = 0; repetition < 3; ++repetition)
+    best.run(work);
   return best;
 }
 
@@ -94,7 +82,7 @@ compareNormals(bool curved, double noise)
     }
   const auto report = [&](const std::string& name,
                           const pcl::PointCloud<pcl::Normal>& normals,
-                          const Time& time) {
+                          const bench::BestTime& time) {
     double sum = 0;
     std::size_t known = 0, wrong = 0;
     for (std::size_t k = 0; k < normals.size(); ++k) {
@@ -126,7 +114,7 @@ compareNormals(bool curved, double noise)
       {Rival::AVERAGE_DEPTH_CHANGE, "pcl average depth change"}};
   for (const auto& [method, name] : rivals) {
     const auto which = method;
-    const Time time = fastest([&] {
+    const bench::BestTime time = fastest([&] {
       Rival estimation;
       estimation.setNormalEstimationMethod(which);
       estimation.setMaxDepthChangeFactor(0.05F);
@@ -142,7 +130,7 @@ compareNormals(bool curved, double noise)
                                               ScreenNormalMethod::PlaneCircle,
                                               ScreenNormalMethod::PlaneDiagonals,
                                               ScreenNormalMethod::Tensor}) {
-        const Time time = fastest([&] {
+        const bench::BestTime time = fastest([&] {
           ScreenSpaceNormalEstimation<pcl::PointXYZ> estimation;
           estimation.setMethod(method);
           estimation.setPattern(samples);
@@ -173,7 +161,8 @@ largePicture()
     points.emplace_back(x, y, std::sin(x) + std::cos(0.7 * y));
   }
   SampleLayers samples;
-  const Time splat = fastest([&] { samples = sampleLayers(points, camera, 3); });
+  const bench::BestTime splat =
+      fastest([&] { samples = sampleLayers(points, camera, 3); });
   std::printf("1600 x 1200 x 8, 2e6 points: samples wall %.0f ms, CPU %.0f ms\n",
               1e3 * splat.wall,
               1e3 * splat.cpu);
@@ -187,7 +176,8 @@ largePicture()
       settings.samples = count;
       settings.max_distance = 1;
       const Eigen::Vector3f eye = (camera.eye - samples.origin).cast<float>();
-      const Time time = fastest([&] { screenNormals(samples, eye, settings); });
+      const bench::BestTime time =
+          fastest([&] { screenNormals(samples, eye, settings); });
       std::printf("%u samples x 8, %s: wall %.0f ms, CPU %.0f ms\n",
                   count,
                   std::string(nameOf(method)).c_str(),
@@ -219,8 +209,8 @@ manySplats(std::size_t count)
                              0.02,
                              {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}}));
   }
-  const Time splats = fastest([&] { drawSplats(glyphs, camera); });
-  const Time ellipsoids = fastest([&] { drawEllipsoids(glyphs, camera); });
+  const bench::BestTime splats = fastest([&] { drawSplats(glyphs, camera); });
+  const bench::BestTime ellipsoids = fastest([&] { drawEllipsoids(glyphs, camera); });
   std::printf(
       "%zu splats of about 20 pixels: wall %.2f s, CPU %.2f s; ellipsoids: wall "
       "%.2f s, CPU %.2f s\n",

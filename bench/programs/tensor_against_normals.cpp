@@ -8,13 +8,9 @@
 // Both start from the same cloud and find the same neighbors; the building of the
 // search structure is part of the time. Of several repetitions the fastest counts.
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
-#include <limits>
 #include <string>
 
 #include <pcl/features/impl/normal_3d.hpp>
@@ -25,30 +21,20 @@
 #include <linelet/features/point_distribution_tensor.h>
 #include <linelet/io/point_file.h>
 
+#include "best_time.h"
+
 namespace {
 
 using namespace linelet;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-struct Time {
-  double wall = std::numeric_limits<double>::infinity();
-  double cpu = std::numeric_limits<double>::infinity();
-};
-
 template <class Work>
-Time
+bench::BestTime
 fastest(int repetitions, Work work)
 {
-  Time best;
-  for (int i = 0; i < repetitions; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t cpu_begin = std::clock();
-    work();
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-    best.wall = std::min(best.wall, wall.count());
-    best.cpu = std::min(best.cpu,
-                        static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
-  }
+  bench::BestTime best;
+  for (int i = 0; i < repetitions; ++i)
+    best.run(work);
   return best;
 }
 
@@ -62,11 +48,11 @@ compare(const std::string& file, double radius, unsigned threads, int repetition
                         static_cast<float>(point.z()));
   std::printf(
       "%zu points, radius %g, %u threads (0: all)\n", cloud->size(), radius, threads);
-  const auto report = [](const char* name, const Time& time) {
+  const auto report = [](const char* name, const bench::BestTime& time) {
     std::printf("%-22s wall %7.3f s  cpu %7.3f s\n", name, time.wall, time.cpu);
   };
 
-  const Time normals = fastest(repetitions, [&] {
+  const bench::BestTime normals = fastest(repetitions, [&] {
     pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation(threads);
     estimation.setInputCloud(cloud);
     estimation.setSearchMethod(
@@ -77,7 +63,7 @@ compare(const std::string& file, double radius, unsigned threads, int repetition
   });
   report("NormalEstimationOMP", normals);
   for (const Engine engine : {Engine::Grid, Engine::Tree}) {
-    const Time tensor = fastest(repetitions, [&] {
+    const bench::BestTime tensor = fastest(repetitions, [&] {
       PointDistributionTensorEstimation<pcl::PointXYZ> estimation;
       estimation.setInputCloud(cloud);
       estimation.setNumberOfThreads(threads);

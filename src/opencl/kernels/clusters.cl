@@ -27,12 +27,12 @@ typedef struct {
 static bool
 locate(constant Grid* grid,
        global const double* depths,
-       double px,
-       double py,
-       double pz,
+       global const double* points,
+       size_t i,
        int* cell,
        double* part)
 {
+  const double px = points[3 * i], py = points[3 * i + 1], pz = points[3 * i + 2];
   if (!grid->perspective) {
     const double p[3] = {px, py, pz};
     for (int a = 0; a < 3; ++a) {
@@ -113,13 +113,7 @@ markBricks(global const double* points,
   const size_t i = get_global_id(0);
   int cell[3];
   double part[3];
-  if (i < count && locate(grid,
-                          depths,
-                          points[3 * i],
-                          points[3 * i + 1],
-                          points[3 * i + 2],
-                          cell,
-                          part))
+  if (i < count && locate(grid, depths, points, i, cell, part))
     mark(marked, brickOf(grid, cell));
 }
 
@@ -135,13 +129,7 @@ markCells(global const double* points,
   const size_t i = get_global_id(0);
   int cell[3];
   double part[3];
-  if (i < count && locate(grid,
-                          depths,
-                          points[3 * i],
-                          points[3 * i + 1],
-                          points[3 * i + 2],
-                          cell,
-                          part))
+  if (i < count && locate(grid, depths, points, i, cell, part))
     mark(occupied,
          (ulong)BRICK_CELLS * smaller(marked, marked_before, brickOf(grid, cell)) +
              withinBrick(cell));
@@ -188,8 +176,7 @@ findHomes(global const double* points,
     return;
   int cell[3];
   double part[3];
-  if (!locate(
-          grid, depths, points[3 * i], points[3 * i + 1], points[3 * i + 2], cell, part)) {
+  if (!locate(grid, depths, points, i, cell, part)) {
     home[i] = assigned[i] = NO_SLOT;
     faces[i] = INSIDE_CELL;
     return;

@@ -29,6 +29,7 @@ expectSame(const CurveNetwork& a, const CurveNetwork& b)
 
 } // namespace
 
+// Which mode is which, test_direction_field.cpp tells.
 TEST(Published, EveryDirectionModeFollowsACircle)
 {
   for (const auto& [mode, name] : Names<DirectionMode>::table) {
