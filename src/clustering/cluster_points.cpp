@@ -116,6 +116,7 @@ move(PointPasses& passes,
   passes.setNeighbors(neighbors);
   if (settings.move_by == MoveRule::Population) {
     std::vector<std::int64_t> populations;
+    populations.reserve(sums.size());
     for (const CellSums& sum : sums)
       populations.push_back(sum.count);
     passes.moveBySteps(populationShifts(

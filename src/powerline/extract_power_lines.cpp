@@ -100,7 +100,8 @@ groundUnder(const Points& points,
             const ProgressMonitor* monitor)
 {
   const bool terrain = showsTerrain(points, classes);
-  Ground ground = findGround(points, classes, settings.use_classes, monitor, terrain);
+  Ground ground = findGround(
+      points, classes, settings.use_classes, monitor, terrain, settings.threads);
   throwIfCanceled(monitor);
   if (terrain)
     network.ground = ground;

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <limits>
 
+#include <linelet/support/threads.h>
+
 #include "powerline/plan_extent.h"
 
 namespace linelet::powerline {
@@ -99,11 +101,11 @@ surfaceAround(const Ground& g, int column, int row)
 // Returns that lie on no surface are no terrain: over water, which sends nothing back,
 // they are the wires.
 void
-forgetLines(Ground& ground)
+forgetLines(Ground& ground, unsigned threads)
 {
   const auto cells = static_cast<std::ptrdiff_t>(ground.heights.size());
   std::vector<float> share(ground.heights.size(), unknown);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < cells; ++i)
     if (!std::isnan(ground.heights[static_cast<std::size_t>(i)]))
       share[static_cast<std::size_t>(i)] =
@@ -265,7 +267,8 @@ findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
            bool use_classes,
            const ProgressMonitor* monitor,
-           bool on_surfaces)
+           bool on_surfaces,
+           unsigned threads)
 {
   const PlanExtent extent = planExtent(points, cell_size);
   throwIfCanceled(monitor);
@@ -294,7 +297,7 @@ findGround(const Points& points,
       height = std::fmin(height, static_cast<float>(p.z()));
     }
   if (on_surfaces)
-    forgetLines(g);
+    forgetLines(g, threads);
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;

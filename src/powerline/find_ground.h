@@ -22,13 +22,15 @@ namespace linelet::powerline {
  * \param[in] classes empty, or one per point
  * \param[in] use_classes take points of class 2 for the terrain, where there are any
  * \param[in] on_surfaces what lies on no surface is no terrain; not where there is none
- * to be seen, see \ref showsTerrain */
+ * to be seen, see \ref showsTerrain
+ * \param[in] threads 0: all */
 Ground
 findGround(const Points& points,
            const std::vector<std::uint8_t>& classes,
            bool use_classes,
            const ProgressMonitor* monitor = nullptr,
-           bool on_surfaces = true);
+           bool on_surfaces = true,
+           unsigned threads = 0);
 
 /** \brief How \ref fillHoles looks at larger cells. */
 enum class Fill {

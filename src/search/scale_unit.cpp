@@ -99,12 +99,16 @@ scaleUnit(const NeighborSearch& search,
     return std::numeric_limits<double>::quiet_NaN();
   drawSample(chosen, sample, seed);
   std::vector<double> distances(chosen.size());
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threadCount(threads))
   for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(chosen.size()); ++k) {
     thread_local Indices found;
     const auto place = static_cast<std::size_t>(k);
-    distances[place] = search.nearest(points[chosen[place]], neighbors + 1, found);
+    failure.guard([&] {
+      distances[place] = search.nearest(points[chosen[place]], neighbors + 1, found);
+    });
   }
+  failure.rethrow();
   return median(distances);
 }
 

@@ -12,6 +12,7 @@
 
 #include "adaptive_dop853.h"
 #include "meeting.h"
+#include "support/parallel_failure.h"
 
 namespace linelet {
 
@@ -140,10 +141,15 @@ grow(LineLets& lets,
     if (monitor != nullptr && monitor->canceled())
       throw Canceled();
     const auto count = static_cast<std::ptrdiff_t>(ends.size());
+    ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 8)                                          \
     num_threads(threadCount(settings.threads)) if (count > 32)
     for (std::ptrdiff_t i = 0; i < count; ++i)
-      propose(ends[static_cast<std::size_t>(i)], lets, field, neighbors, limits, table);
+      failure.guard([&] {
+        propose(
+            ends[static_cast<std::size_t>(i)], lets, field, neighbors, limits, table);
+      });
+    failure.rethrow();
     std::vector<GrowingEnd> still;
     for (const GrowingEnd& end : ends)
       if (advance(end, lets, limits))

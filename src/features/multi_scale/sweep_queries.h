@@ -109,12 +109,12 @@ sweepQueries(const SweepNeighbors& neighbors,
             });
         sweep->run();
         (*visit)(query, *sweep);
+        if (monitor != nullptr) {
+          monitor->advance(1);
+          if (monitor->canceled())
+            canceled = true;
+        }
       });
-      if (monitor != nullptr) {
-        monitor->advance(1);
-        if (monitor->canceled())
-          canceled = true;
-      }
     }
   }
   failure.rethrow();

@@ -61,12 +61,12 @@ shifted(const Points& points,
                              Point::Zero(),
                              settings.radius,
                              settings.weighting);
+        if (monitor != nullptr) {
+          monitor->advance(1);
+          if (monitor->canceled())
+            canceled = true;
+        }
       });
-      if (monitor != nullptr) {
-        monitor->advance(1);
-        if (monitor->canceled())
-          canceled = true;
-      }
     }
   }
   failure.rethrow();

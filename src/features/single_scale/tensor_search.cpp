@@ -95,12 +95,12 @@ estimateTensors(const NeighborSearch& search,
           if (monitor != nullptr && monitor->canceled())
             break; // neighborhoods may be the whole cloud
         }
+        if (monitor != nullptr) {
+          monitor->advance(end - begin);
+          if (monitor->canceled())
+            stop = true;
+        }
       });
-      if (monitor != nullptr) {
-        monitor->advance(end - begin);
-        if (monitor->canceled())
-          stop = true;
-      }
     }
   }
   failure.rethrow();

@@ -16,6 +16,7 @@
 #include "powerline/hazards/stretches.h"
 #include "powerline/hazards/wire_cells.h"
 #include "powerline/hazards/wire_curve.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::powerline {
 
@@ -67,25 +68,29 @@ approachesOf(const PowerLineNetwork& network,
     for (const std::uint32_t w : cells.near(surroundings.points[i]))
       near[w].push_back(static_cast<Index>(i));
   const auto count = static_cast<std::ptrdiff_t>(network.wires.size());
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::ptrdiff_t k = 0; k < count; ++k) {
-    const auto w = static_cast<std::size_t>(k);
-    for (const Index i : near[w]) {
-      const HazardKind kind = surroundings.kinds[i];
-      const int support = surroundings.support[i];
-      if (support != 0 && isOwnSupport(network, network.wires[w], support))
-        continue;
-      const Approach one =
-          approach(curves[w], surroundings.points[i], limits.of(kind).low);
-      if (one.from <= one.to)
-        all[w][{kind, support}].push_back(one);
-    }
-    std::vector<Approach> terrain;
-    approachTerrain(
-        network.ground, curves[w], limits.of(HazardKind::Ground).low, terrain);
-    if (!terrain.empty())
-      all[w][{HazardKind::Ground, 0}] = std::move(terrain);
+    failure.guard([&] {
+      const auto w = static_cast<std::size_t>(k);
+      for (const Index i : near[w]) {
+        const HazardKind kind = surroundings.kinds[i];
+        const int support = surroundings.support[i];
+        if (support != 0 && isOwnSupport(network, network.wires[w], support))
+          continue;
+        const Approach one =
+            approach(curves[w], surroundings.points[i], limits.of(kind).low);
+        if (one.from <= one.to)
+          all[w][{kind, support}].push_back(one);
+      }
+      std::vector<Approach> terrain;
+      approachTerrain(
+          network.ground, curves[w], limits.of(HazardKind::Ground).low, terrain);
+      if (!terrain.empty())
+        all[w][{HazardKind::Ground, 0}] = std::move(terrain);
+    });
   }
+  failure.rethrow();
   return all;
 }
 

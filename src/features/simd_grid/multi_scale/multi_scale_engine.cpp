@@ -3,10 +3,12 @@
 
 #include "multi_scale_engine.h"
 
-#include "features/simd_grid/order/reach.h"
-
 #include <algorithm>
 #include <atomic>
+#include <optional>
+
+#include "features/simd_grid/order/reach.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::grid {
 
@@ -94,9 +96,11 @@ MultiScaleEngine::run(const Points& queries,
   for (std::size_t block = 0; block < order.blocks(); ++block)
     addPieces(block, order.begin(block), order.begin(block + 1), pieces);
   const auto count = static_cast<std::ptrdiff_t>(pieces.size());
+  ParallelFailure failure;
 #pragma omp parallel num_threads(threads_)
   {
-    MultiScaleSweep sweep(job, make_visitor());
+    std::optional<MultiScaleSweep> sweep;
+    failure.guard([&] { sweep.emplace(job, make_visitor()); });
 #pragma omp for schedule(dynamic)
     for (std::ptrdiff_t p = 0; p < count; ++p) {
       if (stop)
@@ -104,14 +108,17 @@ MultiScaleEngine::run(const Points& queries,
       const MultiScalePiece& piece = pieces[static_cast<std::size_t>(p)];
       if (!isWanted(order, piece))
         continue;
-      sweep(piece);
-      if (monitor != nullptr) {
-        monitor->advance(piece.end - piece.begin);
-        if (monitor->canceled())
-          stop = true;
-      }
+      failure.guard([&] {
+        (*sweep)(piece);
+        if (monitor != nullptr) {
+          monitor->advance(piece.end - piece.begin);
+          if (monitor->canceled())
+            stop = true;
+        }
+      });
     }
   }
+  failure.rethrow();
   if (stop)
     throw Canceled();
 }

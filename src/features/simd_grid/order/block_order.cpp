@@ -11,6 +11,7 @@
 
 #include "key_sort.h"
 #include "support/huge_pages.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::grid {
 
@@ -115,13 +116,16 @@ BlockOrder::BlockOrder(const Points& points,
     axis.resize(index_.size() + padding);
   }
   const auto count = static_cast<std::ptrdiff_t>(blocks());
+  ParallelFailure failure;
 #pragma omp parallel num_threads(threads)
   {
     std::vector<Entry> entries;
 #pragma omp for schedule(dynamic, 64)
     for (std::ptrdiff_t b = 0; b < count; ++b)
-      sortBlock(static_cast<std::size_t>(b), points, frame, entries);
+      failure.guard(
+          [&] { sortBlock(static_cast<std::size_t>(b), points, frame, entries); });
   }
+  failure.rethrow();
 }
 
 void

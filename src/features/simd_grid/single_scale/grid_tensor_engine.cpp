@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <linelet/search/grid_search.h>
 #include <linelet/support/threads.h>
@@ -16,6 +17,7 @@
 #include "block_sweep.h"
 #include "features/simd_grid/order/reach.h"
 #include "support/huge_pages.h"
+#include "support/parallel_failure.h"
 
 namespace linelet {
 
@@ -110,9 +112,11 @@ private:
                        monitor_,
                        stop};
     const auto blocks = static_cast<std::ptrdiff_t>(queries.blocks());
+    ParallelFailure failure;
 #pragma omp parallel num_threads(threads_)
     {
-      BlockSweep sweep_block(job);
+      std::optional<BlockSweep> sweep_block;
+      failure.guard([&] { sweep_block.emplace(job); });
 #pragma omp for schedule(dynamic, 4)
       for (std::ptrdiff_t b = 0; b < blocks; ++b) {
         if (stop)
@@ -120,14 +124,17 @@ private:
         const auto block = static_cast<std::size_t>(b);
         if (!isWanted(queries, block))
           continue;
-        sweep_block(block);
-        if (monitor_ != nullptr) {
-          monitor_->advance(queries.begin(block + 1) - queries.begin(block));
-          if (monitor_->canceled())
-            stop = true;
-        }
+        failure.guard([&] {
+          (*sweep_block)(block);
+          if (monitor_ != nullptr) {
+            monitor_->advance(queries.begin(block + 1) - queries.begin(block));
+            if (monitor_->canceled())
+              stop = true;
+          }
+        });
       }
     }
+    failure.rethrow();
     if (stop)
       throw Canceled();
   }
