@@ -28,7 +28,8 @@ if(LINELET_BUILD_IO AND LINELET_WITH_HDF5)
   # that flavor is installed as well.
   find_path(LINELET_HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial)
   find_library(LINELET_HDF5_LIBRARY NAMES hdf5_serial hdf5)
-  if(LINELET_HDF5_INCLUDE AND LINELET_HDF5_LIBRARY)
+  find_package(ZLIB) # chunks are inflated once before HDF5 does
+  if(LINELET_HDF5_INCLUDE AND LINELET_HDF5_LIBRARY AND ZLIB_FOUND)
     set(LINELET_HDF5_FOUND ON)
     message(STATUS "linelet: HDF5 files: yes (${LINELET_HDF5_LIBRARY})")
   else()

@@ -57,7 +57,7 @@ if(TARGET linelet_pcl)
 endif()
 if(TARGET linelet_io)
   if(LINELET_HDF5_FOUND)
-    set(io_private PRIVATE_REQUIRES hdf5-serial)
+    set(io_private PRIVATE_REQUIRES hdf5-serial zlib)
   endif()
   linelet_component(io "Point files" LIBS io REQUIRES linelet-core ${io_private})
   linelet_component(fragments "Fragments of clouds that do not fit"

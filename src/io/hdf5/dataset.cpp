@@ -156,6 +156,10 @@ StoredColumn::StoredColumn(const Handle& group, const std::string& name) : name_
   if (bytes > most_inflation * stored + 4096)
     throw Error("cannot read " + name + ": it claims " + std::to_string(extent[0]) +
                 " rows, more than the bytes that are there can hold");
+  const Handle create(H5Dget_create_plist(dataset_.id()), H5Pclose, what);
+  if (H5Pget_layout(create.id()) == H5D_COMPACT && stored < bytes)
+    throw Error("cannot read " + name + ": it is damaged");
+  chunks_ = ChunkCheck(dataset_, extent[1], H5Tget_size(type.id()), name);
   rows_ = extent[0];
   width_ = extent[1];
 }
@@ -169,6 +173,7 @@ StoredColumn::read(hid_t memory_type,
   if (count == 0)
     return;
   const std::string what = "read " + name_;
+  chunks_.rows(dataset_, first, count);
   const Handle file(H5Dget_space(dataset_.id()), H5Sclose, what);
   const hsize_t begin[2] = {first, 0}, number[2] = {count, width_};
   check(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, begin, nullptr, number, nullptr),

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "chunk_check.h"
 #include "handle.h"
 
 namespace linelet::io::hdf5 {
@@ -127,6 +128,7 @@ private:
   Handle dataset_;
   std::size_t rows_ = 0, width_ = 1;
   std::vector<Member> members_;
+  mutable ChunkCheck chunks_;
 };
 
 } // namespace linelet::io::hdf5

@@ -62,9 +62,11 @@ sameBits(const Values& a, const Values& b)
                using V = std::decay_t<decltype(values)>;
                const V& others = std::get<V>(b);
                return values.size() == others.size() &&
-                      std::memcmp(values.data(),
-                                  others.data(),
-                                  values.size() * sizeof(values[0])) == 0;
+                      (values.empty() ||
+                       std::memcmp(values.data(),
+                                   others.data(),
+                                   values.size() * sizeof(typename V::value_type)) ==
+                           0);
              },
              a);
 }

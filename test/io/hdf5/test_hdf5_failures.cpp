@@ -47,6 +47,9 @@ TEST_F(Hdf5, ABlockOfOtherAttributesIsRefused)
 
 TEST_F(Hdf5, MemoryDoesNotGrowWithTheBlocks)
 {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers keep what was freed";
+#endif
   const Cloud block = example(100000);
   Hdf5CloudWriter writer(folder.file("cloud.h5"), part(block, 0, 0));
   for (int k = 0; k < 5; ++k)
