@@ -23,6 +23,8 @@ constexpr int largest_radius = 12; // cells: lowers buildings up to 50 m wide
 // rest (angle of repose, 30 to 45 degrees by the size and edges of the grains).
 constexpr double terrain_slope = 1;
 constexpr double surface_part = 0.7; // of the usual share of a surface around terrain
+// Of the surroundings of the usual cell, what is a surface where there is one at all.
+constexpr double least_surface = 0.5;
 constexpr double pi = 3.14159265358979323846;
 constexpr double step = 0.3; // height noise, meters
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
@@ -120,6 +122,8 @@ forgetLines(Ground& ground, unsigned threads)
     return;
   const auto middle = usual.begin() + static_cast<std::ptrdiff_t>(usual.size() / 2);
   std::nth_element(usual.begin(), middle, usual.end());
+  if (static_cast<double>(*middle) < least_surface)
+    return; // a pylon and its wires, as a drone sees them
   for (std::size_t i = 0; i < share.size(); ++i)
     if (static_cast<double>(share[i]) < surface_part * static_cast<double>(*middle))
       ground.heights[i] = unknown;

@@ -54,6 +54,8 @@ struct Family {
   bool border = false;                      ///< a wire leaves the data
   bool clear = false;  ///< a wire hangs by itself with the view free to the ground
   bool joined = false; ///< some wires meet
+  double stubs = 0;    ///< pairs that meet at a support, cut off by the data's border
+  double descent = 0;  ///< sum of their slopes away from it
 };
 
 double
@@ -100,7 +102,12 @@ bool
 plausible(const Family& family, bool terrain)
 {
   const double bend = family.bend / family.weight;
-  if (family.bends - family.least < -priors.spread * std::sqrt(family.precision) ||
+  // Too short to be seen to bend, what falls off to both sides of a support hangs
+  // there: 4 sag / span at the end of a span.
+  const bool hangs =
+      family.stubs > 0 && family.descent >= 2 * 4 * priors.least_sag * family.stubs;
+  if ((!hangs &&
+       family.bends - family.least < -priors.spread * std::sqrt(family.precision)) ||
       (terrain && family.open < priors.open * family.length))
     return false;
   if (family.drop)
@@ -214,6 +221,33 @@ leaves(const WireWithEnds& wire,
     }
     return false;
   });
+}
+
+// Slope of a wire from \a side on to its other end.
+double
+slopeFrom(const SpanModel& m, int side)
+{
+  return (side == 0 ? 1 : -1) * m.rise((m.begin + m.end) / 2);
+}
+
+void
+addDescent(Family& family,
+           const std::vector<WireWithEnds>& wires,
+           std::size_t w,
+           const Underside& underside)
+{
+  for (int side = 0; side < 2; ++side) {
+    const End& end = wires[w].ends[static_cast<std::size_t>(side)];
+    if (end.partner <= static_cast<int>(w))
+      continue;
+    const SpanModel& m = wires[w].model();
+    const SpanModel& other = wires[static_cast<std::size_t>(end.partner)].model();
+    if (!leavesData(m, 1 - side, underside) ||
+        !leavesData(other, 1 - end.partner_side, underside))
+      continue;
+    family.stubs += 1;
+    family.descent -= slopeFrom(m, side) + slopeFrom(other, end.partner_side);
+  }
 }
 
 void
@@ -343,6 +377,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     family.joined = family.joined || beyond.joined;
     family.border = family.border || beyond.border;
     addBend(family, wires[w], growth.candidates().points, underside);
+    addDescent(family, wires, w, underside);
     family.open += m.length() * openBelow(m, underside);
     family.length += m.length();
     const Evidence evidence = weighAnew(growth, wires[w].strand.piece, any_length);
