@@ -100,13 +100,12 @@ surfaceAround(const Ground& g, int column, int row)
   return static_cast<float>(best) / static_cast<float>(quarter * radii.size());
 }
 
-// Returns that lie on no surface are no terrain: over water, which sends nothing back,
-// they are the wires.
-void
-forgetLines(Ground& ground, unsigned threads)
+// Of every cell with a return.
+std::vector<float>
+surfacesAround(const Ground& ground, unsigned threads)
 {
-  const auto cells = static_cast<std::ptrdiff_t>(ground.heights.size());
   std::vector<float> share(ground.heights.size(), unknown);
+  const auto cells = static_cast<std::ptrdiff_t>(share.size());
 #pragma omp parallel for schedule(static) num_threads(threadCount(threads))
   for (std::ptrdiff_t i = 0; i < cells; ++i)
     if (!std::isnan(ground.heights[static_cast<std::size_t>(i)]))
@@ -114,7 +113,16 @@ forgetLines(Ground& ground, unsigned threads)
           surfaceAround(ground,
                         static_cast<int>(i % ground.columns),
                         static_cast<int>(i / ground.columns));
-  std::vector<float> usual;
+  return share;
+}
+
+// Returns that lie on no surface are no terrain: over water, which sends nothing back,
+// they are the wires. Wires side by side take each other for one: from their edges on,
+// they are forgotten by and by.
+void
+forgetLines(Ground& ground, unsigned threads, const ProgressMonitor* monitor)
+{
+  std::vector<float> share = surfacesAround(ground, threads), usual;
   std::copy_if(share.begin(), share.end(), std::back_inserter(usual), [](float s) {
     return !std::isnan(s);
   });
@@ -124,9 +132,16 @@ forgetLines(Ground& ground, unsigned threads)
   std::nth_element(usual.begin(), middle, usual.end());
   if (static_cast<double>(*middle) < least_surface)
     return; // a pylon and its wires, as a drone sees them
-  for (std::size_t i = 0; i < share.size(); ++i)
-    if (static_cast<double>(share[i]) < surface_part * static_cast<double>(*middle))
-      ground.heights[i] = unknown;
+  const auto least = static_cast<float>(surface_part) * *middle;
+  for (bool any = true; any; share = surfacesAround(ground, threads)) {
+    throwIfCanceled(monitor);
+    any = false;
+    for (std::size_t i = 0; i < share.size(); ++i)
+      if (share[i] < least) {
+        ground.heights[i] = unknown;
+        any = true;
+      }
+  }
 }
 
 // Lifts cells far below all but one of their neighbors: multipath returns.
@@ -301,7 +316,7 @@ findGround(const Points& points,
       height = std::fmin(height, static_cast<float>(p.z()));
     }
   if (on_surfaces)
-    forgetLines(g, threads);
+    forgetLines(g, threads, monitor);
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;
@@ -323,6 +338,12 @@ findGround(const Points& points,
   fillHoles(g.heights, g.columns, g.rows);
   throwIfCanceled(monitor);
   refine(raster, extent, points);
+  if (getenv("DUMPG")) {
+    FILE* f = fopen((std::string(getenv("DUMPG")) + "2").c_str(), "w");
+    for (std::size_t i = 0; i < g.heights.size(); ++i)
+      fprintf(f, "%.2f\n", g.heights[i]);
+    fclose(f);
+  }
   return g;
 }
 
