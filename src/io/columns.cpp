@@ -150,6 +150,7 @@ std::vector<std::string>
 canonicalNames(const std::vector<std::string>& names)
 {
   std::vector<std::string> canonical;
+  canonical.reserve(names.size());
   for (const std::string& name : names)
     canonical.push_back(cleanName(name));
   const std::set<std::string> taken(canonical.begin(), canonical.end());

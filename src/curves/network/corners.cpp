@@ -105,7 +105,10 @@ sharpened(const ModelCurves& curves, double size)
     ModelCurve sharp = withHinges(resampled(smooth, size / window), size);
     const bool bends = !sharp.hinges.empty();
     any = any || bends;
-    result.push_back(bends ? std::move(sharp) : curve);
+    if (bends)
+      result.push_back(std::move(sharp));
+    else
+      result.push_back(curve);
   }
   return any ? result : ModelCurves();
 }

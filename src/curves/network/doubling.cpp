@@ -50,7 +50,7 @@ doubled(const ModelCurves& curves,
       });
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(spread);
-    const Eigen::Vector2d values = eigen.eigenvalues();
+    const Eigen::Vector2d& values = eigen.eigenvalues();
     if (count < least_doubled || values.y() < least_spread * values.x()) {
       result.push_back(curve);
       continue;

@@ -37,6 +37,7 @@ supportOf(const ModelCurve& curve, const ModelCurve& coarse)
     support[e + 1 == curve.nodes.size() ? 0 : e + 1] += share;
   }
   std::vector<Index> result;
+  result.reserve(support.size());
   for (const double count : support)
     result.push_back(static_cast<Index>(std::lround(count)));
   return result;

@@ -193,6 +193,7 @@ Joiner::pairAt(std::size_t c)
     End a, b;
   };
   std::vector<Point> directions;
+  directions.reserve(arms.size());
   for (const End arm : arms)
     directions.push_back(direction(arm));
   const double far = 2 * centers_[c].radius;

@@ -59,7 +59,7 @@ refineNearOrigin(const Points& points,
 {
   Points component;
   component.reserve(indices.size());
-  const Point origin = points[indices.front()];
+  const Point& origin = points[indices.front()];
   for (const Index i : indices)
     component.push_back(points[i] - origin);
   const ScaleField local = scales ? scales->from(origin) : ScaleField();

@@ -138,7 +138,8 @@ SymmetricFourthOrderTensor::place(int i, int j, int k, int l)
   // Sorted by the number of y and z together, then of z.
   const int beside_x = (i > 0) + (j > 0) + (k > 0) + (l > 0);
   const int z = (i > 1) + (j > 1) + (k > 1) + (l > 1);
-  return static_cast<std::size_t>(beside_x * (beside_x + 1) / 2 + z);
+  return static_cast<std::size_t>(beside_x * (beside_x + 1) / 2) +
+         static_cast<std::size_t>(z);
 }
 
 SymmetricFourthOrderTensor::SymmetricFourthOrderTensor(const FourthOrderTensor& t)

@@ -57,6 +57,7 @@ writeIntegers(const Handle& group,
               const Get& get)
 {
   std::vector<std::int64_t> values;
+  values.reserve(curves.size());
   for (const Curve& curve : curves)
     values.push_back(static_cast<std::int64_t>(get(curve)));
   writeValues(group, name, ValueType::Int64, values);
@@ -69,6 +70,7 @@ writeNumbers(const Handle& group,
              double Curve::*member)
 {
   std::vector<double> values;
+  values.reserve(curves.size());
   for (const Curve& curve : curves)
     values.push_back(curve.*member);
   writeValues(group, name, ValueType::Float64, values);

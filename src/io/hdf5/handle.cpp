@@ -256,7 +256,7 @@ textAttribute(const Handle& object, const char* name, const std::string& otherwi
   if (H5Tis_variable_str(type.id()) > 0) { // as h5py writes texts
     char* text = nullptr;
     check(H5Aread(attribute.id(), type.id(), &text), what);
-    const std::string result = text == nullptr ? "" : text;
+    std::string result = text == nullptr ? "" : text;
     H5free_memory(text);
     return result;
   }

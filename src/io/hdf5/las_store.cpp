@@ -68,7 +68,7 @@ readRecords(const Handle& group, const std::string& name, std::int64_t head)
   const auto take = [&](std::int64_t length) {
     if (length < 0 || static_cast<std::uint64_t>(length) > bytes.size() - at)
       throw Error("the lengths of its LAS records are wrong");
-    const std::string part = bytes.substr(at, static_cast<std::size_t>(length));
+    std::string part = bytes.substr(at, static_cast<std::size_t>(length));
     at += part.size();
     return part;
   };

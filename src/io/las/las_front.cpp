@@ -180,7 +180,7 @@ LasFront::placeParts(std::uint64_t bytes)
     throw FileError(target_.name + ": more than 4 GB before the points");
   put(las_at::points, static_cast<std::uint32_t>(points_at));
   const std::uint64_t end = points_at + bytes;
-  const int minor = header_[las_at::minor];
+  const int minor = static_cast<unsigned char>(header_[las_at::minor]);
   if (minor >= 3)
     placeWaveform(end);
   if (minor < 4)

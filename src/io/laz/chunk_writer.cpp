@@ -60,6 +60,7 @@ writeLayers(const Layout& layout, const Records& records)
 {
   const std::vector<Layer<Encoder>> layers = layersOf<Encoder>(layout);
   std::vector<std::unique_ptr<LayerCoder<Encoder>>> coders;
+  coders.reserve(layers.size());
   for (const Layer<Encoder>& layer : layers)
     coders.push_back(varies(layer, records)
                          ? layer.make(Encoder(), records.first, layer.place)

@@ -41,7 +41,7 @@ findLayerDriver(const std::string& path)
 std::string
 layerDriver(const std::string& path)
 {
-  const std::string driver = findLayerDriver(path);
+  std::string driver = findLayerDriver(path);
   if (!driver.empty())
     return driver;
   const std::string ending = endingOf(path);
