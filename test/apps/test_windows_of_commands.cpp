@@ -169,7 +169,7 @@ TEST_F(WindowsOfCommands, HaveNoEffectOnWhatHeadersSayAndThatIsTold)
   io::writeCloud(path("cloud.laz"), cloud_);
   io::writeCloud(path("more.laz"), cloud_);
   const std::string both = path("cloud.laz") + " " + path("more.laz");
-  for (const std::string command :
+  for (const std::string& command :
        {"info " + both, "vpc " + both + " " + path("out.vpc")}) {
     EXPECT_EQ(runWell(command).error.find("--bounds"), std::string::npos);
     EXPECT_NE(runWell(command + bounds).error.find("have no effect"),
