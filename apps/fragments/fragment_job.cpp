@@ -14,9 +14,15 @@ makeFragmentJob(const std::string& name, const std::vector<std::string>& argumen
     return makeTensorJob(arguments);
   if (name == "multiscale")
     return makeMultiscaleJob(arguments);
+  if (name == "powerlines")
+    return makePowerlinesJob(arguments);
+  if (name == "curves")
+    throw std::runtime_error(
+        "curves does not run in fragments: give it a machine whose "
+        "memory holds the points, or cut with --bounds");
   throw std::runtime_error("'" + name +
-                           "' is no command that works in fragments; those are tensor "
-                           "and multiscale");
+                           "' is no command that works in fragments; those are tensor, "
+                           "multiscale and powerlines");
 }
 
 } // namespace linelet::apps

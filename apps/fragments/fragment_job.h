@@ -85,5 +85,7 @@ std::unique_ptr<FragmentJob>
 makeTensorJob(const std::vector<std::string>& arguments);
 std::unique_ptr<FragmentJob>
 makeMultiscaleJob(const std::vector<std::string>& arguments);
+std::unique_ptr<FragmentJob>
+makePowerlinesJob(const std::vector<std::string>& arguments);
 
 } // namespace linelet::apps

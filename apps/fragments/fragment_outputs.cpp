@@ -99,6 +99,8 @@ FragmentRun::merge(FragmentJob& job, bool partial)
   }
   std::error_code ignored;
   fs::remove_all(fs::path(folder_) / "results", ignored);
+  if (missing == 0)
+    ledger_.removeLocks();
   job.frame().summary["fragments"] = usable.size();
   job.frame().summary["fragments_missing"] = missing;
   job.report(figures);

@@ -20,7 +20,8 @@ runPlan(const std::vector<std::string>& arguments)
         "plan tensor --radius 1 --memory 4G tiles/ out/. The plan is kept in "
         "OUTPUT.fragments; linelet work OUTPUT works on it, linelet merge "
         "OUTPUT writes the results, linelet status OUTPUT tells how far it is.");
-    frame.app.add_option("COMMAND", command, "tensor or multiscale")->required();
+    frame.app.add_option("COMMAND", command, "tensor, multiscale or powerlines")
+        ->required();
     frame.parse(arguments);
     return 2;
   }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -103,6 +104,21 @@ Ledger::forgetFailures() const
       if (const auto entry = find(kind, number); entry && !entry->done)
         fs::remove(path(kind, number), none);
     }
+  }
+}
+
+void
+Ledger::removeLocks() const
+{
+  namespace fs = std::filesystem;
+  for (const char* kind : {cut, task, output}) {
+    std::error_code none;
+    std::vector<fs::path> locks;
+    for (const auto& file : fs::directory_iterator(fs::path(folder_) / kind, none))
+      if (file.path().extension() == ".lock")
+        locks.push_back(file.path());
+    for (const fs::path& lock : locks)
+      fs::remove(lock, none);
   }
 }
 

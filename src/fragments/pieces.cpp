@@ -27,7 +27,9 @@ namespace {
 // knows. Read on the machine, or kind of machine, that wrote it.
 struct Record {
   double x, y, z;
-  std::uint32_t place, number_of_class;
+  std::uint32_t place;
+  std::uint8_t number_of_class, number_of_returns;
+  std::uint16_t unused;
 };
 static_assert(sizeof(Record) == 32);
 
@@ -164,6 +166,11 @@ Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
                           ": has more than 4,294,967,295 points; cut it in two");
     const io::UsablePoints usable(cloud, nullptr, classes_);
     const io::Column* classes = cloud.find("classification");
+    const io::Column* returns = cloud.find("number_of_returns");
+    const auto numberIn = [](const io::Column* column, std::size_t i) {
+      return column == nullptr ? std::uint8_t{0}
+                               : static_cast<std::uint8_t>(io::valueAt(*column, i));
+    };
     const Point offset = cloud.shift - plan_.shift;
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
       if (!usable.points()[i].allFinite())
@@ -181,9 +188,9 @@ Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
                           p.y(),
                           p.z(),
                           static_cast<std::uint32_t>(first + i),
-                          classes == nullptr
-                              ? 0
-                              : static_cast<std::uint32_t>(io::valueAt(*classes, i))};
+                          numberIn(classes, i),
+                          numberIn(returns, i),
+                          0};
       plan_.tiling.forEachNear(
           world.x(), world.y(), plan_.reach(), [&](std::size_t fragment) {
             if (wanted[fragment])
@@ -214,7 +221,8 @@ Pieces::append(const Section& section, Fragment& fragment) const
       const Record& record = block[i];
       const Point p(record.x, record.y, record.z);
       fragment.points.push_back(p);
-      fragment.classes.push_back(static_cast<std::uint8_t>(record.number_of_class));
+      fragment.classes.push_back(record.number_of_class);
+      fragment.returns.push_back(record.number_of_returns);
       fragment.places.push_back(record.place);
       const Point world = p + plan_.shift;
       fragment.core.push_back(plan_.tiling.owner(world.x(), world.y()) ==
@@ -297,6 +305,7 @@ Pieces::load(std::size_t number, ProgressMonitor* monitor) const
   }
   fragment.points.reserve(all);
   fragment.classes.reserve(all);
+  fragment.returns.reserve(all);
   fragment.places.reserve(all);
   fragment.core.reserve(all);
   for (const Section& section : fragment.sections)

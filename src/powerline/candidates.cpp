@@ -42,11 +42,13 @@ struct VoxelRun {
 };
 
 VoxelRun
-sortIntoVoxels(const Points& points)
+sortIntoVoxels(const Points& points, bool aligned)
 {
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   for (const Point& p : points)
     low = low.cwiseMin(p);
+  if (aligned)
+    low = voxel * (low / voxel).array().floor();
   std::vector<std::pair<std::uint64_t, Index>> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point cell = ((points[i] - low) / voxel).array().floor();
@@ -175,9 +177,12 @@ findCandidates(const Points& points, const Ground& ground, double min_height)
 }
 
 std::vector<Seed>
-findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor)
+findSeeds(const Candidates& candidates,
+          unsigned threads,
+          ProgressMonitor* monitor,
+          bool aligned)
 {
-  const VoxelRun voxels = sortIntoVoxels(candidates.points);
+  const VoxelRun voxels = sortIntoVoxels(candidates.points, aligned);
   const std::size_t count = voxels.begins.size() - 1;
   Points coarse(count);
   for (std::size_t v = 0; v < count; ++v) {

@@ -35,8 +35,13 @@ struct Seed {
 };
 
 /** \brief Candidates whose neighborhood at one of several radii (1, 2, 4, 8 m) is a
- * nearly horizontal line, best first. One a voxel of half a meter is tried. */
+ * nearly horizontal line, best first. One a voxel of half a meter is tried.
+ * \param[in] aligned voxels lie on multiples of their side; else the first begins where
+ * the candidates do */
 std::vector<Seed>
-findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor);
+findSeeds(const Candidates& candidates,
+          unsigned threads,
+          ProgressMonitor* monitor,
+          bool aligned = false);
 
 } // namespace linelet::powerline

@@ -11,6 +11,11 @@
 
 namespace linelet::powerline {
 
+/** \brief Fits the catenary of \a wire to its members, which are places in \a points,
+ * and to its attachment points, and measures it. */
+void
+fitWire(Wire& wire, const WireWithEnds& with_ends, const Points& points);
+
 /** \brief Fits the catenary of every wire and fills in what describes it: end points,
  * points, rms, lengths, sag, largest gap, supports, confidence. Ids follow the order of
  * \a wires; spans and numbers come with \ref numberWires. */
@@ -19,13 +24,15 @@ describeWires(const std::vector<WireWithEnds>& wires,
               Growth& growth,
               const PowerLineSettings& settings);
 
+/** \brief The supports that \a towers are, with ids in their order. */
+std::vector<Support>
+describeSupports(const std::vector<Tower>& towers, bool has_terrain);
+
 /** \brief Gathers wires into spans and spans into lines, numbers everything, and puts
- * wires and spans of \a network in order (line, span, wire).
+ * wires and spans of \a network, whose supports are known, in order (line, span, wire).
  * \return for every wire of \a with_ends its id */
 std::vector<int>
-numberWires(PowerLineNetwork& network,
-            const std::vector<WireWithEnds>& with_ends,
-            const std::vector<Tower>& towers);
+numberWires(PowerLineNetwork& network, const std::vector<WireWithEnds>& with_ends);
 
 /** \brief Gives every point its class, wire and span. */
 void

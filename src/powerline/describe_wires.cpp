@@ -59,6 +59,7 @@ judge(Wire& wire, const Evidence& evidence, double max_gap)
 void
 measure(Wire& wire, const WireWithEnds& with_ends, const Points& points)
 {
+  wire.largest_gap = wire.sag = 0;
   const Catenary& c = wire.curve;
   std::vector<double> places = {c.from, c.to};
   double squares = 0;
@@ -87,6 +88,25 @@ measure(Wire& wire, const WireWithEnds& with_ends, const Points& points)
 
 } // namespace
 
+void
+fitWire(Wire& wire, const WireWithEnds& with_ends, const Points& points)
+{
+  Points fixed;
+  for (const End& end : with_ends.ends)
+    if (end.fixed)
+      fixed.push_back(end.place);
+  Catenary& c = wire.curve;
+  const Piece& piece = with_ends.strand.piece;
+  c = fitCatenary(piece.model, points, piece.members, fixed, piece.cut());
+  if (with_ends.ends[0].fixed)
+    c.from = c.along(with_ends.ends[0].place);
+  if (with_ends.ends[1].fixed)
+    c.to = c.along(with_ends.ends[1].place);
+  wire.front = with_ends.ends[0].fixed ? with_ends.ends[0].place : c.at(c.from);
+  wire.back = with_ends.ends[1].fixed ? with_ends.ends[1].place : c.at(c.to);
+  measure(wire, with_ends, points);
+}
+
 std::vector<Wire>
 describeWires(const std::vector<WireWithEnds>& wires,
               Growth& growth,
@@ -96,24 +116,12 @@ describeWires(const std::vector<WireWithEnds>& wires,
   std::vector<Wire> result(wires.size());
   const auto count = static_cast<std::ptrdiff_t>(wires.size());
   const auto describe = [&](const WireWithEnds& with_ends, Wire& wire) {
-    Points fixed;
-    for (const End& end : with_ends.ends)
-      if (end.fixed)
-        fixed.push_back(end.place);
-    Catenary& c = wire.curve;
-    const Piece& piece = with_ends.strand.piece;
-    c = fitCatenary(piece.model, points, piece.members, fixed, piece.cut());
-    if (with_ends.ends[0].fixed)
-      c.from = c.along(with_ends.ends[0].place);
-    if (with_ends.ends[1].fixed)
-      c.to = c.along(with_ends.ends[1].place);
-    wire.front = with_ends.ends[0].fixed ? with_ends.ends[0].place : c.at(c.from);
-    wire.back = with_ends.ends[1].fixed ? with_ends.ends[1].place : c.at(c.to);
+    fitWire(wire, with_ends, points);
     wire.front_support = with_ends.ends[0].support + 1;
     wire.back_support = with_ends.ends[1].support + 1;
+    const Piece& piece = with_ends.strand.piece;
     wire.conductors =
         piece.thickness > 0 || !with_ends.strand.companions.empty() ? 2 : 1;
-    measure(wire, with_ends, points);
   };
   ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings.threads))

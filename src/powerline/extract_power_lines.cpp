@@ -18,6 +18,8 @@
 #include "powerline/describe.h"
 #include "powerline/false_positives.h"
 #include "powerline/find_ground.h"
+#include "powerline/loose_wires.h"
+#include "powerline/place_order.h"
 #include "powerline/shows_terrain.h"
 #include "powerline/unexplained.h"
 
@@ -117,7 +119,8 @@ PowerLineNetwork
 extractPowerLines(const Points& points,
                   const std::vector<std::uint8_t>& classes,
                   const PowerLineSettings& settings,
-                  ProgressMonitor* monitor)
+                  ProgressMonitor* monitor,
+                  NetworkPart* part)
 {
   check(settings);
   if (!classes.empty() && classes.size() != points.size())
@@ -142,7 +145,8 @@ extractPowerLines(const Points& points,
     throwIfCanceled(monitor);
     const Underside underside(points);
     stages.begin("seeds");
-    const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
+    const std::vector<Seed> seeds =
+        findSeeds(candidates, settings.threads, monitor, part != nullptr);
     stages.begin("wires");
     Growth growth(candidates, settings);
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
@@ -184,14 +188,21 @@ extractPowerLines(const Points& points,
       matchEnds(with_ends);
       towers = buildTowers(with_ends, growth, ground, settings);
     }
+    sortByPlace(with_ends, towers);
     stages.begin("catenaries");
+    network.supports = describeSupports(towers, terrain);
     network.wires = describeWires(with_ends, growth, settings);
-    const std::vector<int> ids = numberWires(network, with_ends, towers);
+    std::vector<Wire> unnumbered;
+    if (part != nullptr)
+      unnumbered = network.wires;
+    const std::vector<int> ids = numberWires(network, with_ends);
     stages.begin("labels");
     labelPoints(network, points, with_ends, ids, towers, growth);
     findUnexplained(network, lines, candidates, settings);
     stages.begin("clearances");
     measureClearances(network, candidates, settings);
+    if (part != nullptr)
+      *part = partOf(network, with_ends, std::move(unnumbered), ids, candidates.points);
   }
   return network;
 }
@@ -199,7 +210,8 @@ extractPowerLines(const Points& points,
 PowerLineNetwork
 extractPowerLines(const io::Cloud& cloud,
                   const PowerLineSettings& settings,
-                  ProgressMonitor* monitor)
+                  ProgressMonitor* monitor,
+                  NetworkPart* part)
 {
   std::vector<std::uint8_t> classes;
   if (const io::Column* column = cloud.find("classification")) {
@@ -210,13 +222,13 @@ extractPowerLines(const io::Cloud& cloud,
   const MetricFrame frame(cloud);
   const io::UsablePoints usable(cloud, nullptr, settings.points);
   if (frame.units().areMeters())
-    return extractPowerLines(usable.points(), classes, settings, monitor);
+    return extractPowerLines(usable.points(), classes, settings, monitor, part);
   Points points(cloud.points.size());
   std::transform(usable.points().begin(),
                  usable.points().end(),
                  points.begin(),
                  [&](const Point& p) { return frame.meters(p); });
-  return extractPowerLines(points, classes, settings, monitor);
+  return extractPowerLines(points, classes, settings, monitor, part);
 }
 
 } // namespace linelet::powerline

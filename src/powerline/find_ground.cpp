@@ -55,11 +55,12 @@ emptyRaster(const PlanExtent& extent)
   const double most = 4.0 * static_cast<double>(extent.points) + 1e6;
   for (g.cell = cell_size; extent.cells(g.cell) > most; g.cell *= 2) {
   }
-  const Eigen::Vector2d size = extent.high - extent.low;
+  const Eigen::Vector2d corner = rasterCorner(extent.low, g.cell);
+  const Eigen::Vector2d size = extent.high - corner;
   g.columns = static_cast<int>(size.x() / g.cell) + 1;
   g.rows = static_cast<int>(size.y() / g.cell) + 1;
-  g.x = extent.low.x() + g.cell / 2;
-  g.y = extent.low.y() + g.cell / 2;
+  g.x = corner.x() + g.cell / 2;
+  g.y = corner.y() + g.cell / 2;
   g.heights.assign(
       static_cast<std::size_t>(g.columns) * static_cast<std::size_t>(g.rows), unknown);
   return raster;
@@ -243,20 +244,31 @@ openRaster(const std::vector<float>& raster, int columns, int rows, int radius)
 }
 
 void
-fillHoles(std::vector<float>& raster, int columns, int rows, Fill fill)
+fillHoles(std::vector<float>& raster,
+          int columns,
+          int rows,
+          Fill fill,
+          std::int64_t first_column,
+          std::int64_t first_row)
 {
   if (std::none_of(
           raster.begin(), raster.end(), [](float v) { return std::isnan(v); }) ||
       std::all_of(raster.begin(), raster.end(), [](float v) { return std::isnan(v); }))
     return;
-  const int half_columns = (columns + 1) / 2, half_rows = (rows + 1) / 2;
+  // Pairs begin at even places, wherever the raster begins.
+  const int odd_column = columns > 2 ? static_cast<int>(first_column & 1) : 0,
+            odd_row = rows > 2 ? static_cast<int>(first_row & 1) : 0;
+  const int half_columns = (columns + odd_column + 1) / 2,
+            half_rows = (rows + odd_row + 1) / 2;
   const auto width = static_cast<std::size_t>(columns);
   const auto half_width = static_cast<std::size_t>(half_columns);
   std::vector<float> coarse(half_width * static_cast<std::size_t>(half_rows), 0.0F);
   std::vector<int> count(coarse.size(), 0);
   for (std::size_t i = 0; i < raster.size(); ++i)
     if (!std::isnan(raster[i])) {
-      const std::size_t c = (i / width / 2) * half_width + i % width / 2;
+      const std::size_t c =
+          (i / width + static_cast<std::size_t>(odd_row)) / 2 * half_width +
+          (i % width + static_cast<std::size_t>(odd_column)) / 2;
       if (fill == Fill::Smooth)
         coarse[c] += raster[i];
       else if (count[c] == 0 || raster[i] < coarse[c])
@@ -268,10 +280,16 @@ fillHoles(std::vector<float>& raster, int columns, int rows, Fill fill)
       coarse[i] = unknown;
     else if (fill == Fill::Smooth)
       coarse[i] /= static_cast<float>(count[i]);
-  fillHoles(coarse, half_columns, half_rows, fill);
+  fillHoles(coarse,
+            half_columns,
+            half_rows,
+            fill,
+            (first_column - odd_column) / 2,
+            (first_row - odd_row) / 2);
   Ground surface;
   surface.cell = 2;
-  surface.x = surface.y = 0.5;
+  surface.x = 0.5 - odd_column;
+  surface.y = 0.5 - odd_row;
   surface.columns = half_columns;
   surface.rows = half_rows;
   surface.heights = std::move(coarse);
@@ -295,6 +313,14 @@ findGround(const Points& points,
   Ground& g = raster.ground;
   if (g.heights.empty())
     return g;
+  const auto fill = [&](std::vector<float>& heights, Fill how) {
+    fillHoles(heights,
+              g.columns,
+              g.rows,
+              how,
+              std::llround(g.x / g.cell),
+              std::llround(g.y / g.cell));
+  };
 
   if (use_classes && std::count(classes.begin(), classes.end(), 2) >= 3) {
     Points terrain;
@@ -305,7 +331,7 @@ findGround(const Points& points,
       float& height = g.heights[raster.cellOf(p)];
       height = std::fmin(height, static_cast<float>(p.z()));
     }
-    fillHoles(g.heights, g.columns, g.rows);
+    fill(g.heights, Fill::Smooth);
     refine(raster, extent, terrain);
     return g;
   }
@@ -320,7 +346,7 @@ findGround(const Points& points,
   // Where nothing was seen the terrain may be low: what hangs above it must stand out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;
-  fillHoles(surface, g.columns, g.rows, Fill::Low);
+  fill(surface, Fill::Low);
   repairPits(surface, g.columns, g.rows);
   for (std::size_t i = 0; i < surface.size(); ++i)
     if (!std::isnan(g.heights[i]))
@@ -335,7 +361,7 @@ findGround(const Points& points,
         g.heights[i] = unknown;
     surface = opened;
   }
-  fillHoles(g.heights, g.columns, g.rows);
+  fill(g.heights, Fill::Smooth);
   throwIfCanceled(monitor);
   refine(raster, extent, points);
   if (getenv("DUMPG")) {

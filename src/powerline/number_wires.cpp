@@ -228,16 +228,19 @@ describeSupport(const Tower& tower, int id, bool has_terrain)
 
 } // namespace
 
-std::vector<int>
-numberWires(PowerLineNetwork& network,
-            const std::vector<WireWithEnds>& with_ends,
-            const std::vector<Tower>& towers)
+std::vector<Support>
+describeSupports(const std::vector<Tower>& towers, bool has_terrain)
 {
+  std::vector<Support> supports;
   for (const Tower& tower : towers)
-    network.supports.push_back(
-        describeSupport(tower,
-                        static_cast<int>(network.supports.size()) + 1,
-                        !network.ground.heights.empty()));
+    supports.push_back(
+        describeSupport(tower, static_cast<int>(supports.size()) + 1, has_terrain));
+  return supports;
+}
+
+std::vector<int>
+numberWires(PowerLineNetwork& network, const std::vector<WireWithEnds>& with_ends)
+{
   return Numbering(network, with_ends).run();
 }
 

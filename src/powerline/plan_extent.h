@@ -29,6 +29,15 @@ struct PlanExtent {
   }
 };
 
+/** \brief Where the cell begins that \a low is in, if the centers of cells are multiples
+ * of \a side. Rasters begin there, so that what they show does not depend on where a
+ * cloud was cut off. */
+inline Eigen::Vector2d
+rasterCorner(const Eigen::Vector2d& low, double side)
+{
+  return side * ((low / side).array() + 0.5).floor() - side / 2;
+}
+
 /** \brief Where the points lie. If a raster of \a cell meters over all of them would
  * have far more cells than there are points, stray points far away are left out: those
  * farther from the middle half of the points than three times its size. */

@@ -73,11 +73,12 @@ surfaceLiesLowest(const Points& points)
   double cell = plan_cell;
   while (extent.cells(cell) > most)
     cell *= 2;
-  const auto columns =
-      static_cast<std::size_t>((extent.high.x() - extent.low.x()) / cell) + 1;
-  std::vector<Place> places(static_cast<std::size_t>(extent.cells(cell)));
+  const Eigen::Vector2d corner = rasterCorner(extent.low, cell);
+  const Eigen::Array2d sides = ((extent.high - corner).array() / cell + 1).floor();
+  const auto columns = static_cast<std::size_t>(sides.x());
+  std::vector<Place> places(columns * static_cast<std::size_t>(sides.y()));
   const auto at = [&](const Point& p) {
-    return Eigen::Vector2d((p.head<2>() - extent.low) / cell);
+    return Eigen::Vector2d((p.head<2>() - corner) / cell);
   };
   const auto placeOf = [&](const Point& p) -> Place& {
     const Eigen::Vector2d place = at(p);

@@ -19,8 +19,9 @@ Underside::Underside(const Points& points)
   const double most = 4.0 * static_cast<double>(extent.points) + 1e6;
   while (extent.cells(cell_) > most)
     cell_ *= 2;
-  x_ = extent.low.x();
-  y_ = extent.low.y();
+  const Eigen::Vector2d corner = rasterCorner(extent.low, cell_);
+  x_ = corner.x();
+  y_ = corner.y();
   columns_ = static_cast<std::ptrdiff_t>((extent.high.x() - x_) / cell_) + 1;
   rows_ = static_cast<std::ptrdiff_t>((extent.high.y() - y_) / cell_) + 1;
   lowest_.assign(static_cast<std::size_t>(columns_ * rows_),

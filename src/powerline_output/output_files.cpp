@@ -133,12 +133,12 @@ makeOutputFolder(const std::string& folder, bool compress)
 }
 
 std::vector<std::string>
-writePowerLineFiles(const std::string& folder,
-                    io::Cloud cloud,
-                    const PowerLineNetwork& network,
-                    const OutputOptions& options,
-                    std::vector<std::string>* warnings,
-                    ProgressMonitor* monitor)
+writeNetworkFiles(const std::string& folder,
+                  const io::Cloud& cloud,
+                  const PowerLineNetwork& network,
+                  const OutputOptions& options,
+                  std::vector<std::string>* warnings,
+                  ProgressMonitor* monitor)
 {
   makeOutputFolder(folder, options.compress);
   check(options.classes);
@@ -166,16 +166,39 @@ writePowerLineFiles(const std::string& folder,
   writeText(paths[10], powerLineSummary(cloud, network, options));
   throwIfCanceled(monitor);
   writeText(paths[11], powerLineReport(cloud, network, options, monitor));
-  const std::size_t unconfirmed = classify(cloud, network, options.classes);
-  if (unconfirmed > 0 && warnings != nullptr &&
-      options.classes.existing == ExistingClasses::Keep)
+  return paths;
+}
+
+void
+warnOfDoubts(const PowerLineNetwork& network,
+             std::size_t unconfirmed,
+             const ClassScheme& classes,
+             std::vector<std::string>* warnings)
+{
+  if (warnings == nullptr)
+    return;
+  if (unconfirmed > 0 && classes.existing == ExistingClasses::Keep)
     warnings->push_back(std::to_string(unconfirmed) + " points came with class " +
-                        std::to_string(options.classes.wire) + " or " +
-                        std::to_string(options.classes.tower) +
+                        std::to_string(classes.wire) + " or " +
+                        std::to_string(classes.tower) +
                         " but are no wire or tower that was found; they keep it "
                         "(--existing-classes reset makes them unclassified)");
-  if (muchIsUnexplained(network) && warnings != nullptr)
+  if (muchIsUnexplained(network))
     warnings->push_back(unexplainedWarning(network));
+}
+
+std::vector<std::string>
+writePowerLineFiles(const std::string& folder,
+                    io::Cloud cloud,
+                    const PowerLineNetwork& network,
+                    const OutputOptions& options,
+                    std::vector<std::string>* warnings,
+                    ProgressMonitor* monitor)
+{
+  std::vector<std::string> paths =
+      writeNetworkFiles(folder, cloud, network, options, warnings, monitor);
+  const std::size_t unconfirmed = classify(cloud, network, options.classes);
+  warnOfDoubts(network, unconfirmed, options.classes, warnings);
   io::writeCloud(paths[0], cloud, {}, warnings, monitor);
   return paths;
 }

@@ -139,23 +139,34 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
           {"unexplained_points", unexplained_points}};
 }
 
-/** What tells an input from others. */
-Json
-identityOf(const io::Cloud& cloud, const std::string& source)
+InputExtent
+extentOf(const io::Cloud& cloud)
 {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  InputExtent input;
+  input.points = cloud.points.size();
+  input.low = Point::Constant(std::numeric_limits<double>::infinity());
+  input.high = -input.low;
   for (const Point& p : cloud.points)
     if (p.allFinite()) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
+      input.low = input.low.cwiseMin(p);
+      input.high = input.high.cwiseMax(p);
     }
-  const auto corner = [&](const Point& p) {
-    const Point world = cloud.shift + p;
-    return Json::array({number(world.x()), number(world.y()), number(world.z())});
+  input.low += cloud.shift;
+  input.high += cloud.shift;
+  return input;
+}
+
+/** What tells an input from others. */
+Json
+identityOf(const InputExtent& input, const std::string& source)
+{
+  const auto corner = [](const Point& p) {
+    return Json::array({number(p.x()), number(p.y()), number(p.z())});
   };
-  return {{"source", source},
-          {"points", cloud.points.size()},
-          {"bounds", {{"minimum", corner(low)}, {"maximum", corner(high)}}}};
+  return {
+      {"source", source},
+      {"points", input.points},
+      {"bounds", {{"minimum", corner(input.low)}, {"maximum", corner(input.high)}}}};
 }
 
 } // namespace
@@ -163,6 +174,14 @@ identityOf(const io::Cloud& cloud, const std::string& source)
 std::string
 otherResultsIn(const std::string& folder,
                const io::Cloud& cloud,
+               const std::string& source)
+{
+  return otherResultsIn(folder, extentOf(cloud), source);
+}
+
+std::string
+otherResultsIn(const std::string& folder,
+               const InputExtent& input,
                const std::string& source)
 {
   std::vector<std::string> files = powerLineFiles(folder);
@@ -178,7 +197,7 @@ otherResultsIn(const std::string& folder,
   if (!there.is_object() || !there.contains("source") || !there["source"].is_string())
     return unknown;
   // A summary of an earlier version tells less.
-  const Json here = identityOf(cloud, source);
+  const Json here = identityOf(input, source);
   for (const auto& [key, value] : here.items())
     if (there.contains(key) && there[key] != value) {
       const auto name = there["source"].get<std::string>();
@@ -194,7 +213,8 @@ powerLineSummary(const io::Cloud& cloud,
 {
   const MetricFrame frame(cloud);
   const io::Units& units = frame.units();
-  Json summary = identityOf(cloud, options.source);
+  Json summary =
+      identityOf(options.input ? *options.input : extentOf(cloud), options.source);
   summary.update({{"reference_system", io::referenceName(cloud.wkt)},
                   {"units",
                    {{"lengths", "metre"},

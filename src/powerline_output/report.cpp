@@ -54,7 +54,7 @@ powerLineReport(const io::Cloud& cloud,
   return report::renderTemplate(
       "page.mustache",
       {{"source", options.source.empty() ? "point cloud" : options.source},
-       {"points", cloud.points.size()},
+       {"points", options.input ? options.input->points : cloud.points.size()},
        {"reference", reference.empty() ? "reference system unknown" : reference},
        {"units", unitsInWords(content.metric.units())},
        {"provenance", inWords(options.provenance)},

@@ -10,93 +10,16 @@
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
 #include <sys/mount.h>
 
-#include "run_tool.h"
+#include "tiles_test.h"
 
 namespace linelet::test {
 
 #define ENGINE "grid"
 
-namespace fs = std::filesystem;
-
-class FragmentsTest : public ToolTest {
+class FragmentsTest : public TilesTest {
 protected:
-  /** A simulated corridor of some 80,000 points, as one file, and as four tiles. */
-  void
-  SetUp() override
-  {
-    const std::string whole = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
-    runWell("convert " + whole + " " + path("whole.laz"));
-    runWell("info " + whole + " --json " + path("info.json"));
-    const auto bounds = json(path("info.json"))["bounds"];
-    const double x0 = bounds["minimum"][0], x1 = bounds["maximum"][0],
-                 y0 = bounds["minimum"][1], y1 = bounds["maximum"][1];
-    fs::create_directories(path("tiles"));
-    for (int i = 0; i < 4; ++i) {
-      // Borders between the millimeters of the points, so that each is in one tile.
-      const double side = (x1 - x0) / 4;
-      const double from = std::floor((x0 + side * i) * 100) / 100 + 0.00031,
-                   to = std::floor((x0 + side * (i + 1)) * 100) / 100 + 0.00031;
-      char text[200];
-      std::snprintf(text,
-                    sizeof(text),
-                    " --bounds %.6f,%.6f,%.6f,%.6f",
-                    i == 0 ? x0 - 1 : from,
-                    y0 - 1,
-                    i == 3 ? x1 + 1 : to,
-                    y1 + 1);
-      runWell("convert " + whole + " " + tile(i) + text);
-    }
-  }
-
-  std::string
-  tile(int number) const
-  {
-    return path("tiles/t" + std::to_string(number) + ".laz");
-  }
-
-  /** All files of a folder, by name. */
-  static std::string
-  folderContents(const std::string& folder)
-  {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder))
-      files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    std::string all;
-    for (const fs::path& file : files)
-      all += file.filename().string() + '\n' + contents(file.string());
-    return all;
-  }
-
-  /** Starts the tool; its process id. */
-  static pid_t
-  start(const std::vector<std::string>& arguments)
-  {
-    const pid_t child = ::fork();
-    if (child != 0)
-      return child;
-    const int null = ::open("/dev/null", O_WRONLY);
-    ::dup2(null, 1);
-    ::dup2(null, 2);
-    std::vector<char*> texts = {const_cast<char*>(LINELET_TOOL)};
-    for (const std::string& argument : arguments)
-      texts.push_back(const_cast<char*>(argument.c_str()));
-    texts.push_back(nullptr);
-    ::execv(LINELET_TOOL, texts.data());
-    ::_exit(127);
-  }
-
-  static int
-  waitFor(pid_t child)
-  {
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return status;
-  }
-
   const std::string options_ = " --radius 1.5 --engine " ENGINE " ";
 };
 

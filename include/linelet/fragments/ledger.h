@@ -51,6 +51,10 @@ public:
   void
   forgetFailures() const;
 
+  /** \brief Removes what workers waited for each other with, once all is done. */
+  void
+  removeLocks() const;
+
   /** \brief The file of an entry; beside it, workers wait for each other. */
   std::string
   path(const char* kind, std::size_t number) const;

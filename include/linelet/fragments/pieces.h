@@ -28,6 +28,7 @@ struct Fragment {
   std::size_t number = 0;
   Points points;                     ///< relative to the plan's shift
   std::vector<std::uint8_t> classes; ///< of all points; 0 where they have none
+  std::vector<std::uint8_t> returns; ///< of their pulses; 0 where that is not known
   std::vector<std::uint32_t> places; ///< in their inputs
   std::vector<bool> core;            ///< whether it owns them
   std::vector<Section> sections;     ///< by input

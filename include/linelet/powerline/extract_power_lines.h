@@ -4,6 +4,7 @@
 #pragma once
 
 #include <linelet/io/cloud.h>
+#include <linelet/powerline/network_part.h>
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/powerline/power_line_settings.h>
 #include <linelet/support/progress_monitor.h>
@@ -25,6 +26,10 @@ namespace LINELET_PUBLIC powerline {
  * PowerLineSettings::use_classes, and passed on to the output for all other points
  * \param[in] settings see there
  * \param[in] monitor hears of the stages; may cancel
+ * \param[out] part unless null: what was found, as \ref mergeParts wants it, where the
+ * points are a part of a cloud. Seeds are then one a voxel on multiples of its side,
+ * else from the first point on: results that are to be compared with those of parts
+ * need it too
  * \return wires, supports and a label for every point
  * \throws std::invalid_argument for a setting out of range, or classes of another
  * length
@@ -33,7 +38,8 @@ PowerLineNetwork
 extractPowerLines(const Points& points,
                   const std::vector<std::uint8_t>& classes = {},
                   const PowerLineSettings& settings = {},
-                  ProgressMonitor* monitor = nullptr);
+                  ProgressMonitor* monitor = nullptr,
+                  NetworkPart* part = nullptr);
 
 /** \brief The same for a cloud, whose column `classification` gives the classes.
  * Withheld points take no part (io::UsablePoints). The network is in meters also where
@@ -42,7 +48,8 @@ extractPowerLines(const Points& points,
 PowerLineNetwork
 extractPowerLines(const io::Cloud& cloud,
                   const PowerLineSettings& settings = {},
-                  ProgressMonitor* monitor = nullptr);
+                  ProgressMonitor* monitor = nullptr,
+                  NetworkPart* part = nullptr);
 
 } // namespace powerline
 } // namespace linelet

@@ -187,6 +187,20 @@ findHazardsAtStates(const PowerLineNetwork& network,
                     unsigned threads = 0,
                     const ProgressMonitor* monitor = nullptr);
 
+/** \brief The same, where the surroundings are known. */
+std::vector<Hazards>
+findHazardsAtStates(const PowerLineNetwork& network,
+                    const Surroundings& surroundings,
+                    const HazardSettings& settings,
+                    double clearance,
+                    unsigned threads = 0,
+                    const ProgressMonitor* monitor = nullptr);
+
+/** \brief The limits of \a settings. \param[in] clearance as above
+ * \throws std::invalid_argument, io::FileError */
+ClearanceLimits
+limitsOf(const HazardSettings& settings, double clearance);
+
 /** \brief Throws what \ref findHazardsAtStates would for its settings, before long
  * work. */
 void

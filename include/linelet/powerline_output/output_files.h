@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -59,15 +60,23 @@ struct Provenance {
   std::vector<std::pair<std::string, std::string>> settings; ///< name and value
 };
 
+/** \brief What an input is told by. */
+struct InputExtent {
+  std::size_t points = 0;
+  Point low = Point::Zero(), high = Point::Zero(); ///< world coordinates
+};
+
 /** \brief What the outputs say beside the network itself. */
 struct OutputOptions {
   std::string source;   ///< name of the input, for headings; may be empty
   double clearance = 5; ///< a clearance below this is a hazard, meters
   ClassScheme classes;
-  io::ClassFilter points;       ///< which of the cloud took part
-  io::VectorOptions vectors;    ///< of all vector files
-  bool compress = false;        ///< classified.laz instead of classified.las
-  Provenance provenance;        ///< for the report
+  io::ClassFilter points;    ///< which of the cloud took part
+  io::VectorOptions vectors; ///< of all vector files
+  bool compress = false;     ///< classified.laz instead of classified.las
+  Provenance provenance;     ///< for the report
+  /// Of all of the input, where the cloud holds but a part of it.
+  std::optional<InputExtent> input;
   std::vector<Hazards> hazards; ///< at each state of the wires, first as scanned;
                                 ///< empty: not looked for
 };
@@ -134,6 +143,12 @@ otherResultsIn(const std::string& folder,
                const io::Cloud& cloud,
                const std::string& source);
 
+/** \brief The same, of an input of that extent. */
+std::string
+otherResultsIn(const std::string& folder,
+               const InputExtent& input,
+               const std::string& source);
+
 /** \brief Makes \a folder if need be and makes sure that files can be written there, so
  * that this fails before long work.
  * \throws io::FileError */
@@ -156,6 +171,24 @@ writePowerLineFiles(const std::string& folder,
                     const OutputOptions& options = {},
                     std::vector<std::string>* warnings = nullptr,
                     ProgressMonitor* monitor = nullptr);
+
+/** \brief Writes the same files but the classified cloud; \a cloud may be but those
+ * points of the input that pictures are to show, with \ref OutputOptions::input. */
+std::vector<std::string>
+writeNetworkFiles(const std::string& folder,
+                  const io::Cloud& cloud,
+                  const PowerLineNetwork& network,
+                  const OutputOptions& options = {},
+                  std::vector<std::string>* warnings = nullptr,
+                  ProgressMonitor* monitor = nullptr);
+
+/** \brief What to say of \a unconfirmed points, see \ref classify, and of what the
+ * network does not explain. */
+void
+warnOfDoubts(const PowerLineNetwork& network,
+             std::size_t unconfirmed,
+             const ClassScheme& classes,
+             std::vector<std::string>* warnings);
 
 } // namespace powerline
 

@@ -78,6 +78,13 @@ check(const HazardSettings& settings)
     throw std::invalid_argument("dead-end-angle must be above 0, up to 180 degrees");
 }
 
+ClearanceLimits
+limitsOf(const HazardSettings& settings, double clearance)
+{
+  const ClearanceLimits limits = uniformLimits(clearance);
+  return settings.limits.empty() ? limits : readLimits(settings.limits, limits);
+}
+
 std::vector<Hazards>
 findHazardsAtStates(const PowerLineNetwork& network,
                     const io::Cloud& cloud,
@@ -88,11 +95,27 @@ findHazardsAtStates(const PowerLineNetwork& network,
                     const ProgressMonitor* monitor)
 {
   check(settings);
-  ClearanceLimits limits = uniformLimits(clearance);
-  if (!settings.limits.empty())
-    limits = readLimits(settings.limits, limits);
-  const Surroundings surroundings = findSurroundings(
-      network, cloud, usable, limits, settings.classes, threads, monitor);
+  const Surroundings surroundings = findSurroundings(network,
+                                                     cloud,
+                                                     usable,
+                                                     limitsOf(settings, clearance),
+                                                     settings.classes,
+                                                     threads,
+                                                     monitor);
+  return findHazardsAtStates(
+      network, surroundings, settings, clearance, threads, monitor);
+}
+
+std::vector<Hazards>
+findHazardsAtStates(const PowerLineNetwork& network,
+                    const Surroundings& surroundings,
+                    const HazardSettings& settings,
+                    double clearance,
+                    unsigned threads,
+                    const ProgressMonitor* monitor)
+{
+  check(settings);
+  const ClearanceLimits limits = limitsOf(settings, clearance);
   std::vector<Hazards> states = {
       findHazards(network, surroundings, limits, threads, monitor)};
   if (!settings.states.empty()) {

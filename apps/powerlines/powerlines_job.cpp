@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerlines_job.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "commands.h"
+#include "fragments/run_job.h"
+#include "options.h"
+#include "powerlines_text.h"
+#include "run_date.h"
+#include "version.h"
+
+namespace linelet::apps {
+
+using powerline::PowerLineNetwork;
+
+namespace {
+
+bool
+isLaz(const std::string& path)
+{
+  const std::string ending = path.size() > 4 ? path.substr(path.size() - 4) : "";
+  return ending == ".laz" || ending == ".LAZ";
+}
+
+} // namespace
+
+PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
+{
+  frame_.addOutput("OUTDIR",
+                   folder_,
+                   "folder for classified.las or .laz, wires and hazards as .geojson, "
+                   ".gpkg and .dxf, clearances.csv, crossings.csv, fall_in.csv, "
+                   "summary.json and report.html; made if need be");
+  addOptions(frame_.app, settings_);
+  addOptions(frame_.app, hazards_);
+  frame_.reads(hazards_.limits);
+  frame_.reads(hazards_.conductor);
+  addOptions(frame_.app, output_.classes);
+  addOptions(frame_.app, output_.vectors);
+  const OptionAdder add(frame_.app);
+  add("overwrite", overwrite_, "replace results of another input in OUTDIR");
+  add("reviewed",
+      reviewed_,
+      "wires that somebody judged, in linelet-view or a GIS (columns review, "
+      "review_class, review_note of this file): rejected ones are left out, accepted "
+      "ones certain");
+  frame_.reads(reviewed_);
+  addOptions(frame_.app, fragments_);
+  add("buffer",
+      buffer_,
+      "Fragments: how far they overlap, meters: the longest span and what hangs at its "
+      "ends");
+  std::string classified = "as input";
+  frame_.app.add_option("--classified", classified, "ending of the classified cloud")
+      ->check(CLI::IsMember({"as input", "las", "laz"}))
+      ->type_name("NAME")
+      ->group("Options");
+  frame_.parse(arguments);
+  output_.compress =
+      classified == "laz" || (classified != "las" && isLaz(input_.files().front()));
+  frame_.checkOutputs(powerline::powerLineFiles(folder_, output_.compress));
+  powerline::check(output_.classes);
+  powerline::check(hazards_);
+  settings_.threads = frame_.threads;
+  settings_.points = output_.points = input_.classes();
+  output_.clearance = settings_.clearance;
+  output_.source = std::filesystem::path(input_.path()).filename().string();
+  output_.provenance = {
+      "linelet " LINELET_VERSION, runDate(), input_.files(), frame_.settings()};
+}
+
+void
+PowerlinesJob::warnOfUnits(const std::string& wkt)
+{
+  const io::Units units = io::unitsOf(wkt);
+  if (!units.height_stated && !units.areMeters())
+    frame_.warn("the reference system tells no unit of heights; they count as " +
+                units.height_name + ", like x and y");
+  if (wkt.empty())
+    frame_.warn(input_.path() +
+                " tells no reference system: its coordinates count as meters");
+}
+
+void
+PowerlinesJob::tell(const PowerLineNetwork& network,
+                    double points,
+                    const std::vector<std::string>& files)
+{
+  printPowerLines(network, output_.hazards, points, settings_.clearance);
+  for (const std::string& file : files)
+    std::printf("%s\n", file.c_str());
+  frame_.summary["points"] = static_cast<std::size_t>(points);
+  summarizePowerLines(frame_.summary, network, output_.hazards, settings_.clearance);
+  frame_.summary["files"] = files;
+}
+
+void
+PowerlinesJob::refuseOtherResults(const std::string& other) const
+{
+  if (!other.empty() && !overwrite_)
+    throw io::FileError(folder_ + ": holds the results of " + other +
+                        "; name another folder, or replace them with --overwrite");
+}
+
+std::unique_ptr<FragmentJob>
+makePowerlinesJob(const std::vector<std::string>& arguments)
+{
+  return std::make_unique<PowerlinesJob>(arguments);
+}
+
+int
+runPowerlines(const std::vector<std::string>& arguments)
+{
+  PowerlinesJob job(arguments);
+  return runJob(job, "powerlines", arguments);
+}
+
+} // namespace linelet::apps

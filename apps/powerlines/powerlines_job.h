@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/metric_frame.h>
+#include <linelet/powerline/network_part.h>
+#include <linelet/powerline/power_line_settings.h>
+#include <linelet/powerline_output/output_files.h>
+
+#include "cloud_files.h"
+#include "fragments/fragment_job.h"
+#include "frame.h"
+
+namespace linelet::apps {
+
+/** \brief The command powerlines, with its options read. */
+class PowerlinesJob : public FragmentJob {
+public:
+  explicit PowerlinesJob(const std::vector<std::string>& arguments);
+
+  Frame&
+  frame() override
+  {
+    return frame_;
+  }
+  CloudInput&
+  input() override
+  {
+    return input_;
+  }
+  const FragmentOptions&
+  options() const override
+  {
+    return fragments_;
+  }
+  const std::string&
+  place() const override
+  {
+    return folder_;
+  }
+  void
+  check() override;
+  double
+  ghost() override;
+  double
+  bytesPerPoint(bool in_fragments) const override;
+  std::map<std::string, double>
+  compute(const fragments::Plan& plan,
+          const fragments::Fragment& fragment,
+          const std::string& result,
+          ProgressMonitor* monitor) override;
+  std::vector<std::size_t>
+  needs(const fragments::Plan& plan, std::size_t number) override;
+  std::map<std::string, double>
+  write(const fragments::Plan& plan,
+        const std::string& folder,
+        std::size_t number,
+        const std::vector<bool>& usable,
+        ProgressMonitor* monitor) override;
+  void
+  report(const std::map<std::string, double>& figures) override;
+  int
+  runWhole() override;
+
+private:
+  void
+  warnOfUnits(const std::string& wkt);
+  void
+  refuseOtherResults(const std::string& other) const;
+  std::string
+  reference();
+  powerline::InputExtent
+  extent();
+  std::size_t
+  wiresCutOff(const fragments::Plan& plan,
+              const fragments::Fragment& fragment,
+              const io::Cloud& cloud,
+              const powerline::NetworkPart& part) const;
+  void
+  tell(const powerline::PowerLineNetwork& network,
+       double points,
+       const std::vector<std::string>& files);
+
+  Frame frame_{
+      "powerlines",
+      "Finds every wire of an airborne or UAV scan: classified cloud, vectors, "
+      "report. Points flagged as withheld take no part and stay in the "
+      "classified cloud as they are; overlap, synthetic and key points are "
+      "used like others."};
+  std::string folder_;
+  powerline::PowerLineSettings settings_;
+  powerline::HazardSettings hazards_;
+  powerline::OutputOptions output_;
+  FragmentOptions fragments_;
+  double buffer_ = 300;
+  std::string reviewed_;
+  bool overwrite_ = false;
+  CloudInput input_{frame_,
+                    CloudInput::Use::Lengths,
+                    "point file, z up, meters or feet (by its reference system); "
+                    "classes are not needed"};
+};
+
+} // namespace linelet::apps

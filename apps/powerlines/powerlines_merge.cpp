@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerlines_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include <linelet/fragments/records.h>
+#include <linelet/io/cloud_stream.h>
+#include <linelet/io/merge.h>
+#include <linelet/powerline/metric_frame.h>
+
+#include "powerlines_part.h"
+
+namespace linelet::apps {
+
+using powerline::Ground;
+using powerline::PowerLineNetwork;
+
+namespace {
+
+constexpr double most_cells = 1 << 27; // of the terrain, half a gigabyte
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+/** An empty raster of cells of that side over all inputs. */
+Ground
+rasterOver(const fragments::Plan& plan,
+           const powerline::MetricFrame& frame,
+           double cell)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Point low = Point::Constant(none), high = -low;
+  for (const fragments::PlannedInput& input : plan.inputs) {
+    if (!(input.extent.points > 0))
+      continue;
+    const fragments::Area& area = input.extent.area;
+    for (const auto& corner : {area.low, area.high}) {
+      const Point p =
+          frame.meters(Point(corner[0], corner[1], plan.shift.z()) - plan.shift);
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+  Ground ground;
+  if (!(low.x() <= high.x()))
+    return ground;
+  // Centers on multiples of the cells, as those of the fragments.
+  const auto first = [&](int axis) { return std::floor(low[axis] / cell + 0.5); };
+  const auto cells = [&](int axis) {
+    return std::floor(high[axis] / cell + 0.5) - first(axis) + 1;
+  };
+  while (cells(0) * cells(1) > most_cells)
+    cell *= 2;
+  ground.cell = cell;
+  ground.x = first(0) * cell;
+  ground.y = first(1) * cell;
+  ground.columns = static_cast<int>(cells(0));
+  ground.rows = static_cast<int>(cells(1));
+  ground.heights.assign(static_cast<std::size_t>(ground.columns) *
+                            static_cast<std::size_t>(ground.rows),
+                        unknown);
+  return ground;
+}
+
+/** The attributes that all inputs have. */
+std::vector<std::string>
+commonAttributes(const fragments::Plan& plan,
+                 const io::ReadOptions& options,
+                 std::vector<std::string>* warnings)
+{
+  std::vector<std::string> common;
+  std::set<std::string> lost;
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    io::Cloud cloud;
+    io::PointStream(plan.inputs[i].path, options, 1).next(cloud);
+    if (i == 0)
+      for (const io::Column& column : cloud.columns)
+        common.push_back(column.name);
+    for (const io::Column& column : cloud.columns)
+      if (std::find(common.begin(), common.end(), column.name) == common.end())
+        lost.insert(column.name);
+    common.erase(std::remove_if(common.begin(),
+                                common.end(),
+                                [&](const std::string& name) {
+                                  if (cloud.find(name) != nullptr)
+                                    return false;
+                                  lost.insert(name);
+                                  return true;
+                                }),
+                 common.end());
+  }
+  if (!lost.empty()) {
+    std::string names;
+    for (const std::string& name : lost)
+      names += " " + name;
+    warnings->push_back("attributes that not all inputs have are left out:" + names);
+  }
+  return common;
+}
+
+/** What a cloud of several inputs is like. */
+io::Cloud
+withoutPoints(const io::Cloud& cloud, const std::vector<std::string>& attributes)
+{
+  io::Cloud empty = cloud;
+  empty.points.clear();
+  empty.columns.clear();
+  for (const io::Column& column : cloud.columns)
+    if (std::find(attributes.begin(), attributes.end(), column.name) !=
+        attributes.end()) {
+      empty.columns.push_back(column);
+      std::visit([](auto& values) { values.clear(); }, empty.columns.back().values);
+    }
+  return empty;
+}
+
+} // namespace
+
+PowerlinesMerge::PowerlinesMerge(const fragments::Plan& plan,
+                                 std::string folder,
+                                 std::vector<bool> usable,
+                                 const std::string& wkt)
+    : plan_(plan), folder_(std::move(folder)), usable_(std::move(usable))
+{
+  pictures_.shift = plan.shift;
+  pictures_.wkt = wkt;
+  const powerline::MetricFrame frame(pictures_);
+  std::vector<powerline::NetworkPart> parts(usable_.size());
+  std::vector<std::vector<PicturePoint>> pictures(usable_.size());
+  std::vector<OwnSurroundings> surroundings(usable_.size());
+  for (std::size_t f = 0; f < usable_.size(); ++f) {
+    if (usable_[f]) {
+      PowerlinesPart part = loadPart(fragments::resultPath(folder_, f));
+      parts[f] = std::move(part.network);
+      pictures[f] = std::move(part.picture);
+      surroundings[f] = std::move(part.surroundings);
+    }
+    parts[f].owns = [&plan, frame, f](double x, double y) {
+      const Point world = frame.world({x, y, 0});
+      return plan.tiling.owner(world.x(), world.y()) == f;
+    };
+  }
+  network_ = powerline::mergeParts(parts, ids_);
+  for (std::size_t f = 0; f < usable_.size(); ++f)
+    addPictures(f, pictures[f]);
+  putSurroundingsInOrder(surroundings);
+  joinTerrain();
+}
+
+void
+PowerlinesMerge::addPictures(std::size_t fragment,
+                             const std::vector<PicturePoint>& points)
+{
+  for (const PicturePoint& point : points) {
+    const int wire = ids_[fragment].wires.at(static_cast<std::size_t>(point.wire));
+    pictures_.points.emplace_back(point.x, point.y, point.z);
+    network_.wire_id.push_back(wire);
+    network_.span_id.push_back(
+        wire > 0 ? network_.wires[static_cast<std::size_t>(wire) - 1].span : 0);
+    network_.classes.push_back(point.number_of_class);
+    network_.wire_distance.push_back(unknown);
+    network_.is_unexplained.push_back(point.unexplained);
+  }
+}
+
+void
+PowerlinesMerge::putSurroundingsInOrder(std::vector<OwnSurroundings>& parts)
+{
+  struct Where {
+    std::uint32_t input, place, part, at;
+  };
+  std::vector<Where> order;
+  for (std::size_t f = 0; f < parts.size(); ++f)
+    for (std::size_t k = 0; k < parts[f].place.size(); ++k)
+      order.push_back({parts[f].input[k],
+                       parts[f].place[k],
+                       static_cast<std::uint32_t>(f),
+                       static_cast<std::uint32_t>(k)});
+  std::sort(order.begin(), order.end(), [](const Where& a, const Where& b) {
+    return std::tie(a.input, a.place) < std::tie(b.input, b.place);
+  });
+  surroundings_.points.reserve(order.size());
+  for (const Where& where : order) {
+    const powerline::Surroundings& from = parts[where.part].all;
+    const auto support = static_cast<std::size_t>(from.support[where.at]);
+    surroundings_.points.push_back(from.points[where.at]);
+    surroundings_.kinds.push_back(from.kinds[where.at]);
+    surroundings_.support.push_back(ids_[where.part].supports.at(support));
+  }
+}
+
+void
+PowerlinesMerge::joinTerrain()
+{
+  const powerline::MetricFrame frame(pictures_);
+  Ground& all = network_.ground;
+  bool any = false;
+  for (std::size_t f = 0; f < usable_.size(); ++f) {
+    if (!usable_[f])
+      continue;
+    const Ground part = loadGround(fragments::resultPath(folder_, f));
+    if (part.heights.empty())
+      continue;
+    if (all.heights.empty())
+      all = rasterOver(plan_, frame, part.cell);
+    any = true;
+    const auto range =
+        [&](double from, int count, double cell, double start, int most) {
+          const double first = (from - cell / 2 - start) / all.cell;
+          const double last = (from + (count - 0.5) * cell - start) / all.cell;
+          return std::pair(
+              static_cast<int>(std::clamp(std::floor(first), 0.0, most - 1.0)),
+              static_cast<int>(std::clamp(std::ceil(last), 0.0, most - 1.0)));
+        };
+    const auto columns = range(part.x, part.columns, part.cell, all.x, all.columns);
+    const auto rows = range(part.y, part.rows, part.cell, all.y, all.rows);
+    for (int r = rows.first; r <= rows.second; ++r)
+      for (int c = columns.first; c <= columns.second; ++c) {
+        const double x = all.x + c * all.cell, y = all.y + r * all.cell;
+        const Point world = frame.world({x, y, 0});
+        if (plan_.tiling.owner(world.x(), world.y()) == f)
+          all.heights[static_cast<std::size_t>(r) *
+                          static_cast<std::size_t>(all.columns) +
+                      static_cast<std::size_t>(c)] =
+              static_cast<float>(part.heightAt(x, y));
+      }
+  }
+  if (!any)
+    all = {};
+}
+
+void
+PowerlinesMerge::label(io::Cloud& cloud,
+                       const std::vector<PointLabel>& labels,
+                       PowerLineNetwork& found) const
+{
+  const powerline::MetricFrame frame(pictures_);
+  const std::size_t count = labels.size();
+  found.classes.resize(count);
+  found.wire_id.assign(count, 0);
+  found.span_id.assign(count, 0);
+  found.wire_distance.assign(count, unknown);
+  found.is_unexplained.resize(count);
+  const Point offset = cloud.shift - plan_.shift;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PointLabel& label = labels[i];
+    found.classes[i] = label.number_of_class;
+    found.is_unexplained[i] = label.unexplained;
+    if (label.wire == 0)
+      continue;
+    const int id = ids_[label.fragment].wires.at(static_cast<std::size_t>(label.wire));
+    if (id == 0) { // its owner has not seen it
+      found.classes[i] = powerline::unclassified;
+      continue;
+    }
+    const powerline::Wire& wire = network_.wires[static_cast<std::size_t>(id) - 1];
+    found.wire_id[i] = id;
+    found.span_id[i] = wire.span;
+    found.wire_distance[i] =
+        static_cast<float>(wire.curve.distance(frame.meters(cloud.points[i] + offset)));
+  }
+}
+
+double
+PowerlinesMerge::writeClassified(const std::string& path,
+                                 CloudInput& input,
+                                 const powerline::ClassScheme& classes,
+                                 std::size_t& unconfirmed,
+                                 std::vector<std::string>* warnings,
+                                 ProgressMonitor* monitor) const
+{
+  io::ReadOptions options = input.readOptions();
+  options.shift = plan_.shift;
+  const std::vector<std::string> common = commonAttributes(plan_, options, warnings);
+  io::CloudSink sink(path, warnings, monitor);
+  io::Cloud first, block;
+  PowerLineNetwork found;
+  found.wires = network_.wires; // reviews name classes
+  bool begun = false;
+  double points = 0;
+  unconfirmed = 0;
+  for (std::size_t i = 0; i < plan_.inputs.size(); ++i) {
+    io::PointStream stream(plan_.inputs[i].path, options, 400000, warnings, monitor);
+    fragments::RecordStream results(plan_, folder_, i, sizeof(PointLabel), usable_);
+    while (stream.next(block)) {
+      io::Cloud cloud;
+      if (!begun) {
+        first = withoutPoints(block, common);
+        begun = true;
+      }
+      cloud = first;
+      io::append(cloud, block);
+      std::vector<PointLabel> labels(cloud.points.size());
+      if (const io::Column* given = cloud.find("classification"))
+        for (std::size_t k = 0; k < labels.size(); ++k) {
+          const auto number = static_cast<std::uint8_t>(io::valueAt(*given, k));
+          // Of the points that no fragment owns, as they take no part.
+          labels[k].number_of_class =
+              number == powerline::wire_class || number == powerline::pylon_class
+                  ? powerline::unclassified
+                  : number;
+        }
+      results.next(labels.size(), labels.data());
+      label(cloud, labels, found);
+      unconfirmed += powerline::classify(cloud, found, classes);
+      sink.add(cloud);
+      points += static_cast<double>(cloud.points.size());
+    }
+  }
+  sink.commit();
+  return points;
+}
+
+} // namespace linelet::apps

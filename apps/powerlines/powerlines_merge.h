@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/fragments/plan.h>
+#include <linelet/io/cloud.h>
+#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/network_part.h>
+#include <linelet/powerline_output/output_files.h>
+
+#include "cloud_files.h"
+
+namespace linelet::apps {
+
+struct PicturePoint;
+struct OwnSurroundings;
+struct PointLabel;
+
+/** \brief The power lines of fragments, put together. */
+class PowerlinesMerge {
+public:
+  /** \param[in] usable which fragments there are
+   * \param[in] wkt reference system of all
+   * \throws io::FileError where a result is missing or damaged */
+  PowerlinesMerge(const fragments::Plan& plan,
+                  std::string folder,
+                  std::vector<bool> usable,
+                  const std::string& wkt);
+
+  /** \brief The network, with its terrain; labels are of \ref pictures. */
+  const powerline::PowerLineNetwork&
+  network() const
+  {
+    return network_;
+  }
+
+  /** \brief Points of the lines and beside them. */
+  const io::Cloud&
+  pictures() const
+  {
+    return pictures_;
+  }
+
+  /** \brief What stands near the lines, in the order of the inputs. */
+  const powerline::Surroundings&
+  surroundings() const
+  {
+    return surroundings_;
+  }
+
+  /** \brief Writes all inputs as one classified cloud.
+   * \param[out] unconfirmed see powerline::classify
+   * \return number of points */
+  double
+  writeClassified(const std::string& path,
+                  CloudInput& input,
+                  const powerline::ClassScheme& classes,
+                  std::size_t& unconfirmed,
+                  std::vector<std::string>* warnings,
+                  ProgressMonitor* monitor) const;
+
+private:
+  void
+  addPictures(std::size_t fragment, const std::vector<PicturePoint>& points);
+  void
+  putSurroundingsInOrder(std::vector<OwnSurroundings>& parts);
+  void
+  joinTerrain();
+  void
+  label(io::Cloud& cloud,
+        const std::vector<PointLabel>& labels,
+        powerline::PowerLineNetwork& found) const;
+
+  const fragments::Plan& plan_;
+  std::string folder_;
+  std::vector<bool> usable_;
+  powerline::PowerLineNetwork network_;
+  std::vector<powerline::PartIds> ids_; ///< by fragment
+  powerline::Surroundings surroundings_;
+  io::Cloud pictures_;
+};
+
+} // namespace linelet::apps

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Power lines in fragments are those of the whole cloud, in every file but the
+// pictures.
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include <linelet/io/point_file.h>
+
+#include "tiles_test.h"
+
+namespace linelet::test {
+
+class PowerlinesFragmentsTest : public TilesTest {
+protected:
+  /** Whether both say the same, places and lengths to a millimeter. What no wire
+   * explains is looked for by the spacing of all points of a fragment. */
+  static void
+  expectSame(const nlohmann::json& one,
+             const nlohmann::json& other,
+             const std::string& where)
+  {
+    if (where.find("unexplained") != std::string::npos)
+      return;
+    ASSERT_EQ(one.is_number(), other.is_number()) << where;
+    if (one.is_number()) {
+      // The constant of a flat catenary is known to as many digits as its sag.
+      const double value = one, apart = where == "a" ? 1e-3 * value : 1e-3;
+      EXPECT_NEAR(value, other.get<double>(), apart) << where;
+      return;
+    }
+    ASSERT_EQ(one.size(), other.size()) << where;
+    if (one.is_object())
+      for (const auto& [key, value] : one.items()) {
+        ASSERT_TRUE(other.contains(key)) << key;
+        expectSame(value, other.at(key), key);
+      }
+    else if (one.is_array())
+      for (std::size_t k = 0; k < one.size(); ++k)
+        expectSame(one[k], other[k], where);
+    else
+      EXPECT_EQ(one, other) << where;
+  }
+
+  void
+  expectSameFiles(const std::string& one, const std::string& other) const
+  {
+    expectSame(
+        json(path(one) + "/summary.json"), json(path(other) + "/summary.json"), "");
+    const io::Cloud a = io::readCloud(path(one) + "/classified.laz"),
+                    b = io::readCloud(path(other) + "/classified.laz");
+    ASSERT_EQ(a.points.size(), b.points.size());
+    EXPECT_TRUE(a.points == b.points) << "another order";
+    ASSERT_EQ(a.columns.size(), b.columns.size());
+    for (const io::Column& column : a.columns) {
+      const io::Column* same = b.find(column.name);
+      ASSERT_NE(same, nullptr) << column.name;
+      if (column.name != "unexplained" && column.name != "wire_distance")
+        EXPECT_TRUE(column.values == same->values) << column.name;
+    }
+    for (const auto& entry : fs::directory_iterator(path(one)))
+      EXPECT_TRUE(fs::exists(fs::path(path(other)) / entry.path().filename()))
+          << entry.path();
+  }
+
+  /** Locks that workers held. */
+  static std::size_t
+  locksIn(const std::string& folder)
+  {
+    std::size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      count += entry.path().extension() == ".lock" ? 1 : 0;
+    return count;
+  }
+
+  const std::string job_ = "powerlines --threads 1 ";
+};
+
+// The newcomer's path: a folder of tiles, more than the memory, cut anywhere.
+TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  const double chunk = std::uniform_real_distribution<double>(90, 260)(random);
+  SCOPED_TRACE("seed " + std::to_string(seed) + ", chunk " + std::to_string(chunk));
+  runWell(job_ + path("tiles") + " " + path("a"));
+  runWell(job_ + path("tiles") + " " + path("b") + " --chunk " + std::to_string(chunk) +
+          " --json " + path("b.json"));
+  EXPECT_GT(json(path("b.json"))["fragments"], 1);
+  EXPECT_GT(json(path("b.json"))["wires"], 20);
+  expectSameFiles("a", "b");
+  EXPECT_FALSE(fs::exists(path("b.fragments"))) << "nothing is to stay";
+}
+
+TEST_F(PowerlinesFragmentsTest, AreCutForMemory)
+{
+  runWell(job_ + path("tiles") + " " + path("a"));
+  runWell(job_ + path("tiles") + " " + path("b") + " --memory 9M --buffer 60 --json " +
+          path("b.json"));
+  EXPECT_GT(json(path("b.json"))["fragments"], 1);
+  EXPECT_EQ(json(path("a/summary.json"))["points"],
+            json(path("b/summary.json"))["points"]);
+}
+
+// Where fragments overlap by less than a span, that is told.
+TEST_F(PowerlinesFragmentsTest, TellOfSpansThatReachBeyondTheBuffer)
+{
+  const Outcome outcome =
+      runWell(job_ + path("tiles") + " " + path("b") + " --chunk 90 --buffer 20");
+  EXPECT_NE(outcome.error.find("--buffer"), std::string::npos) << outcome.error;
+}
+
+TEST_F(PowerlinesFragmentsTest, VerbsDoTheSameInWorkersOfTheirOwn)
+{
+  runWell(job_ + path("tiles") + " " + path("a"));
+  runWell("plan " + job_ + path("tiles") + " " + path("b") + " --chunk 130");
+  EXPECT_EQ(run("status " + path("b")).code, 1) << "not done yet";
+  expectOneLineOf("merge " + path("b"), "--partial");
+  const pid_t one = start({"work", path("b"), "--every", "1/2"});
+  runWell("work " + path("b") + " --every 2/2");
+  EXPECT_EQ(waitFor(one), 0);
+  runWell("merge " + path("b"));
+  expectSameFiles("a", "b");
+  EXPECT_EQ(locksIn(path("b.fragments")), 0U);
+}
+
+TEST_F(PowerlinesFragmentsTest, ReviewsAreRefused)
+{
+  write("judged.csv", "wire_id,review\n");
+  expectOneLineOf(job_ + "--reviewed " + path("judged.csv") + " --chunk 100 " +
+                      path("tiles") + " " + path("b"),
+                  "--reviewed");
+}
+
+// Killed at any moment and gone on with.
+TEST_F(PowerlinesFragmentsTest, KilledAndResumedAreTheSame)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  runWell(job_ + path("tiles") + " " + path("a"));
+  std::uniform_real_distribution<double> moment(0, 3);
+  int killed = 0;
+  for (int i = 0; i < 12; ++i) {
+    std::vector<std::string> arguments = {
+        "powerlines", "--threads", "1", path("tiles"), path("b"), "--chunk", "90"};
+    if (i > 0)
+      arguments.push_back("--resume");
+    const pid_t child = start(arguments);
+    std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+    ::kill(child, SIGKILL);
+    const int status = waitFor(child);
+    killed += WIFSIGNALED(status) ? 1 : 0;
+    if (WIFEXITED(status)) {
+      ASSERT_EQ(WEXITSTATUS(status), 0) << "seed " << seed;
+      fs::remove_all(path("b")); // done: from the beginning
+    }
+  }
+  runWell(job_ + path("tiles") + " " + path("b") + " --chunk 90 --resume");
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  expectSameFiles("a", "b");
+  EXPECT_GT(killed, 3);
+}
+
+// A worker that is asked to end does so within two seconds, and is gone on with.
+TEST_F(PowerlinesFragmentsTest, AWorkerHearsOfSignals)
+{
+  runWell(job_ + path("tiles") + " " + path("a"));
+  runWell("plan " + job_ + path("tiles") + " " + path("b") + " --chunk 60");
+  const pid_t child = start({"work", path("b")});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  const auto asked = std::chrono::steady_clock::now();
+  ::kill(child, SIGTERM);
+  const int status = waitFor(child);
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(2));
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == 0)
+    GTEST_SKIP() << "was done before the signal";
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  runWell("work " + path("b"));
+  runWell("merge " + path("b"));
+  expectSameFiles("a", "b");
+}
+
+} // namespace linelet::test
