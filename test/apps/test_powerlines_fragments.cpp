@@ -58,8 +58,9 @@ protected:
     for (const io::Column& column : a.columns) {
       const io::Column* same = b.find(column.name);
       ASSERT_NE(same, nullptr) << column.name;
-      if (column.name != "unexplained" && column.name != "wire_distance")
+      if (column.name != "unexplained" && column.name != "wire_distance") {
         EXPECT_TRUE(column.values == same->values) << column.name;
+      }
     }
     for (const auto& entry : fs::directory_iterator(path(one)))
       EXPECT_TRUE(fs::exists(fs::path(path(other)) / entry.path().filename()))
