@@ -146,6 +146,18 @@ private:
   Indices first_;
 };
 
+Track
+trackOf(Pass&& pass)
+{
+  Track track;
+  track.members = std::move(pass.members);
+  track.path = std::move(pass.path);
+  track.evidence = pass.evidence / pass.dispersion; // quasi-likelihood
+  track.density = pass.density;
+  track.noise = pass.noise;
+  return track;
+}
+
 /** \brief \a state turned about, and less certain: the points it knows come again. */
 TrackState
 turned(TrackState state)
@@ -162,7 +174,8 @@ followCurve(const TrackedScene& scene,
             const TrackSeed& seed,
             const TrackBending& bending,
             double patience,
-            unsigned most_points)
+            unsigned most_points,
+            double promising)
 {
   Pass first(scene, bending, patience, most_points);
   first.density = seed.density;
@@ -184,19 +197,15 @@ followCurve(const TrackedScene& scene,
   second.run();
   if (second.members.size() < 4)
     return {};
+  if (second.evidence < promising * second.dispersion)
+    return trackOf(std::move(second));
   Pass third(scene, bending, patience, most_points);
   third.density = second.density;
   third.noise = second.noise;
   third.state = turned(second.last);
   third.state.at -= 1e-3 * scene.unit * third.state.direction;
   third.run();
-  Track track;
-  track.members = std::move(third.members);
-  track.path = std::move(third.path);
-  track.evidence = third.evidence / third.dispersion; // quasi-likelihood
-  track.density = third.density;
-  track.noise = third.noise;
-  return track;
+  return trackOf(std::move(third));
 }
 
 } // namespace linelet

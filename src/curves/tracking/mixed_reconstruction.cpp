@@ -31,6 +31,8 @@ constexpr double narrower = 0.25;
 // points, by which the most of so many starts would stand out by chance; that each of
 // its points must tell on average; and that a curve may lose where it is hidden.
 constexpr double least_evidence = 20, least_per_point = 0.5, patience = 12;
+// Of the evidence that a curve needs, what its first passes must give.
+constexpr double promising = 0.5;
 // A start that came to nothing is not made again by points that it led over twice.
 constexpr int most_failures = 2;
 // Of its points, this share must be free still.
@@ -122,8 +124,12 @@ private:
         for (const double width : {1.0, narrower}) {
           TrackSeed seed = batch[k];
           seed.noise *= width;
-          Track track =
-              followCurve(scene_, seed, bending, patience, settings_.max_iterations);
+          Track track = followCurve(scene_,
+                                    seed,
+                                    bending,
+                                    patience,
+                                    settings_.max_iterations,
+                                    promising * needed_);
           if (track.evidence > tracks[k].evidence)
             tracks[k] = std::move(track);
         }
