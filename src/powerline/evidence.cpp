@@ -106,9 +106,10 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
         smooth[k].larger += counts[other].larger;
       }
   e.likelihood = likelihoodOf(smooth);
-  e.sound = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
+  e.hangs = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
             e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
-            e.height >= least_height && e.clean >= clean_part * e.occupied &&
+            e.height >= least_height;
+  e.sound = e.hangs && e.clean >= clean_part * e.occupied &&
             e.clean * bin_length >= clean_length;
   e.accepted = e.sound && e.occupied >= least_cover * e.bins &&
                e.likelihood >= LinePriors().in_company;

@@ -19,6 +19,7 @@ struct Evidence {
   double height = 0;     ///< mean of the members above ground, meters
   double likelihood = 0; ///< natural logarithm of how much better a wire explains the
                          ///< points around it than what stands there anyway does
+  bool hangs = false;    ///< as a wire does, whatever is around it
   bool sound = false;    ///< a wire, but perhaps too thinly covered with points
   bool accepted = false; ///< and not that
 };

@@ -19,6 +19,7 @@
 #include "powerline/false_positives.h"
 #include "powerline/find_ground.h"
 #include "powerline/loose_wires.h"
+#include "powerline/next_spans.h"
 #include "powerline/place_order.h"
 #include "powerline/shows_terrain.h"
 #include "powerline/unexplained.h"
@@ -157,6 +158,7 @@ extractPowerLines(const Points& points,
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
     throwIfCanceled(monitor);
+    addNextSpans(growth, pieces, underside, settings, monitor);
     addParallelWires(growth, pieces, settings);
     throwIfCanceled(monitor);
     addBundles(growth, seeds, pieces, settings);

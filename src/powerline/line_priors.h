@@ -15,6 +15,7 @@ struct LinePriors {
                          ///< to 4,000 in the cold (CIGRE Technical Brochure 324)
   double least_sag = 1.0 / 320; ///< of a span: whoever strings a short wire leaves it
                                 ///< more slack, for its length changes with temperature
+  double usual_bend = 5e-4; ///< half second derivative, 1/meters: a = 1 km
   double longer = 1.5; ///< a span is at most so much longer than the part of it seen
   double spread = 2.5; ///< standard deviations that rule something out
 

@@ -115,5 +115,55 @@ INSTANTIATE_TEST_SUITE_P(OfEveryWidth,
                          BlurredBundle,
                          testing::Values(0.08, 0.12, 0.14, 0.16, 0.18, 0.2));
 
+/** A line in the open, then through crowns that are as dense as its wires. */
+SceneBuilder
+forestLine(std::uint32_t seed, bool goes_on)
+{
+  SceneBuilder scene(seed);
+  scene.ground(-90, -25, 90, 25, 3);
+  scene.box({2, -20, 3}, {88, 20, 13}, 26000);
+  for (const double y : {-1.5, 0., 1.5}) {
+    scene.wire({-90, y, 9}, {0, y, 9}, 600, 3, 0.03);
+    if (goes_on)
+      scene.wire({0, y, 9}, {90, y, 9}, 600, 0.8, 0.03);
+  }
+  return scene;
+}
+
+TEST(NextSpan, IsFoundInCrowns)
+{
+  // Half of what lies within 0.4 m of a wire there is its crowns, and nothing is
+  // linear.
+  double found = 0, all = 0;
+  for (const std::uint32_t seed : {1, 2, 3, 4}) {
+    const PowerLineNetwork network = extractPowerLines(forestLine(seed, true).points);
+    for (const double y : {-1.5, 0., 1.5})
+      for (double x = 5; x < 85; x += 2) {
+        const Point p = SceneBuilder::onWire({0, y, 9}, {90, y, 9}, 600, x);
+        all += 1;
+        found += std::any_of(
+            network.wires.begin(), network.wires.end(), [&](const Wire& wire) {
+              const Points line = polyline(wire);
+              for (std::size_t k = 1; k < line.size(); ++k) {
+                const Point v = line[k] - line[k - 1];
+                const double s =
+                    std::clamp(v.dot(p - line[k - 1]) / v.squaredNorm(), 0.0, 1.0);
+                if ((line[k - 1] + s * v - p).norm() < 0.25)
+                  return true;
+              }
+              return false;
+            });
+      }
+  }
+  EXPECT_GE(found, 0.9 * all) << found / all;
+}
+
+TEST(NextSpan, IsNotInventedInCrowns)
+{
+  for (const std::uint32_t seed : {1, 2, 3})
+    for (const Wire& wire : extractPowerLines(forestLine(seed, false).points).wires)
+      EXPECT_LT(std::max(wire.front.x(), wire.back.x()), 10) << "seed " << seed;
+}
+
 } // namespace
 } // namespace linelet::powerline
