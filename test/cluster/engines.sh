@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# engines.sh LINELET: runs the drivers of doc/cluster.md on this machine and compares what
-# they write with what one process writes. Leaves out engines that are not installed.
+# engines.sh LINELET: runs the schedulers of doc/cluster.md on this machine and compares
+# their results with those of one process. Skips those that are not installed.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 tool=$(realpath "$1")
@@ -33,7 +33,7 @@ compare() {
 }
 
 if command -v parallel > /dev/null; then
-  # A stand-in for ssh: host "dying" refuses everything after its second job.
+  # Stands in for ssh: host "dying" refuses everything after its second job.
   cat > bin/fakessh << 'END'
 #!/bin/bash
 while [ "${1#-}" != "$1" ]; do shift; done

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# slurm_cluster.sh COMMAND...: runs COMMAND beside a Slurm cluster of this one machine,
-# which lasts as long as it. Needs root, and the packages slurm-wlm and munge; uses a key
-# and folders of its own, and listens on the loopback device alone.
+# slurm_cluster.sh COMMAND...: starts a Slurm cluster on this machine, runs COMMAND, and
+# stops the cluster. Needs root and the packages slurm-wlm and munge. It uses its own key
+# and folders and listens on the loopback device only.
 set -euo pipefail
 room=$(mktemp -d)
 chmod 755 "$room"
