@@ -184,8 +184,7 @@ TEST_F(SceneCommands, AMissingReferenceSystemIsSaidOnce)
   cloud.wkt.clear();
   io::writeCloud(path("nowhere.las"), cloud);
   const Outcome run = runWell(call + path("nowhere.las") + " " + path("unknown"));
-  // Two, and another that some lines are not explained.
-  EXPECT_EQ(lines(run.error), 3) << run.error;
+  EXPECT_EQ(lines(run.error), 2) << run.error;
   EXPECT_THAT(run.error, HasSubstr("its coordinates count as meters"));
   EXPECT_THAT(run.error, HasSubstr(path("unknown/wires.geojson")));
   EXPECT_THAT(run.error, HasSubstr("take the coordinates for degrees"));

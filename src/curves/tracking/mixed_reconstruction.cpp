@@ -46,6 +46,10 @@ constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
 // two-hundredth of the curves.
 constexpr double widest = 0.1;
 
+// Nor is what runs along a surface a curve of its own: within so many D, on most of its
+// length.
+constexpr double beside = 1.5, most_on_surface = 0.5;
+
 double
 lengthOf(const Points& path)
 {
@@ -62,6 +66,32 @@ countOf(const EmFit& fit)
   for (const std::vector<double>& counts : fit.counts)
     sum = std::accumulate(counts.begin(), counts.end(), sum);
   return sum;
+}
+
+// Share of \a curves right beside which a surface lies: such a curve is its edge, or a
+// row of its points.
+double
+shareOnSurface(const TrackedScene& scene, const ModelCurves& curves)
+{
+  const double reach = beside * scene.unit;
+  double on = 0, all = 0;
+  for (const ModelCurve& curve : curves)
+    for (std::size_t k = 1; k < curve.nodes.size(); ++k) {
+      const Point way = curve.nodes[k] - curve.nodes[k - 1];
+      const double steps = std::max(1.0, std::ceil(way.norm() / reach));
+      for (double i = 0; i < steps; ++i) {
+        const Point p = curve.nodes[k - 1] + (i + 0.5) / steps * way;
+        bool near = false;
+        scene.grid.forEachRun(p, reach, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t j = begin; j < end; ++j)
+            near = near || (scene.surface[j] != 0 &&
+                            (scene.points()[j] - p).squaredNorm() <= reach * reach);
+        });
+        on += near ? way.norm() / steps : 0;
+        all += way.norm() / steps;
+      }
+    }
+  return all > 0 ? on / all : 0;
 }
 
 /** \brief Follows curves from seeds, and keeps book of what they explain. */
@@ -185,6 +215,8 @@ private:
     if (fit.fit.curves.empty() ||
         (fit.fit.noise * count > widest * length(fit.fit.curves) &&
          track.evidence < very_sure * needed_))
+      return false;
+    if (shareOnSurface(scene_, fit.fit.curves) > most_on_surface)
       return false;
     for (std::size_t k = 0; k < fit.points.size(); ++k)
       if (fit.explained[k])
