@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <linelet/fragments/records.h>
+#include <linelet/io/output_file.h>
 
 #include "fragment_run.h"
 #include "quiet_monitor.h"
@@ -99,8 +100,14 @@ FragmentRun::merge(FragmentJob& job, bool partial)
   }
   std::error_code ignored;
   fs::remove_all(fs::path(folder_) / "results", ignored);
-  if (missing == 0)
+  if (missing == 0) {
     ledger_.removeLocks();
+    // What killed workers left beside what is whole now.
+    const fs::path output = fs::path(folder_).replace_extension();
+    io::removeLeftovers(fs::is_directory(output, ignored)
+                            ? output.string()
+                            : fs::absolute(output).parent_path().string());
+  }
   job.frame().summary["fragments"] = usable.size();
   job.frame().summary["fragments_missing"] = missing;
   job.report(figures);

@@ -5,11 +5,15 @@
 
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <mutex>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -57,6 +61,15 @@ isSpecial(const std::string& path)
          !S_ISDIR(status.st_mode);
 }
 
+/** What the names of files under construction begin with, before the process. */
+std::string
+leadOfHost()
+{
+  char host[HOST_NAME_MAX + 1] = "";
+  ::gethostname(host, sizeof host - 1);
+  return ".part-" + std::string(host) + "-";
+}
+
 std::string
 placeFor(const std::string& path)
 {
@@ -66,7 +79,7 @@ placeFor(const std::string& path)
   const std::string name = place.filename().string();
   if (name.size() > NAME_MAX)
     throw FileError(cannotWrite(path, ENAMETOOLONG));
-  const std::string lead = ".part-" + std::to_string(::getpid()) + "-";
+  const std::string lead = leadOfHost() + std::to_string(::getpid()) + "-";
   // A journal of SQLite beside it has a longer name still.
   constexpr std::size_t longest = NAME_MAX - 16;
   if (lead.size() + name.size() <= longest)
@@ -122,6 +135,24 @@ StagedFile::publish()
   if (error)
     throw FileError(cannotWrite(path_, error.value()));
   all.places.erase(place_);
+}
+
+void
+removeLeftovers(const std::string& folder)
+{
+  const std::string lead = leadOfHost();
+  std::vector<fs::path> leftovers;
+  std::error_code none; // a folder that cannot be read keeps them
+  for (const auto& file : fs::directory_iterator(folder, none)) {
+    const std::string name = file.path().filename().string();
+    if (name.compare(0, lead.size(), lead) != 0)
+      continue;
+    const pid_t process = std::atoi(name.c_str() + lead.size());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      leftovers.push_back(file.path());
+  }
+  for (const fs::path& file : leftovers)
+    fs::remove(file, none);
 }
 
 void

@@ -150,6 +150,10 @@ TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
   runWell(job + path("b") + " --chunk 12 --resume");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")))
       << "seed " << seed;
+  // Nor does a writer that was killed in the middle of an output leave anything.
+  for (const auto& file : fs::directory_iterator(path("b")))
+    EXPECT_EQ(file.path().filename().string().find(".part-"), std::string::npos)
+        << file.path() << ", seed " << seed;
   EXPECT_GT(killed, 20) << "seed " << seed;
 }
 

@@ -53,6 +53,11 @@ private:
 void
 checkWritable(const std::string& path);
 
+/** \brief Removes what processes of this machine that were killed left under
+ * construction in \a folder. */
+void
+removeLeftovers(const std::string& folder);
+
 /** \brief Removes all files under construction, by whatever writer; none is made or
  * published afterwards. For a program that ends at once, from any of its threads. */
 void
