@@ -31,7 +31,7 @@ constexpr double voxel = 0.5;        // one seed, or one point of the coarse clo
 constexpr double steepest = 0.7;     // of a wire's direction, as sine: 45 degrees
 constexpr double round_enough = 0.3; // sphericity that ends the search for a line
 constexpr std::size_t enough = 8;    // points that make it worth believing
-constexpr double bundle_radius = 4;  // meters, of the search for a wire among others
+constexpr double among_radius = 4;   // meters, of the search for a wire among others
 constexpr double bundle_linearity = 0.5;
 constexpr std::size_t crowded = 400; // points around, too many for wires alone
 constexpr double bundle_tube = 0.12; // meters
@@ -113,7 +113,7 @@ seedAmongOthers(const Candidates& candidates, Index c)
   const Seed none = {c, 0, 0, Point::Zero()};
   const Point& center = candidates.points[c];
   std::vector<Point> around;
-  candidates.grid.forEachWithin(center, bundle_radius, [&](Index i, double) {
+  candidates.grid.forEachWithin(center, among_radius, [&](Index i, double) {
     around.push_back(candidates.points[i] - center);
   });
   if (around.size() < 12 || around.size() > crowded)
@@ -142,14 +142,14 @@ seedAmongOthers(const Candidates& candidates, Index c)
     tube += off <= bundle_tube;
     guard_ring += off > bundle_tube && off <= 2 * bundle_tube;
     if (off <= bundle_tube) {
-      const double place = (direction.dot(v) / bundle_radius + 1) / 2;
+      const double place = (direction.dot(v) / among_radius + 1) / 2;
       filled[static_cast<std::size_t>(std::clamp(place * 8, 0.0, 7.0))] = true;
     }
   }
   if (tube < 5 || guard_ring * 3 > tube ||
       std::count(filled.begin(), filled.end(), true) < 5)
     return none;
-  return {c, 0.5F, static_cast<float>(bundle_radius), direction};
+  return {c, 0.5F, static_cast<float>(among_radius), direction};
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double company_reach = 14; // meters between wires of one span
+constexpr LinePriors priors;
 constexpr double company_part = 0.7; // of the length of the wire that is to grow
 constexpr double thin_cover = 0.1;   // of the bins of a wire beside others
 constexpr double thin_clean = 0.9;   // of those, clean
@@ -48,7 +48,7 @@ goesOn(const std::vector<WireWithEnds>& wires,
       }
       const Parallel parallel = compare(m, wire.model());
       if (parallel.overlap >= company_part * m.length() &&
-          parallel.distance <= company_reach &&
+          parallel.distance <= priors.company_reach &&
           std::abs(m.direction.dot(wire.model().direction)) >= least_cosine)
         return true;
     }
@@ -80,7 +80,7 @@ completeByCompany(std::vector<WireWithEnds>& wires,
         continue;
       const Parallel parallel = compare(m, other.model());
       if (parallel.overlap < company_part * m.length() ||
-          parallel.distance > company_reach)
+          parallel.distance > priors.company_reach)
         continue;
       const double from = m.along(other.model().at(other.model().begin));
       const double to = m.along(other.model().at(other.model().end));
@@ -95,7 +95,7 @@ completeByCompany(std::vector<WireWithEnds>& wires,
         longer.model.length() > m.length()) {
       // Beside others a wire may be thinly covered, if nothing else is near it.
       const Evidence e = weigh(growth, longer, settings);
-      if (e.likelihood >= LinePriors().in_company &&
+      if (e.likelihood >= priors.in_company &&
           (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&
                           e.clean >= thin_clean * e.occupied)))
         piece = std::move(longer);

@@ -15,7 +15,6 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double largest_rms = 0.16;      // meters
-constexpr double bundle_radius = 0.5;     // meters, of a bundle in one vector
 constexpr double bundle_rms = 0.35;       // meters
 constexpr double bundle_tolerance = 0.15; // meters; what fits closer is one wire
 // Points a meter of a bundle, else its guard ring says nothing: beside single wires

@@ -9,16 +9,18 @@
 
 #include <ceres/ceres.h>
 
+#include "powerline/line_priors.h"
+
 namespace linelet::powerline {
 
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr std::size_t sample = 600;                     // points that take part
-constexpr double noise = 0.05;                          // meters, scales the priors
-constexpr double swing_spread = 0.3;                    // radian
-constexpr double usual_bend = 2e-3, bend_spread = 4e-3; // 1 / a, 1/meters
-constexpr double flattest = 1e-5, tightest = 0.05;      // 1 / a
+constexpr std::size_t sample = 600;                // points that take part
+constexpr double noise = 0.05;                     // meters, scales the priors
+constexpr double swing_spread = 0.3;               // radian
+constexpr LinePriors priors;                       // whose bends are 1 / 2a
+constexpr double flattest = 1e-5, tightest = 0.05; // 1 / a
 constexpr double hold = 8; // weight of an attachment point, in points
 
 /** Parameters, all near 0 in the frame of the start model but the bend:
@@ -57,7 +59,7 @@ struct Prior {
   operator()(const T* p, T* residual) const
   {
     residual[0] = noise / swing_spread * p[swing];
-    residual[1] = noise / bend_spread * (p[bend] - usual_bend);
+    residual[1] = noise / (2 * priors.bend_spread) * (p[bend] - 2 * priors.usual_bend);
     return true;
   }
 };

@@ -15,7 +15,10 @@ struct LinePriors {
                          ///< to 4,000 in the cold (CIGRE Technical Brochure 324)
   double least_sag = 1.0 / 320; ///< of a span: whoever strings a short wire leaves it
                                 ///< more slack, for its length changes with temperature
-  double usual_bend = 5e-4; ///< half second derivative, 1/meters: a = 1 km
+  double usual_bend = 1e-3; ///< half second derivative, 1 / 2a, of any wire: a = 500 m,
+                            ///< between that of a long span and of a service drop
+  double bend_spread = 2e-3; ///< and its standard deviation
+  double company_reach = 14; ///< between neighboring wires of a span, at most
   double longer = 1.5; ///< a span is at most so much longer than the part of it seen
   double spread = 2.5; ///< standard deviations that rule something out
 

@@ -15,7 +15,6 @@ constexpr double near_by = 9;           // meters between wires of one line
 constexpr double same_way = 0.98;       // cosine between their directions
 constexpr double well_past = 10;        // meters that a wire goes on, beyond a place
 constexpr std::size_t least_others = 3; // wires that a line has beside those that end
-constexpr double bundle_radius = 0.5;   // meters, of a wire that may be two
 constexpr double explained_part = 0.9;  // of the points of both
 constexpr double wide_cut = 2, narrow_cut = 0.6; // meters, fits of two parts
 

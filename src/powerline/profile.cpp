@@ -11,10 +11,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double noise = 0.05;      // meters, scales the priors
-constexpr double usual_bend = 5e-3; // 1/meters
-constexpr double like_bend = 3e-4;  // 1/meters, between neighboring spans
-constexpr double closed = 1e-3;     // meters between parabolas that meet
+constexpr double noise = 0.05;       // meters, scales the priors
+constexpr double bend_spread = 5e-3; // 1/meters, of the halves at a support
+constexpr double like_bend = 3e-4;   // 1/meters, between neighboring spans
+constexpr double closed = 1e-3;      // meters between parabolas that meet
 
 } // namespace
 
@@ -22,7 +22,7 @@ std::pair<Eigen::Vector3d, double>
 Moments::solve() const
 {
   Eigen::Matrix3d regular = normal;
-  regular(2, 2) += (noise / usual_bend) * (noise / usual_bend);
+  regular(2, 2) += (noise / bend_spread) * (noise / bend_spread);
   const Eigen::Vector3d c = regular.ldlt().solve(right);
   return {c, std::max(0.0, squares - 2 * c.dot(right) + c.dot(normal * c))};
 }
@@ -76,8 +76,8 @@ Profile::hingeAt(double s, double low, double high) const
   bends *= noise / like_bend;
   Eigen::Matrix<double, 6, 6> regular = normal;
   regular += meeting * meeting.transpose() + bends * bends.transpose();
-  regular(2, 2) += (noise / usual_bend) * (noise / usual_bend);
-  regular(5, 5) += (noise / usual_bend) * (noise / usual_bend);
+  regular(2, 2) += (noise / bend_spread) * (noise / bend_spread);
+  regular(5, 5) += (noise / bend_spread) * (noise / bend_spread);
   const Six c = regular.ldlt().solve(sums);
   Hinge hinge;
   hinge.squares =

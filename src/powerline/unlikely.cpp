@@ -16,7 +16,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double company_reach = 14;  // meters between the wires of a line
 constexpr double company_part = 0.35; // of the length of the longer
 constexpr double steep = 0.12;        // slope between the ends
 constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
@@ -129,13 +128,16 @@ gatherFamilies(const std::vector<WireWithEnds>& wires)
 {
   Groups families(wires.size());
   unitePartners(families, wires);
-  uniteNeighbors(
-      families, wires, company_reach, [](const WireWithEnds& a, const WireWithEnds& b) {
-        const Parallel parallel = compare(a.model(), b.model());
-        return parallel.distance <= company_reach &&
-               parallel.overlap >=
-                   company_part * std::max(a.model().length(), b.model().length());
-      });
+  uniteNeighbors(families,
+                 wires,
+                 priors.company_reach,
+                 [](const WireWithEnds& a, const WireWithEnds& b) {
+                   const Parallel parallel = compare(a.model(), b.model());
+                   return parallel.distance <= priors.company_reach &&
+                          parallel.overlap >=
+                              company_part *
+                                  std::max(a.model().length(), b.model().length());
+                 });
   return families;
 }
 
