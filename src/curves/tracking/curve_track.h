@@ -52,8 +52,8 @@ struct Track {
  * where going on has lost more than \a patience of it, cut back to where the evidence
  * was greatest.
  * \param[in] most_points the curve ends after so many each way; 0: no limit
- * \param[in] promising evidence below which it is not looked at once more, with what has
- * been learned of its density and noise
+ * \param[in] promising evidence below which it is not looked at once more, with what
+ * has been learned of its density and noise
  *
  * Bar-Shalom and Tse, Automatica 11 (1975). */
 Track
