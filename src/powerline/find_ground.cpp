@@ -364,12 +364,6 @@ findGround(const Points& points,
   fill(g.heights, Fill::Smooth);
   throwIfCanceled(monitor);
   refine(raster, extent, points);
-  if (getenv("DUMPG")) {
-    FILE* f = fopen((std::string(getenv("DUMPG")) + "2").c_str(), "w");
-    for (std::size_t i = 0; i < g.heights.size(); ++i)
-      fprintf(f, "%.2f\n", g.heights[i]);
-    fclose(f);
-  }
   return g;
 }
 
