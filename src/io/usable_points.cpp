@@ -4,6 +4,7 @@
 #include <linelet/io/usable_points.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -13,6 +14,18 @@
 namespace linelet::io {
 
 namespace {
+
+/** Values of \a column from \a first on. */
+void
+copyValues(const Column& column, std::size_t first, std::size_t count, double* out)
+{
+  std::visit(
+      [&](const auto& values) {
+        for (std::size_t k = 0; k < count; ++k)
+          out[k] = static_cast<double>(values[first + k]);
+      },
+      column.values);
+}
 
 std::string
 listOf(const std::set<int>& numbers)
@@ -59,22 +72,35 @@ UsablePoints::UsablePoints(const Cloud& cloud,
 {
   const Column* flags = cloud.find("withheld");
   const Column* labels = cloud.find("classification");
-  std::set<int> numbers; // of the points that are left out for them
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    if (flags != nullptr && valueAt(*flags, i) != 0) {
-      leaveOut(i);
-      ++withheld_;
-      continue;
+  std::set<int> numbers;        // of the points that are left out for them
+  std::array<bool, 257> passes; // by number, the last for what is none
+  for (int number = -1; number < 256; ++number)
+    passes[static_cast<std::size_t>(number < 0 ? 256 : number)] =
+        classes.passes(number);
+  constexpr std::size_t block = 4096;
+  std::array<double, block> flag{}, label{};
+  for (std::size_t first = 0; first < cloud.points.size(); first += block) {
+    const std::size_t count = std::min(block, cloud.points.size() - first);
+    if (flags != nullptr)
+      copyValues(*flags, first, count, flag.data());
+    if (labels != nullptr)
+      copyValues(*labels, first, count, label.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      if (flag[k] != 0) {
+        leaveOut(first + k);
+        ++withheld_;
+        continue;
+      }
+      if (labels == nullptr)
+        continue;
+      const int number =
+          label[k] >= 0 && label[k] < 256 ? static_cast<int>(label[k]) : -1;
+      if (passes[static_cast<std::size_t>(number < 0 ? 256 : number)])
+        continue;
+      leaveOut(first + k);
+      ++ignored_;
+      numbers.insert(number);
     }
-    if (labels == nullptr)
-      continue;
-    const double label = valueAt(*labels, i);
-    const int number = label >= 0 && label < 256 ? static_cast<int>(label) : -1;
-    if (classes.passes(number))
-      continue;
-    leaveOut(i);
-    ++ignored_;
-    numbers.insert(number);
   }
   if (warnings == nullptr)
     return;

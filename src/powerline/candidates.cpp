@@ -155,21 +155,43 @@ seedAmongOthers(const Candidates& candidates, Index c)
 } // namespace
 
 Candidates
-findCandidates(const Points& points, const Ground& ground, double min_height)
+findCandidates(const Points& points,
+               const Ground& ground,
+               double min_height,
+               unsigned threads)
 {
-  Points above;
-  Indices input;
-  std::vector<float> height;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double h = points[i].z() - ground.heightAt(points[i].x(), points[i].y());
-    if (!(h > min_height) || !points[i].allFinite())
-      continue;
-    above.push_back(points[i]);
-    input.push_back(static_cast<Index>(i));
-    height.push_back(static_cast<float>(h));
+  // Block by block: how many there are, then where they go.
+  constexpr std::size_t block = 1 << 16;
+  const std::size_t blocks = (points.size() + block - 1) / block;
+  std::vector<float> above(points.size()); // NaN: no candidate
+  std::vector<std::size_t> begins(blocks + 1, 0);
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
+  for (std::size_t b = 0; b < blocks; ++b)
+    for (std::size_t i = b * block; i < std::min(points.size(), (b + 1) * block); ++i) {
+      const double h = points[i].z() - ground.heightAt(points[i].x(), points[i].y());
+      const bool higher = h > min_height && points[i].allFinite();
+      above[i] =
+          higher ? static_cast<float>(h) : std::numeric_limits<float>::quiet_NaN();
+      begins[b + 1] += higher ? 1 : 0;
+    }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  Points found(begins.back());
+  Indices input(begins.back());
+  std::vector<float> height(begins.back());
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
+  for (std::size_t b = 0; b < blocks; ++b) {
+    std::size_t next = begins[b];
+    for (std::size_t i = b * block; i < std::min(points.size(), (b + 1) * block); ++i) {
+      if (std::isnan(above[i]))
+        continue;
+      found[next] = points[i];
+      input[next] = static_cast<Index>(i);
+      height[next++] = above[i];
+    }
   }
-  UniformGrid grid(above, 1);
-  return {std::move(above),
+  above = {};
+  UniformGrid grid(found, 1);
+  return {std::move(found),
           std::move(input),
           std::move(height),
           std::move(grid),

@@ -22,9 +22,13 @@ struct Candidates {
   double least_height; ///< above ground, of all of them, meters
 };
 
-/** \brief Points higher above \a ground than \a min_height, in input order. */
+/** \brief Points higher above \a ground than \a min_height, in input order.
+ * \param[in] threads 0: all */
 Candidates
-findCandidates(const Points& points, const Ground& ground, double min_height);
+findCandidates(const Points& points,
+               const Ground& ground,
+               double min_height,
+               unsigned threads = 0);
 
 /** \brief A place where a wire may be, with its direction. */
 struct Seed {

@@ -142,7 +142,8 @@ extractPowerLines(const Points& points,
     stages.begin("ground");
     const Ground ground = groundUnder(points, classes, settings, network, monitor);
     stages.begin("index");
-    const Candidates candidates = findCandidates(points, ground, settings.min_height);
+    const Candidates candidates =
+        findCandidates(points, ground, settings.min_height, settings.threads);
     throwIfCanceled(monitor);
     const Underside underside(points);
     stages.begin("seeds");
@@ -218,8 +219,13 @@ extractPowerLines(const io::Cloud& cloud,
   std::vector<std::uint8_t> classes;
   if (const io::Column* column = cloud.find("classification")) {
     classes.resize(cloud.points.size());
-    for (std::size_t i = 0; i < classes.size(); ++i)
-      classes[i] = static_cast<std::uint8_t>(io::valueAt(*column, i));
+    std::visit(
+        [&](const auto& values) {
+          std::transform(values.begin(), values.end(), classes.begin(), [](auto value) {
+            return static_cast<std::uint8_t>(static_cast<double>(value));
+          });
+        },
+        column->values);
   }
   const MetricFrame frame(cloud);
   const io::UsablePoints usable(cloud, nullptr, settings.points);

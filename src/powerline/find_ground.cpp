@@ -12,6 +12,7 @@
 #include <linelet/support/threads.h>
 
 #include "powerline/plan_extent.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::powerline {
 
@@ -193,41 +194,78 @@ slide(
 }
 
 std::vector<float>
-filtered(
-    const std::vector<float>& raster, int columns, int rows, int radius, float sign)
+filtered(const std::vector<float>& raster,
+         int columns,
+         int rows,
+         int radius,
+         float sign,
+         unsigned threads)
 {
   std::vector<float> half(raster.size()), out(raster.size());
   const auto width = static_cast<std::size_t>(columns);
-  for (int r = 0; r < rows; ++r) {
-    const std::size_t begin = static_cast<std::size_t>(r) * width;
-    slide(&raster[begin], &half[begin], columns, 1, radius, sign);
+  ParallelFailure failure;
+#pragma omp parallel num_threads(threadCount(threads))
+  {
+#pragma omp for schedule(static)
+    for (int r = 0; r < rows; ++r)
+      failure.guard([&] {
+        const std::size_t begin = static_cast<std::size_t>(r) * width;
+        slide(&raster[begin], &half[begin], columns, 1, radius, sign);
+      });
+#pragma omp for schedule(static)
+    for (std::size_t c = 0; c < width; ++c)
+      failure.guard([&] { slide(&half[c], &out[c], rows, width, radius, sign); });
   }
-  for (std::size_t c = 0; c < width; ++c)
-    slide(&half[c], &out[c], rows, width, radius, sign);
+  failure.rethrow();
   return out;
+}
+
+// Where a point lies beside the surface, and how far above its cell.
+struct Offset {
+  std::size_t cell = none;
+  float above = 0;
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+};
+
+Offset
+offsetFrom(const Raster& raster, const Point& p)
+{
+  const Ground& g = raster.ground;
+  const double dx = std::abs(g.heightAt(p.x() + g.cell / 2, p.y()) -
+                             g.heightAt(p.x() - g.cell / 2, p.y()));
+  const double dy = std::abs(g.heightAt(p.x(), p.y() + g.cell / 2) -
+                             g.heightAt(p.x(), p.y() - g.cell / 2));
+  const double above = p.z() - g.heightAt(p.x(), p.y());
+  if (std::abs(above) > step + dx + dy)
+    return {};
+  const std::size_t cell = raster.cellOf(p);
+  return {cell, static_cast<float>(p.z()) - g.heights[cell]};
 }
 
 // The mean height of the points beside the surface: cells' minima lie too low on
 // slopes.
 void
-refine(Raster& raster, const PlanExtent& extent, const Points& points)
+refine(Raster& raster, const PlanExtent& extent, const Points& points, unsigned threads)
 {
   Ground& g = raster.ground;
   std::vector<float> sum(g.heights.size(), 0.0F);
   std::vector<std::uint32_t> count(g.heights.size(), 0);
-  for (const Point& p : points) {
-    if (!p.allFinite() || !extent.contains(p))
-      continue;
-    const double dx = std::abs(g.heightAt(p.x() + g.cell / 2, p.y()) -
-                               g.heightAt(p.x() - g.cell / 2, p.y()));
-    const double dy = std::abs(g.heightAt(p.x(), p.y() + g.cell / 2) -
-                               g.heightAt(p.x(), p.y() - g.cell / 2));
-    const double above = p.z() - g.heightAt(p.x(), p.y());
-    if (std::abs(above) > step + dx + dy)
-      continue;
-    const std::size_t cell = raster.cellOf(p);
-    sum[cell] += static_cast<float>(p.z()) - g.heights[cell];
-    ++count[cell];
+  // Summed up in the order of the points, so that threads change nothing.
+  std::vector<Offset> offsets(std::min<std::size_t>(points.size(), 1 << 18));
+  for (std::size_t first = 0; first < points.size(); first += offsets.size()) {
+    const std::size_t number = std::min(offsets.size(), points.size() - first);
+#pragma omp parallel for schedule(static) num_threads(threadCount(threads))
+    for (std::size_t k = 0; k < number; ++k) {
+      const Point& p = points[first + k];
+      offsets[k] =
+          p.allFinite() && extent.contains(p) ? offsetFrom(raster, p) : Offset();
+    }
+    for (std::size_t k = 0; k < number; ++k)
+      if (const auto& [cell, above] = offsets[k]; cell != Offset::none) {
+        sum[cell] += above;
+        ++count[cell];
+      }
   }
   for (std::size_t i = 0; i < sum.size(); ++i)
     if (count[i] > 0)
@@ -237,10 +275,18 @@ refine(Raster& raster, const PlanExtent& extent, const Points& points)
 } // namespace
 
 std::vector<float>
-openRaster(const std::vector<float>& raster, int columns, int rows, int radius)
+openRaster(const std::vector<float>& raster,
+           int columns,
+           int rows,
+           int radius,
+           unsigned threads)
 {
-  return filtered(
-      filtered(raster, columns, rows, radius, 1), columns, rows, radius, -1);
+  return filtered(filtered(raster, columns, rows, radius, 1, threads),
+                  columns,
+                  rows,
+                  radius,
+                  -1,
+                  threads);
 }
 
 void
@@ -332,7 +378,7 @@ findGround(const Points& points,
       height = std::fmin(height, static_cast<float>(p.z()));
     }
     fill(g.heights, Fill::Smooth);
-    refine(raster, extent, terrain);
+    refine(raster, extent, terrain, threads);
     return g;
   }
 
@@ -353,7 +399,8 @@ findGround(const Points& points,
       g.heights[i] = surface[i];
   for (int radius = 1; radius <= largest_radius; ++radius) {
     throwIfCanceled(monitor);
-    const std::vector<float> opened = openRaster(surface, g.columns, g.rows, radius);
+    const std::vector<float> opened =
+        openRaster(surface, g.columns, g.rows, radius, threads);
     // Terrain of the steepest slope loses this much more than at the radius before.
     const float limit = static_cast<float>(step + terrain_slope * g.cell);
     for (std::size_t i = 0; i < surface.size(); ++i)
@@ -363,7 +410,7 @@ findGround(const Points& points,
   }
   fill(g.heights, Fill::Smooth);
   throwIfCanceled(monitor);
-  refine(raster, extent, points);
+  refine(raster, extent, points, threads);
   return g;
 }
 

@@ -50,8 +50,13 @@ fillHoles(std::vector<float>& raster,
           std::int64_t first_column = 0,
           std::int64_t first_row = 0);
 
-/** \brief Opening (erosion, then dilation) with a square of 2 \a radius + 1 cells. */
+/** \brief Opening (erosion, then dilation) with a square of 2 \a radius + 1 cells.
+ * \param[in] threads 0: all */
 std::vector<float>
-openRaster(const std::vector<float>& raster, int columns, int rows, int radius);
+openRaster(const std::vector<float>& raster,
+           int columns,
+           int rows,
+           int radius,
+           unsigned threads = 0);
 
 } // namespace linelet::powerline

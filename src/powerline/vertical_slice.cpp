@@ -61,29 +61,36 @@ verticalSliceOf(const Piece& wire, const Growth& growth)
 }
 
 std::vector<double>
-findColumns(const std::vector<Below>& points)
+findColumns(const std::vector<Below>& vertical_slice)
 {
   std::vector<double> found;
-  if (points.size() > crowded)
+  if (vertical_slice.size() > crowded)
     return found;
+  std::vector<Below> points = vertical_slice;
+  std::sort(points.begin(), points.end(), [](const Below& a, const Below& b) {
+    return a.s < b.s;
+  });
   struct Pole {
     double s, inside;
   };
   std::vector<Pole> poles;
+  auto first = points.cbegin(); // of those near enough to matter
   for (const Below& center : points) {
+    while (center.s - first->s > alone_to)
+      ++first;
     const int slices = static_cast<int>(std::floor(center.depth - 0.3));
     if (slices < 2)
       continue;
     std::set<int> hit;
     double inside = 0, around = 0;
     bool alone = true;
-    for (const Below& p : points) {
-      if (p.drop < 0.3 || p.drop > center.depth)
+    for (auto p = first; p != points.cend() && p->s - center.s <= alone_to; ++p) {
+      if (p->drop < 0.3 || p->drop > center.depth)
         continue;
-      const double away = std::abs(p.s - center.s);
-      if (std::hypot(p.s - center.s, p.t - center.t) <= pole_radius) {
+      const double away = std::abs(p->s - center.s);
+      if (away <= pole_radius && std::hypot(away, p->t - center.t) <= pole_radius) {
         ++inside;
-        hit.insert(static_cast<int>(p.drop - 0.3));
+        hit.insert(static_cast<int>(p->drop - 0.3));
       }
       else if (away >= clear_from && away <= clear_to)
         ++around;

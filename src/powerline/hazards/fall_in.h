@@ -20,6 +20,7 @@ std::vector<FallIn>
 findFallIn(const PowerLineNetwork& network,
            const std::vector<WireCurve>& curves,
            const Surroundings& surroundings,
-           const ClearanceLimits& limits);
+           const ClearanceLimits& limits,
+           unsigned threads);
 
 } // namespace linelet::powerline

@@ -130,7 +130,7 @@ findHazards(const PowerLineNetwork& network,
     hazards.clearances[k].id = static_cast<int>(k) + 1;
   throwIfCanceled(monitor);
   hazards.crossings = findCrossings(network, curves, limits);
-  hazards.fall_in = findFallIn(network, curves, surroundings, limits);
+  hazards.fall_in = findFallIn(network, curves, surroundings, limits, threads);
   return hazards;
 }
 
