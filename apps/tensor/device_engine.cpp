@@ -45,14 +45,14 @@ estimateOnDevice([[maybe_unused]] const std::string& device,
 bool
 gpuIsCheapest([[maybe_unused]] const std::string& device,
               [[maybe_unused]] const EngineWork& work,
-              [[maybe_unused]] Centroid centroid)
+              [[maybe_unused]] const TensorSettings& settings)
 {
 #ifdef LINELET_HAS_OPENCL
   opencl::DeviceCost cost;
   cost.start = 0.5;
   cost.point = 1e-7;
   // Asking for devices wakes all drivers: not for what is done before one is open.
-  if (!isCheapest(cost, work, centroid))
+  if (!isCheapest(cost, work, settings))
     return false;
   const std::vector<opencl::Device> all = opencl::devices();
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -61,7 +61,7 @@ gpuIsCheapest([[maybe_unused]] const std::string& device,
     if (!wished || all[i].type != "gpu")
       continue;
     cost.pair = 1e-9 / std::max(1u, all[i].compute_units);
-    return isCheapest(cost, work, centroid);
+    return isCheapest(cost, work, settings);
   }
 #endif
   return false;

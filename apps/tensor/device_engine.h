@@ -53,6 +53,8 @@ estimateOnDevice(const std::string& device,
 /** \brief Whether `--engine auto` takes a GPU: there is one, and it is the cheapest. No
  * GPU was at hand to measure these costs: they are set high rather than low. */
 bool
-gpuIsCheapest(const std::string& device, const EngineWork& work, Centroid centroid);
+gpuIsCheapest(const std::string& device,
+              const EngineWork& work,
+              const TensorSettings& settings);
 
 } // namespace linelet::apps

@@ -58,7 +58,7 @@ estimate(const Points& points,
   const bool automatic = engine == EngineOption::Auto;
   if (automatic) {
     const EngineWork work = engineWork(points, points, settings, sizes);
-    engine = gpuIsCheapest(finder.device, work, settings.centroid)
+    engine = gpuIsCheapest(finder.device, work, settings)
                  ? EngineOption::OpenCL
                  : optionOf(cheapestEngine(work));
   }

@@ -19,12 +19,29 @@ estimatedSeconds(const DeviceCost& device, const EngineWork& work)
 }
 
 bool
-isCheapest(const DeviceCost& device, const EngineWork& work, Centroid centroid)
+isCheapest(const DeviceCost& device,
+           const EngineWork& work,
+           const TensorSettings& settings)
 {
   constexpr double threads = 8;
-  return centroid != Centroid::WeightedMedian &&
+  return unsupported(settings) == nullptr &&
          estimatedSeconds(device, work) <
              linelet::estimatedSeconds(Engine::Grid, work) / threads;
+}
+
+const char*
+unsupported(const TensorSettings& settings)
+{
+  if (settings.centroid == Centroid::WeightedMedian)
+    return "the OpenCL engine has no weighted median, which among its several minima "
+           "float would choose by chance; choose the engine grid or tree";
+  if (isUnbounded(settings.weighting.kernel()) ||
+      (settings.centroid == Centroid::WeightedMean &&
+       isUnbounded(settings.centroid_weighting.kernel())))
+    return "the OpenCL engine has no unbounded weighting, for which float is too "
+           "coarse "
+           "near the centroid; choose the engine grid or tree";
+  return nullptr;
 }
 
 } // namespace linelet::opencl

@@ -79,6 +79,8 @@ public:
       radii = sizes_.radii;
     std::string definitions = tensorDefinitions(
         settings_.centroid, settings_.weighting, settings_.centroid_weighting);
+    if (settings_.normalization == Normalization::Count)
+      definitions += " -DBY_COUNT";
     if (nearest)
       definitions += " -DENDING_AT_POINTS";
     estimateByRadius(points, radii, definitions);

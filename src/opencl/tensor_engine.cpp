@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include <linelet/opencl/device_cost.h>
+
 #include "estimation.h"
 
 namespace linelet::opencl {
@@ -53,11 +55,8 @@ TensorEngine::estimate(const Points& surface,
     throw std::invalid_argument("the OpenCL device '" + device().name +
                                 "' has no double precision, which the k nearest "
                                 "points need; choose the engine tree or a radius");
-  if (settings.centroid == Centroid::WeightedMedian)
-    throw std::invalid_argument(
-        "the OpenCL engine has no weighted median, which among its "
-        "several minima float would choose by chance; choose the "
-        "engine grid or tree");
+  if (const char* reason = unsupported(settings))
+    throw std::invalid_argument(reason);
   const std::size_t limit = state_->memory_limit > 0
                                 ? state_->memory_limit
                                 : static_cast<std::size_t>(device().memory) / 5 * 4;

@@ -4,6 +4,8 @@
 #include <linelet/tensor/centroid.h>
 
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "geometric_median.h"
 
@@ -78,6 +80,22 @@ medianFrom(const Points& neighbors, const Point& start)
   if (neighbors.empty())
     return Point::Constant(std::numeric_limits<double>::quiet_NaN());
   return geometricMedian(neighbors, start, 0, nullptr);
+}
+
+void
+checkWeightings(Centroid centroid,
+                const Weighting& weighting,
+                const Weighting& centroid_weighting)
+{
+  if (centroid != Centroid::QueryPoint && isUnbounded(weighting.kernel()))
+    throw std::invalid_argument("weighting " + weighting.name() +
+                                " is unbounded at the centroid, which may lie at any "
+                                "distance from a neighbor; use it with centroid " +
+                                std::string(nameOf(Centroid::QueryPoint)));
+  if (centroid == Centroid::WeightedMedian && isUnbounded(centroid_weighting.kernel()))
+    throw std::invalid_argument(
+        "a weighted median has no unbounded weighting such as " +
+        centroid_weighting.name() + "; use quadratic-inverse");
 }
 
 } // namespace linelet

@@ -11,7 +11,8 @@ SymmetricTensor
 neighborhoodTensor(const Points& neighbors,
                    const Point& centroid,
                    double radius,
-                   const Weighting& weighting)
+                   const Weighting& weighting,
+                   Normalization normalization)
 {
   const double inverse_radius = radius > 0 ? 1 / radius : 0;
   SymmetricTensor tensor;
@@ -22,6 +23,8 @@ neighborhoodTensor(const Points& neighbors,
     tensor.add(weight, v);
     total += weight;
   }
+  if (normalization == Normalization::Count)
+    total = static_cast<double>(neighbors.size());
   tensor *= total > 0 ? 1 / total : std::numeric_limits<double>::quiet_NaN();
   return tensor;
 }

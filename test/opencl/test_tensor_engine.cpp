@@ -124,6 +124,31 @@ TEST_F(OpenCL, WeightingsOfEveryKindGiveWhatTheReferenceGives)
   }
 }
 
+// By radius and by number, as these are different programs.
+TEST_F(OpenCL, TensorsDividedByTheCountAreThoseOfTheReference)
+{
+  const Points points = box(400, Point(4, 3, 2), 5);
+  TensorSettings settings = withRadius(0.9, "sph-4");
+  settings.normalization = Normalization::Count;
+  for (const bool nearest : {false, true}) {
+    SCOPED_TRACE(nearest ? "k nearest" : "radius");
+    if (nearest) {
+      settings.radius = 0;
+      settings.k = 20;
+    }
+    const auto records = engine->estimate(points, points, settings);
+    const auto expected = reference(points, points, settings, {});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_EQ(std::isnan(records[i].xx), std::isnan(expected[i].xx)) << i;
+      if (!std::isnan(expected[i].xx)) {
+        ASSERT_NEAR(records[i].yz, expected[i].yz, 1e-5 * expected[i].lambda3) << i;
+        ASSERT_NEAR(records[i].lambda3, expected[i].lambda3, 1e-5 * expected[i].lambda3)
+            << i;
+      }
+    }
+  }
+}
+
 TEST_F(OpenCL, AdversarialCloudsGiveWhatTheReferenceGives)
 {
   {
@@ -356,6 +381,13 @@ TEST_F(OpenCL, SaysWhatItCannotDo)
   settings.centroid = Centroid::WeightedMedian;
   EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
                std::invalid_argument);
+  settings = withRadius(1, Kernel::InverseSquaredDistance);
+  EXPECT_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings),
+               std::invalid_argument);
+  // Not used around the query itself.
+  settings = withRadius(1);
+  settings.centroid_weighting = Kernel::InverseDistance;
+  EXPECT_NO_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings));
   try {
     opencl::TensorEngine("no such device");
     FAIL() << "a device that is not there was opened";

@@ -50,8 +50,36 @@ TEST(NeighborhoodTensor, IsTheWeightedMeanOfOuterProducts)
   EXPECT_DOUBLE_EQ(t.trace(), 2.75 / 1.25);
 }
 
+// The form of the publications of 2012.
+TEST(NeighborhoodTensor, DividedByTheCountIsTheMeanOfWeightedOuterProducts)
+{
+  const SymmetricTensor t = neighborhoodTensor(
+      {{2, 1, 1}, {1, 1, 3}}, Point(1, 1, 1), 4, Kernel::Linear, Normalization::Count);
+  EXPECT_DOUBLE_EQ(t.xx, 0.75 / 2);
+  EXPECT_DOUBLE_EQ(t.zz, 0.5 * 4 / 2);
+  EXPECT_DOUBLE_EQ(t.trace(), 2.75 / 2);
+}
+
+// Every neighbor then counts by its direction alone, and the point itself not at all.
+TEST(NeighborhoodTensor, OfInverseSquaredDistanceIsTheSumOfDirections)
+{
+  const Points neighbors = {{0, 0, 0}, {1e-9, 0, 0}, {0, 3, 0}, {0, 0, -2}};
+  const SymmetricTensor t = neighborhoodTensor(neighbors,
+                                               Point::Zero(),
+                                               4,
+                                               Kernel::InverseSquaredDistance,
+                                               Normalization::Count);
+  for (const double entry : {t.xx, t.yy, t.zz})
+    EXPECT_NEAR(entry, 16.0 / 4, 1e-12); // r^2 over the count
+  EXPECT_TRUE(std::isnan(
+      neighborhoodTensor({{1, 1, 1}}, Point(1, 1, 1), 4, Kernel::InverseDistance).xx));
+}
+
 TEST(NeighborhoodTensor, IsNotKnownWithoutWeight)
 {
+  EXPECT_TRUE(std::isnan(
+      neighborhoodTensor({}, Point::Zero(), 1, Kernel::Const, Normalization::Count)
+          .xx));
   EXPECT_TRUE(std::isnan(neighborhoodTensor({}, Point::Zero(), 1, Kernel::Const).xx));
   // Every neighbor on the rim, where a compact kernel is 0.
   EXPECT_TRUE(

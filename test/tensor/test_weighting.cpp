@@ -53,6 +53,8 @@ formulas()
       {"quadratic-inverse", [](double x) { return std::fmin(1, 0.01 / pow(x, 2)); }},
       {"cubic", [](double x) { return 1 - pow(x, 3); }},
       {"cubic-inverse", [](double x) { return std::fmin(1, 0.001 / pow(x, 3)); }},
+      {"inverse-distance", [](double x) { return x == 0 ? 0 : pow(x, -1); }},
+      {"inverse-squared-distance", [](double x) { return x == 0 ? 0 : pow(x, -2); }},
       {"sph-3", [](double x) { return 2 * (plus(1 - x, 3) - 4 * plus(0.5 - x, 3)); }},
       {"sph-4",
        [](double x) {
@@ -128,12 +130,14 @@ messageOf(const std::string& text)
 
 TEST(Weighting, EveryKernelHasTheValuesOfItsFormula)
 {
-  ASSERT_EQ(formulas().size(), 32u);
+  ASSERT_EQ(formulas().size(), 34u);
   for (const auto& [name, formula] : formulas()) {
     const Weighting weighting(name);
     for (int i = 0; i <= 1000; ++i) {
       const double x = i / 1000.0;
-      ASSERT_NEAR(weighting(x), std::fmax(0, formula(x)), 1e-12) << name << " at " << x;
+      const double expected = std::fmax(0, formula(x));
+      ASSERT_NEAR(weighting(x), expected, 1e-12 * std::fmax(1, expected))
+          << name << " at " << x;
     }
   }
 }

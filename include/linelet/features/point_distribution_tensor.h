@@ -61,6 +61,19 @@ public:
   TensorSettings
   getSettings() const;
 
+  /** \brief What the sum over the neighbors is divided by, the sum of their weights if
+   * not set. */
+  void
+  setNormalization(Normalization normalization)
+  {
+    settings_.normalization = normalization;
+  }
+  Normalization
+  getNormalization() const
+  {
+    return settings_.normalization;
+  }
+
   /** \brief A radius for every point of the input cloud (indices do not change which);
    * points without a positive finite radius get NaN. Empty: none. */
   void

@@ -13,6 +13,7 @@
 #include <linelet/support/names.h>
 #include <linelet/support/visibility.h>
 #include <linelet/tensor/centroid.h>
+#include <linelet/tensor/neighborhood_tensor.h>
 #include <linelet/tensor/weighting.h>
 
 namespace LINELET_PUBLIC linelet {
@@ -41,6 +42,7 @@ struct TensorSettings {
   Weighting weighting = Kernel::FermiDirac1;
   Centroid centroid = Centroid::QueryPoint;
   Weighting centroid_weighting = Kernel::QuadraticInverse;
+  Normalization normalization = Normalization::Weights;
   Engine engine = Engine::Auto;
   unsigned threads = 0; ///< 0: all; the result is the same for any number
 };
@@ -57,6 +59,9 @@ describe(TensorSettings& s, Visit&& visit)
         "fermi-dirac:M,T or step:S");
   visit("centroid", s.centroid, "point of reference");
   visit("centroid-weight", s.centroid_weighting, "weighting of weighted centroids");
+  visit("normalization",
+        s.normalization,
+        "what the sum over the neighbors is divided by");
   visit("engine", s.engine, "what finds the neighbors");
 }
 

@@ -21,10 +21,17 @@ double
 estimatedSeconds(const DeviceCost& device, const EngineWork& work);
 
 /** \brief Whether \a device is the cheapest engine. It has to beat the grid on eight
- * threads, whatever this machine has: the choice depends on the work alone. A centroid
- * that it lacks (the weighted median) is not for it. */
+ * threads, whatever this machine has: the choice depends on the work alone. Never for
+ * settings that \ref TensorEngine::estimate refuses. */
 bool
-isCheapest(const DeviceCost& device, const EngineWork& work, Centroid centroid);
+isCheapest(const DeviceCost& device,
+           const EngineWork& work,
+           const TensorSettings& settings);
+
+/** \brief Why the engine cannot compute with \a settings, null if it can: the weighted
+ * median and unbounded weightings need double. */
+const char*
+unsupported(const TensorSettings& settings);
 
 } // namespace opencl
 } // namespace linelet

@@ -59,8 +59,8 @@ public:
 
   /** \brief As \ref linelet::estimateTensors; settings.engine has no say,
    * settings.threads is for the host's part.
-   * \throws std::invalid_argument for Centroid::WeightedMedian, which this engine does
-   * not know, and for k nearest points on a device without double precision
+   * \throws std::invalid_argument for what is \ref unsupported, and for k nearest
+   * points on a device without double precision
    * \throws Error
    * \throws Canceled between slabs */
   std::vector<PointDistributionTensor>

@@ -61,6 +61,16 @@ centroid(Centroid type,
          double radius,
          const Weighting& weighting = Kernel::QuadraticInverse);
 
+/** \brief Checks that unbounded kernels weigh distances from the query point only: any
+ * other place may lie arbitrarily near a neighbor, whose weight rounding would decide.
+ * \param[in] weighting of the tensor
+ * \param[in] centroid_weighting of the weighted centroids
+ * \throws std::invalid_argument naming the weighting and what to use instead */
+void
+checkWeightings(Centroid centroid,
+                const Weighting& weighting,
+                const Weighting& centroid_weighting);
+
 /** \brief The geometric median (Centroid::Median), searched from \a start: the same
  * result, sooner if the guess is good. (For an even number of collinear neighbors any
  * place between the middle two is a median.)

@@ -19,6 +19,9 @@
   KERNEL(QuadraticInverse, "quadratic-inverse", Everywhere, x <= 0.1 ? 1 : power(0.1 / x, 2))  \
   KERNEL(Cubic, "cubic", Compact, 1 - power(x, 3))                                             \
   KERNEL(CubicInverse, "cubic-inverse", Everywhere, x <= 0.1 ? 1 : power(0.1 / x, 3))          \
+  KERNEL(InverseDistance, "inverse-distance", Everywhere, x > 0 ? 1 / x : 0)                    \
+  KERNEL(InverseSquaredDistance, "inverse-squared-distance", Everywhere,                       \
+         x > 0 ? 1 / (x * x) : 0)                                                              \
   KERNEL(Sph3, "sph-3", Compact, sph3(x))                                                      \
   KERNEL(Sph4, "sph-4", Compact, sph4(x))                                                      \
   KERNEL(Sph5, "sph-5", Compact, sph5(x))                                                      \

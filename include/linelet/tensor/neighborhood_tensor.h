@@ -3,8 +3,13 @@
 
 #pragma once
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include <Eigen/Core>
 
+#include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
 #include <linelet/tensor/weighting.h>
@@ -66,6 +71,22 @@ struct SymmetricTensor {
   }
 };
 
+/** \brief What the sum over the neighbors is divided by. Eigenvectors and shape factors
+ * do not depend on it, entries and eigenvalues do. */
+enum class Normalization {
+  Weights, ///< the sum of the weights
+  Count    ///< the number of neighbors (Ritter et al. 2012, Ritter & Benger 2012)
+};
+
+template <>
+struct Names<Normalization> {
+  static constexpr std::string_view kind = "normalization";
+  static constexpr std::array<std::pair<Normalization, std::string_view>, 2> table = {{
+      {Normalization::Weights, "weights"},
+      {Normalization::Count, "count"},
+  }};
+};
+
 /** \brief t = 1/sum(w_i) sum(w_i v_i (x) v_i), v_i = p_i - c, w_i = w(|v_i| / r).
  *
  * Ritter et al. 2012, Ritter & Benger 2012. Positive semidefinite up to rounding.
@@ -73,12 +94,14 @@ struct SymmetricTensor {
  * \param[in] centroid c, in the same coordinates
  * \param[in] radius r of the neighborhood; 0 where all neighbors lie at one place
  * \param[in] weighting w_T
- * \return NaN in every entry if the weights sum to 0 (no neighbors, or all of them
- * beyond the support of a compact kernel) */
+ * \param[in] normalization what stands in the place of sum(w_i)
+ * \return NaN in every entry if the divisor is 0: no neighbors, or none with a weight
+ */
 SymmetricTensor
 neighborhoodTensor(const Points& neighbors,
                    const Point& centroid,
                    double radius,
-                   const Weighting& weighting);
+                   const Weighting& weighting,
+                   Normalization normalization = Normalization::Weights);
 
 } // namespace linelet

@@ -75,6 +75,7 @@ radiiFor(const NeighborSearch* search,
          const MultiScaleSettings& settings,
          ProgressMonitor* monitor)
 {
+  checkWeightings(settings.centroid, settings.weighting, settings.centroid_weighting);
   if (!std::isfinite(settings.stop_change) || settings.stop_change < 0)
     throw std::invalid_argument("stop change " + textOf(settings.stop_change) +
                                 " is not a finite number from 0 on");

@@ -25,6 +25,7 @@ check(const CentroidShiftSettings& settings)
   if (!(settings.radius > 0) || !std::isfinite(settings.radius))
     throw std::invalid_argument("radius " + textOf(settings.radius) +
                                 " of the centroid shift is not positive and finite");
+  checkWeightings(settings.centroid, Kernel::Const, settings.weighting);
 }
 
 /** \param[in] add_offsets (query, offsets) gathers the neighbors of a place */

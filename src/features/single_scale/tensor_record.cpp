@@ -76,9 +76,11 @@ tensorOf(const Points& offsets, double radius, const TensorSettings& settings)
   double extent = 0;
   for (const Point& offset : offsets)
     extent = std::max(extent, offset.squaredNorm());
-  return recordOf(neighborhoodTensor(offsets, reference, radius, settings.weighting),
-                  std::sqrt(extent),
-                  static_cast<std::uint32_t>(offsets.size()));
+  return recordOf(
+      neighborhoodTensor(
+          offsets, reference, radius, settings.weighting, settings.normalization),
+      std::sqrt(extent),
+      static_cast<std::uint32_t>(offsets.size()));
 }
 
 } // namespace linelet

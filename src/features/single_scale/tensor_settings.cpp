@@ -16,6 +16,7 @@ validate(const TensorSettings& settings,
          const NeighborhoodSizes& sizes,
          std::size_t queries)
 {
+  checkWeightings(settings.centroid, settings.weighting, settings.centroid_weighting);
   const int said = (settings.radius != 0) + (settings.k != 0) + !sizes.radii.empty() +
                    !sizes.counts.empty();
   if (said == 0 && queries > 0)

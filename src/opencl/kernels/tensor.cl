@@ -4,7 +4,8 @@
 // The neighborhood tensor of one query per work-item.
 //
 // Built with constants: CENTROID (CENTROID_Mean and the like), TENSOR_WEIGHT and
-// CENTROID_WEIGHT (KERNEL_Linear and the like) with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; EXACT where
+// CENTROID_WEIGHT (KERNEL_Linear and the like) with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; BY_COUNT
+// if sums are divided by the number of neighbors instead of their weight; EXACT where
 // the device computes in double, and ENDING_AT_POINTS if all balls reach to the k-th nearest
 // point, which float never decides. Left out of programs built without them.
 
@@ -102,7 +103,7 @@ tensors(global const ulong* queries,
   walk.radius = exact_radii[i];
 #endif
 #ifdef ENDING_AT_POINTS
-  const Sums s = tensorSums(&walk, true);
+  Sums s = tensorSums(&walk, true);
 #else
   Sums s = tensorSums(&walk, false);
   if (s.border > 0) {
@@ -112,6 +113,9 @@ tensors(global const ulong* queries,
     s.count = UNDECIDED;
 #endif
   }
+#endif
+#ifdef BY_COUNT
+  s.weight = s.count;
 #endif
   global float* t = components + place;
   t[0] = s.xx / s.weight;

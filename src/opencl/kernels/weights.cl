@@ -76,6 +76,10 @@ weightOf(const int kernel_number, float first, float second, Floats x)
     return min(0.01f / (x * x), 1.0f);
   case KERNEL_CubicInverse:
     return min(0.001f / (x * x * x), 1.0f);
+  case KERNEL_InverseDistance:
+    return x > 0 ? 1 / x : zero;
+  case KERNEL_InverseSquaredDistance:
+    return x > 0 ? 1 / (x * x) : zero;
   case KERNEL_FermiDirac1:
   case KERNEL_FermiDirac2:
   case KERNEL_FermiDirac3:

@@ -154,6 +154,22 @@ TEST(TensorEstimation, TakesSizesPointByPoint)
   EXPECT_TRUE(sameBits(by_count, estimateTensors(points, points, nine)));
 }
 
+// A median mostly lies at a neighbor, whose weight would be infinite or nothing.
+TEST(TensorEstimation, RefusesUnboundedWeightingsAboutOtherPlacesThanTheQuery)
+{
+  const Points points = scene(10, 1);
+  const auto refused = [&](const TensorSettings& settings) {
+    EXPECT_THROW(estimateTensors(points, points, settings), std::invalid_argument);
+  };
+  refused(withRadius(1, Kernel::InverseDistance, Centroid::Mean));
+  refused(withRadius(1, Kernel::InverseSquaredDistance, Centroid::Median));
+  TensorSettings settings = withRadius(1, Kernel::Const, Centroid::WeightedMedian);
+  settings.centroid_weighting = Kernel::InverseDistance;
+  refused(settings);
+  settings.centroid = Centroid::WeightedMean;
+  EXPECT_NO_THROW(estimateTensors(points, points, settings));
+}
+
 TEST(TensorEstimation, RefusesSizesThatMakeNoSense)
 {
   const Points points = scene(10, 1);

@@ -204,7 +204,7 @@ weightAt(const W& weight, V squared, V distance, V inverse, V inverse_squared)
 {
   if constexpr (kernel == Kernel::Const || kernel == Kernel::Quadratic ||
                 kernel == Kernel::Epanechnikov || kernel == Kernel::QuadraticInverse ||
-                kernel == Kernel::Step)
+                kernel == Kernel::InverseSquaredDistance || kernel == Kernel::Step)
     return weight(hn::Mul(squared, inverse_squared));
   else // neighbors lie within the radius, up to rounding
     return hn::Max(weight.ofRoot(hn::Min(hn::Mul(distance, inverse), constant(1))),

@@ -41,7 +41,7 @@ tensorsOf(const QuerySums& sums,
       sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6), sum(7), sum(8), sum(9)};
   m.moveTo(load(sums.query[0]), load(sums.query[1]), load(sums.query[2]));
   const VD spread = m.trace();
-  const VD inverse =
+  VD inverse =
       hn::IfThenElseZero(hn::Gt(m.total, zero), hn::Div(hn::Set(d, 1), m.total));
   if (settings.mean)
     m.moveTo(hn::Mul(m.x, inverse), hn::Mul(m.y, inverse), hn::Mul(m.z, inverse));
@@ -62,6 +62,9 @@ tensorsOf(const QuerySums& sums,
   hn::StoreMaskBits(d, good, bits);
   precise = bits[0];
 
+  // Neighbors without any weight leave a tensor of 0, which is not precise.
+  if (settings.by_count)
+    inverse = hn::Div(hn::Set(d, 1), hn::Max(hn::Set(d, 1), load(sums.found)));
   EigenLanes tensors;
   tensors.xx = hn::Mul(m.xx, inverse);
   tensors.xy = hn::Mul(m.xy, inverse);

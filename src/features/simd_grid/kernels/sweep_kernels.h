@@ -79,6 +79,7 @@ struct RecordSettings {
   WeightError weight_error;
   double coordinate_error; ///< rounding of a coordinate, in its unit
   double area;             ///< that unit, squared
+  bool by_count;           ///< tensors are divided by the number of neighbors
 };
 
 /** \brief Records of some queries: the floats of PointDistributionTensor in its order,

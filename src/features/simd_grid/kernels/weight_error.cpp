@@ -15,6 +15,8 @@ weightError(const Weighting& weighting)
   case Kernel::LinearInverse:
   case Kernel::QuadraticInverse:
   case Kernel::CubicInverse:
+  case Kernel::InverseDistance:
+  case Kernel::InverseSquaredDistance:
     return {0, 1e-6};
   case Kernel::FermiDirac1:
   case Kernel::FermiDirac2:

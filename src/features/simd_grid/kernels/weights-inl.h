@@ -157,6 +157,8 @@ struct Weight {
       return hn::NegMulAdd(constant(0.75F), u, constant(0.75F));
     else if constexpr (kernel == Kernel::QuadraticInverse)
       return hn::Min(one, hn::Div(constant(0.01F), u));
+    else if constexpr (kernel == Kernel::InverseSquaredDistance)
+      return hn::IfThenElseZero(hn::Gt(u, hn::Zero(F())), hn::Div(one, u));
     else if constexpr (kernel == Kernel::EaseCircular)
       return circular(u, hn::Sqrt(u));
     else
@@ -178,6 +180,8 @@ struct Weight {
     }
     else if constexpr (kernel == Kernel::LinearInverse)
       return hn::Min(one, hn::Div(constant(0.1F), x));
+    else if constexpr (kernel == Kernel::InverseDistance)
+      return hn::IfThenElseZero(hn::Gt(x, hn::Zero(F())), hn::Div(one, x));
     else if constexpr (kernel == Kernel::CubicInverse)
       return hn::Min(one, power<3>(hn::Div(constant(0.1F), x)));
     else if constexpr (kernel == Kernel::Linear || kernel == Kernel::CsRbf1)

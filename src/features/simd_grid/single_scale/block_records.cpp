@@ -39,7 +39,8 @@ BlockSweep::write()
                                     job_.settings.centroid == Centroid::Mean,
                                 weightError(job_.settings.weighting),
                                 4 * 0x1p-24 * (reach_ + 1),
-                                job_.radius * job_.radius};
+                                job_.radius * job_.radius,
+                                job_.settings.normalization == Normalization::Count};
   RecordLanes lanes;
   for (std::size_t first = 0; first < sums.count; first += RecordLanes::queries) {
     const std::uint32_t precise = kernels_.records(sums, settings, first, lanes);

@@ -22,9 +22,13 @@ SweepMethod
 sweepMethod(const Settings& settings)
 {
   const bool centered = settings.centroid != Centroid::QueryPoint;
-  // At its step rounding would decide; the medians iterate to the last digit.
-  if (settings.weighting.kernel() == Kernel::Step ||
-      (centered && settings.centroid_weighting.kernel() == Kernel::Step) ||
+  // At a step rounding would decide, as at a pole; the medians iterate to the last
+  // digit.
+  const auto needs_double = [](const Weighting& weighting) {
+    return weighting.kernel() == Kernel::Step || isUnbounded(weighting.kernel());
+  };
+  if (needs_double(settings.weighting) ||
+      (centered && needs_double(settings.centroid_weighting)) ||
       settings.centroid == Centroid::Median ||
       settings.centroid == Centroid::WeightedMedian)
     return SweepMethod::Double;
