@@ -42,13 +42,12 @@ struct VoxelRun {
 };
 
 VoxelRun
-sortIntoVoxels(const Points& points, bool aligned)
+sortIntoVoxels(const Points& points)
 {
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
   for (const Point& p : points)
     low = low.cwiseMin(p);
-  if (aligned)
-    low = voxel * (low / voxel).array().floor();
+  low = voxel * (low / voxel).array().floor(); // the same in every part of a cloud
   std::vector<std::pair<std::uint64_t, Index>> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point cell = ((points[i] - low) / voxel).array().floor();
@@ -199,12 +198,9 @@ findCandidates(const Points& points,
 }
 
 std::vector<Seed>
-findSeeds(const Candidates& candidates,
-          unsigned threads,
-          ProgressMonitor* monitor,
-          bool aligned)
+findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor)
 {
-  const VoxelRun voxels = sortIntoVoxels(candidates.points, aligned);
+  const VoxelRun voxels = sortIntoVoxels(candidates.points);
   const std::size_t count = voxels.begins.size() - 1;
   Points coarse(count);
   for (std::size_t v = 0; v < count; ++v) {

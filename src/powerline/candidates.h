@@ -39,13 +39,8 @@ struct Seed {
 };
 
 /** \brief Candidates whose neighborhood at one of several radii (1, 2, 4, 8 m) is a
- * nearly horizontal line, best first. One a voxel of half a meter is tried.
- * \param[in] aligned voxels lie on multiples of their side; else the first begins where
- * the candidates do */
+ * nearly horizontal line, best first. One a voxel of half a meter is tried. */
 std::vector<Seed>
-findSeeds(const Candidates& candidates,
-          unsigned threads,
-          ProgressMonitor* monitor,
-          bool aligned = false);
+findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor);
 
 } // namespace linelet::powerline

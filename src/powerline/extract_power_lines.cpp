@@ -147,8 +147,7 @@ extractPowerLines(const Points& points,
     throwIfCanceled(monitor);
     const Underside underside(points);
     stages.begin("seeds");
-    const std::vector<Seed> seeds =
-        findSeeds(candidates, settings.threads, monitor, part != nullptr);
+    const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
     stages.begin("wires");
     Growth growth(candidates, settings);
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);

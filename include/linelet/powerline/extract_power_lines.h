@@ -27,9 +27,7 @@ namespace LINELET_PUBLIC powerline {
  * \param[in] settings see there
  * \param[in] monitor hears of the stages; may cancel
  * \param[out] part unless null: what was found, as \ref mergeParts wants it, where the
- * points are a part of a cloud. Seeds are then one a voxel on multiples of its side,
- * else from the first point on: results that are to be compared with those of parts
- * need it too
+ * points are a part of a cloud
  * \return wires, supports and a label for every point
  * \throws std::invalid_argument for a setting out of range, or classes of another
  * length
