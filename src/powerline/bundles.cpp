@@ -6,6 +6,7 @@
 
 #include "powerline/evidence.h"
 #include "powerline/merge.h"
+#include "powerline/wire_family.h"
 
 namespace linelet::powerline {
 
@@ -109,7 +110,13 @@ sortBundles(Growth& growth,
       continue;
     }
     growth.claim(piece, 0);
-    neighbor->companions.push_back(std::move(piece));
+    // Farther apart than they scatter, they are two wires: those of low lines hang on
+    // racks, and the longer one may go on over a pole.
+    if (nearest > piece.tolerance() + neighbor->piece.tolerance() &&
+        piece.model.length() >= short_line)
+      wires.push_back({std::move(piece), {}});
+    else
+      neighbor->companions.push_back(std::move(piece));
   }
   return wires;
 }

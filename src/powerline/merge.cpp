@@ -29,11 +29,12 @@ rmsOf(const SpanModel& model, const Points& points, const Indices& members)
                    static_cast<double>(std::max<std::size_t>(1, members.size())));
 }
 
+// Part of \a members that \a wire explains.
 double
-explained(const SpanModel& model, const Points& points, const Indices& members)
+explained(const Piece& wire, const Points& points, const Indices& members)
 {
   const auto count = std::count_if(members.begin(), members.end(), [&](Index i) {
-    return model.distance(points[i]) <= 1.25 * model.tolerance;
+    return wire.model.distance(points[i]) <= 1.25 * wire.tolerance();
   });
   return static_cast<double>(count) / static_cast<double>(members.size());
 }
@@ -71,14 +72,15 @@ join(
       joined.members.end(), shorter.members.begin(), shorter.members.end());
   SpanModel& m = joined.model;
   if (!fit(m, points, joined.members, wide_cut) ||
-      !fit(m, points, joined.members, 0.6) || !fit(m, points, joined.members))
+      !fit(m, points, joined.members, 0.6) ||
+      !fit(m, points, joined.members, joined.cut()))
     return false;
   const double from = m.along(s.at(s.begin)), to = m.along(s.at(s.end));
   m.begin = std::min({l.begin, from, to});
   m.end = std::max({l.end, from, to});
   if (m.z[2] * m.length() * m.length() / 4 < -0.1 ||
-      explained(m, points, longer.members) < explained_part ||
-      explained(m, points, shorter.members) < explained_part)
+      explained(joined, points, longer.members) < explained_part ||
+      explained(joined, points, shorter.members) < explained_part)
     return false;
   const double apart =
       std::max(rmsOf(l, points, longer.members), rmsOf(s, points, shorter.members));

@@ -113,9 +113,9 @@ splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth)
       growth.claim(part.strand.piece, 0);
       result.push_back(std::move(part));
     }
-    if (!result.empty())
-      for (Piece& companion : wire.strand.companions)
-        result.back().strand.companions.push_back(std::move(companion));
+    // What was short beside the whole may be a wire beside one of its spans.
+    for (Piece& companion : wire.strand.companions)
+      result.push_back({{std::move(companion), {}}, {}});
   }
   wires = std::move(result);
 }

@@ -15,7 +15,6 @@ namespace {
 
 constexpr LinePriors priors;
 constexpr double least_bend = 1e-4;  // z2 of a wire, 1/meters: a = 5 km
-constexpr double short_line = 25;    // meters, the least inside the data
 constexpr double clean_part = 0.75;  // of the length of short wires at the border
 constexpr double lone_length = 18;   // meters of a lone wire in the clear
 constexpr double lone_clean = 0.8;   // of its bins

@@ -15,6 +15,7 @@ namespace linelet::powerline {
 constexpr double steep = 0.12;      ///< slope between the ends
 constexpr double clear_bend = 2e-4; ///< z2 of a line so short that it hangs from poles
 constexpr double long_line = 60;    ///< meters, from which a line speaks for itself
+constexpr double short_line = 25;   ///< meters, the least that stands for itself
 constexpr std::size_t many = 4;     ///< wires of a family that prove each other
 constexpr double lone_cover = 0.5;  ///< of the bins of a line inside the data
 
