@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include <bench/measures/measures.h>
+#include <bench/measures/vertex_errors.h>
+#include <linelet/io/output_file.h>
 #include <linelet/io/vector_file.h>
 
 #include "cloud_files.h"
@@ -29,6 +32,39 @@ readLengths(const std::string& path, Frame& frame)
   return network;
 }
 
+/** \brief A row for every vertex of \a found; the curves count from 1. */
+void
+writeVertexErrors(const std::string& path,
+                  const CurveNetwork& found,
+                  const CurveNetwork& truth)
+{
+  io::OutputFile file(path);
+  file.write("curve,vertex,x,y,z,along,distance,angle\n");
+  const bench::SegmentTree tree(truth);
+  char row[256];
+  for (std::size_t c = 0; c < found.curves.size(); ++c) {
+    const auto errors = bench::vertexErrors(found.curves[c], tree);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const Point& p = found.curves[c].points[i];
+      std::snprintf(row,
+                    sizeof(row),
+                    "%zu,%zu,%.10g,%.10g,%.10g,%.9g,%.9g,",
+                    c + 1,
+                    i,
+                    p.x(),
+                    p.y(),
+                    p.z(),
+                    errors[i].along,
+                    errors[i].distance);
+      file.write(row);
+      // An empty cell is what readers take for NaN.
+      std::snprintf(row, sizeof(row), "%.7g\n", errors[i].angle);
+      file.write(std::isnan(errors[i].angle) ? "\n" : row);
+    }
+  }
+  file.commit();
+}
+
 } // namespace
 
 int
@@ -40,12 +76,17 @@ runEvaluate(const std::vector<std::string>& arguments)
       "(E_H), mean distance (E_V), length (E_Len) and covered length (E_Com) "
       "relative to the truth. The defaults suit curves of extent 10.");
   bench::MeasureSettings settings;
-  std::string curves, truth;
+  std::string curves, truth, vertex_errors;
   frame.app
       .add_option(
           "CURVES", curves, "reconstructed curves, in any format that linelet writes")
       ->required();
   frame.app.add_option("TRUTH", truth, "true curves, likewise")->required();
+  frame.app.add_option("--vertex-errors",
+                       vertex_errors,
+                       "CSV file of the distance from the truth and the angle between "
+                       "tangents (degrees) at every vertex");
+  frame.writes(vertex_errors);
   frame.reads(curves);
   frame.reads(truth);
   addOptions(frame.app, settings);
@@ -54,6 +95,8 @@ runEvaluate(const std::vector<std::string>& arguments)
   const CurveNetwork found = readLengths(curves, frame),
                      known = readLengths(truth, frame);
   const bench::Measures m = bench::measure(found, known, settings);
+  if (!vertex_errors.empty())
+    writeVertexErrors(vertex_errors, found, known);
   std::printf("E_H %.6g\nE_V %.6g\nE_Len %.6g\nE_Com %.6g\n%s\n",
               m.e_h,
               m.e_v,

@@ -4,7 +4,6 @@
 #include "host_passes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -12,33 +11,14 @@
 
 #include "box_kernels.h"
 #include "point_blocks.h"
+#include "shared_bits.h"
+#include "slot_runs.h"
 #include "support/huge_pages.h"
 #include "support/parallel_failure.h"
 
 namespace linelet::clustering {
 
 namespace {
-
-using Bits = std::vector<std::atomic<std::uint32_t>>;
-
-/** \brief Sets a bit; most are set already, which is cheaper to see than to do. */
-inline void
-mark(Bits& bits, std::uint64_t number)
-{
-  std::atomic<std::uint32_t>& word = bits[number / 32];
-  const std::uint32_t bit = 1U << (number % 32);
-  if ((word.load(std::memory_order_relaxed) & bit) == 0)
-    word.fetch_or(bit, std::memory_order_relaxed);
-}
-
-void
-take(const Bits& bits, RankedBits& set)
-{
-  set.words.resize(bits.size());
-  for (std::size_t i = 0; i < bits.size(); ++i)
-    set.words[i] = bits[i].load(std::memory_order_relaxed);
-  set.rank();
-}
 
 class HostPasses : public PointPasses {
 public:
@@ -55,13 +35,13 @@ public:
   {
     const BlockLocator locator(frame, 0);
     if (!directory.markAll(points_.size())) {
-      Bits bits(directory.marked.words.size());
+      SharedBits bits(directory.marked.words.size());
       markCells(locator, bits, [&](const Cell& cell) { return directory.brick(cell); });
-      take(bits, directory.marked);
+      bits.copyTo(directory.marked);
     }
-    Bits bits(directory.marked.count * CellDirectory::brick_cells / 32);
+    SharedBits bits(directory.marked.count * CellDirectory::brick_cells / 32);
     markCells(locator, bits, [&](const Cell& cell) { return directory.bit(cell); });
-    take(bits, directory.occupied);
+    bits.copyTo(directory.occupied);
   }
 
   void
@@ -193,7 +173,7 @@ private:
   /** \brief Marks the numbers that \a number makes of the points' cells. */
   template <class Number>
   void
-  markCells(const BlockLocator& locator, Bits& bits, const Number& number)
+  markCells(const BlockLocator& locator, SharedBits& bits, const Number& number)
   {
     forParts([&](std::size_t begin, std::size_t end, std::size_t) {
       locator.forRuns(points_,
@@ -201,7 +181,7 @@ private:
                       end,
                       [&](const PointBlock& block, std::size_t, int first, int) {
                         if (block.cell[first] != PointBlock::nowhere)
-                          mark(bits, number(locator.cellOf(block.cell[first])));
+                          bits.set(number(locator.cellOf(block.cell[first])));
                       });
     });
   }
@@ -309,29 +289,6 @@ private:
         });
   }
 
-  /** \brief Cuts the slots into as many runs as there are threads, of about as many
-   * points each. */
-  void
-  share()
-  {
-    std::vector<std::uint32_t> counts(slots_);
-    std::size_t located = 0;
-    for (const Index slot : assigned_)
-      if (slot != CellDirectory::none) {
-        ++counts[slot];
-        ++located;
-      }
-    runs_.assign(1, 0);
-    std::size_t sum = 0;
-    const auto parts = static_cast<std::size_t>(threads_);
-    for (std::size_t slot = 0; slot < slots_; ++slot) {
-      sum += counts[slot];
-      if (sum * parts >= located * runs_.size() && runs_.size() < parts)
-        runs_.push_back(static_cast<Index>(slot + 1));
-    }
-    runs_.push_back(static_cast<Index>(slots_));
-  }
-
   /** \brief Calls work(point, slot) for all points that \a slots gives one; those of
    * one slot are in one thread's hands. */
   template <class Work>
@@ -339,16 +296,8 @@ private:
   forOwned(const Index* slots, const Work& work)
   {
     if (runs_.empty())
-      share();
-    const auto runs = static_cast<std::ptrdiff_t>(runs_.size()) - 1;
-#pragma omp parallel for num_threads(threads_) schedule(static, 1)
-    for (std::ptrdiff_t run = 0; run < runs; ++run) {
-      const Index first = runs_[static_cast<std::size_t>(run)];
-      const Index count = runs_[static_cast<std::size_t>(run) + 1] - first;
-      for (std::size_t i = 0; i < points_.size(); ++i)
-        if (slots[i] - first < count)
-          work(i, slots[i]);
-    }
+      runs_.share(assigned_, slots_, threads_);
+    runs_.forPoints(slots, points_.size(), threads_, work);
   }
 
   /** \brief Assigns anew all points near a border with a cell behind. */
@@ -385,7 +334,7 @@ private:
   Indices assigned_;
   std::unique_ptr<Index[]> home_; // these two where points may move
   std::unique_ptr<std::uint8_t[]> face_;
-  Indices runs_;
+  SlotRuns runs_;
   BoxKernels kernels_ = boxKernels();
   bool exact_; // sums of a block in double
 };

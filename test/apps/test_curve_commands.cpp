@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +58,19 @@ TEST_F(CurveCommands, TheTruthIsFoundToBeTrue)
   measures = json(result);
   EXPECT_GT(measures["e_h"], 1);
   EXPECT_EQ(measures["success"], false);
+}
+
+// A parallel to the truth at distance 2: the same error at both vertices.
+TEST_F(CurveCommands, ErrorsAtVerticesAreWritten)
+{
+  std::ofstream(path("truth.obj")) << "v 0 0 0\nv 9 0 0\nl 1 2\n";
+  std::ofstream(path("found.obj")) << "v 1 0 2\nv 4 0 2\nl 1 2\n";
+  runWell("evaluate " + path("found.obj") + " " + path("truth.obj") +
+          " --vertex-errors " + path("errors.csv"));
+  EXPECT_EQ(contents(path("errors.csv")),
+            "curve,vertex,x,y,z,along,distance,angle\n"
+            "1,0,1,0,2,0,2,0\n"
+            "1,1,4,0,2,3,2,0\n");
 }
 
 TEST_F(CurveCommands, ACleanHelixIsReconstructedByEveryMethod)

@@ -29,24 +29,6 @@ thin(std::vector<SpanProfile::Place>& places, std::size_t most)
   places.resize(most);
 }
 
-struct Nearest {
-  double squared = std::numeric_limits<double>::infinity();
-  Point tangent = Point::Zero();
-};
-
-void
-nearer(const Point& query, const Point& a, const Point& b, Nearest& best)
-{
-  const Point edge = b - a;
-  const double squared_length = edge.squaredNorm();
-  const double t = squared_length > 0
-                       ? std::clamp((query - a).dot(edge) / squared_length, 0.0, 1.0)
-                       : 0;
-  const double squared = (query - a - t * edge).squaredNorm();
-  if (squared < best.squared)
-    best = {squared, edge.normalized()};
-}
-
 } // namespace
 
 SpanProfile
@@ -125,37 +107,6 @@ profileOf(const Scene& scene, const PowerLineNetwork& network, int id, std::size
         profile.ground.push_back({s, frame.metersAbove(z)});
     }
   return profile;
-}
-
-std::vector<VertexError>
-errorsAlong(const Curve& curve, const CurveNetwork& truth)
-{
-  std::vector<VertexError> errors;
-  const std::size_t n = curve.points.size();
-  double along = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    Nearest best;
-    for (const Curve& one : truth.curves) {
-      const std::size_t edges = one.points.size() - (one.closed ? 0 : 1);
-      for (std::size_t k = 0; k < edges && !one.points.empty(); ++k)
-        nearer(curve.points[i],
-               one.points[k],
-               one.points[(k + 1) % one.points.size()],
-               best);
-    }
-    along += i > 0 ? (curve.points[i] - curve.points[i - 1]).norm() : 0;
-    const Point tangent =
-        curve.points[std::min(i + 1, n - 1)] - curve.points[i > 0 ? i - 1 : 0];
-    VertexError error;
-    error.along = along;
-    error.distance = std::sqrt(best.squared);
-    const double cosine = std::abs(tangent.normalized().dot(best.tangent));
-    error.angle = tangent.norm() > 0 && best.tangent.norm() > 0
-                      ? std::acos(std::min(1.0, cosine)) * 57.29577951308232
-                      : std::numeric_limits<double>::quiet_NaN();
-    errors.push_back(error);
-  }
-  return errors;
 }
 
 } // namespace linelet::view

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <linelet/curves/curve_network.h>
 #include <linelet/powerline/power_line_network.h>
 
 #include "scene.h"
@@ -45,16 +44,5 @@ profileOf(const Scene& scene,
           const powerline::PowerLineNetwork& network,
           int span,
           std::size_t most = 8000);
-
-/** \brief Error of a reconstructed curve at one of its vertices. */
-struct VertexError {
-  double along = 0;    ///< arc length
-  double distance = 0; ///< from the nearest place of the truth
-  double angle = 0; ///< between tangents, degrees of [0, 90]; NaN where there is none
-};
-
-/** \brief The error of \a curve along itself, compared with \a truth. */
-std::vector<VertexError>
-errorsAlong(const Curve& curve, const CurveNetwork& truth);
 
 } // namespace linelet::view

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "model/profiles.h"
+#include <bench/measures/vertex_errors.h>
+
 #include "panel_colors.h"
 
 namespace linelet::view {
@@ -28,9 +29,10 @@ ErrorPanel::refresh()
   const auto chosen = static_cast<std::size_t>(model_.curve);
   if (truth.curves.empty() || model_.curve < 0 || chosen >= curves.curves.size())
     return update();
-  const std::vector<VertexError> errors = errorsAlong(curves.curves[chosen], truth);
+  const std::vector<bench::VertexError> errors =
+      vertexErrors(curves.curves[chosen], bench::SegmentTree(truth));
   double most = 0, sum = 0;
-  for (const VertexError& e : errors) {
+  for (const bench::VertexError& e : errors) {
     most = std::max(most, e.distance);
     sum += e.distance;
   }
@@ -40,7 +42,7 @@ ErrorPanel::refresh()
   distance.width = 2;
   angle.name = QString("angle, %1 = 90°").arg(most, 0, 'g', 3);
   angle.color = spherical_color;
-  for (const VertexError& e : errors) {
+  for (const bench::VertexError& e : errors) {
     distance.points.emplace_back(e.along, e.distance);
     angle.points.emplace_back(e.along, e.angle / 90 * (most > 0 ? most : 1));
   }
