@@ -74,7 +74,7 @@ reduced(const io::Column& column, const Clusters& clusters)
   return result;
 }
 
-/** \brief What stands for the points: their attributes, and what clusters add. */
+/** \brief The representatives: attributes of the points, and those of clusters. */
 io::Cloud
 representatives(const io::Cloud& cloud, const Clusters& clusters)
 {

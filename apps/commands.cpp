@@ -9,7 +9,7 @@ const std::vector<Command>&
 commands()
 {
   static const std::vector<Command> all = {
-      {"info", "say what a point file holds", runInfo},
+      {"info", "show what a point file contains", runInfo},
       {"convert", "convert between point file formats", runConvert},
       {"tensor", "measure the shape of every point's neighborhood", runTensor},
       {"multiscale", "measure it over many radii and find the best", runMultiscale},
@@ -17,7 +17,7 @@ commands()
       {"curves", "reconstruct curves from a point cloud", runCurves},
       {"powerlines", "find every wire of an airborne or UAV scan", runPowerlines},
       {"generate",
-       "make test clouds with known curves, or a corridor scene",
+       "make test clouds of known curves, corridors or scenes",
        runGenerate},
       {"evaluate", "compare curves with the true ones", runEvaluate},
       {"benchmark", "reconstruct noisy test geometries by the thousand", runBenchmark},
@@ -25,12 +25,12 @@ commands()
        "draw the cloud, its shape along a line, or graphs of a point",
        runImage},
       {"vpc", "list point files in a virtual point cloud", runVpc},
-      {"plan", "plan a command in fragments, for clouds that do not fit", runPlan},
+      {"plan", "plan a command in fragments, for clouds larger than memory", runPlan},
       {"work", "work on the fragments of a plan", runWork},
       {"merge", "write the results of a plan", runMerge},
-      {"status", "tell how far a plan is", runStatus},
+      {"status", "show the progress of a plan", runStatus},
       {"schedule",
-       "simulate who computes which fragment, by five heuristics",
+       "simulate five heuristics that assign fragments to devices",
        runSchedule},
       {"devices", "list the OpenCL devices of this machine", runDevices},
   };

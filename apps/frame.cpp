@@ -31,6 +31,14 @@ seconds(std::chrono::steady_clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
+io::FileError
+inputAsOutput(const std::string& path, const std::string& input)
+{
+  return io::FileError(path + ": is the input " + input +
+                       (path == input ? "" : " by another name") +
+                       ", which an output would destroy; name another output");
+}
+
 } // namespace
 
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -135,7 +143,7 @@ Frame::parse(const std::vector<std::string>& arguments)
       takeOutput();
   }
   catch (const CLI::ParseError& error) {
-    // The options can be looked at before there is a file to work on.
+    // Options can be printed without an input file.
     const bool asked_early =
         print_config_ && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     // A request for help exits with 0, everything else is a usage error.
@@ -222,9 +230,7 @@ Frame::checkOutputs(const std::vector<std::string>& outputs) const
   const auto check = [&](const std::string& path) {
     for (const std::string& input : read)
       if (io::isSameFile(path, input))
-        throw io::FileError(path + ": is the input " + input +
-                            (path == input ? "" : " by another name") +
-                            ", which an output would destroy; name another output");
+        throw inputAsOutput(path, input);
     for (const std::string& other : written)
       if (io::isSameFile(path, other))
         throw io::FileError(path + ": is named for two outputs; name another file "

@@ -94,7 +94,7 @@ runImage(const std::vector<std::string>& arguments)
     else if (!settings.point.empty())
       settings.kind = PictureKind::Graphs;
   }
-  // Medians of every neighborhood of a whole cloud take their time.
+  // Medians of all neighborhoods of a whole cloud are slow.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
   const bool svg = isSvg(output);

@@ -108,7 +108,7 @@ classesOf(const io::Cloud& cloud)
   return classes;
 }
 
-/** How many points carry each flag that the file can tell. */
+/** Number of points with each flag that the file has. */
 ordered_json
 flagsOf(const io::Cloud& cloud)
 {
@@ -282,7 +282,7 @@ printTable(CloudInput& input)
   return {{"points", points}, {"files", files}};
 }
 
-/** What is told of a LAS file alone. */
+/** What only LAS files have. */
 void
 describeLas(ordered_json& out, const io::Cloud& cloud)
 {

@@ -27,7 +27,7 @@ printHelp(std::FILE* out)
                LINELET_VERSION);
   for (const Command& command : commands())
     std::fprintf(out, "  %-12s %s\n", command.name, command.summary);
-  std::fprintf(out, "\nlinelet COMMAND --help says more.\n");
+  std::fprintf(out, "\nlinelet COMMAND --help lists its options.\n");
 }
 
 } // namespace
@@ -75,7 +75,7 @@ main(int argc, char** argv)
           stderr, "linelet %s: not enough memory for this input\n", command.name);
     }
     catch (const std::exception& error) {
-      // What a signal broke off may have failed in another way.
+      // Work interrupted by a signal may also end in an error.
       const char* what = stopRequested() ? linelet::Canceled().what() : error.what();
       std::fprintf(stderr, "linelet %s: %s\n", command.name, what);
     }

@@ -112,6 +112,13 @@ keyOf(const CLI::App& app)
   return app.get_name().substr(std::string("linelet ").size());
 }
 
+/** \brief An entry of an array of the completion script. */
+std::string
+assignment(const char* array, const std::string& key, const std::string& words)
+{
+  return "_linelet_" + std::string(array) + "[\"" + key + "\"]=\"" + words + "\"\n";
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -170,12 +177,12 @@ completionOf(const CLI::App& app)
     if (!option->nonpositional())
       continue;
     for (const std::string& name : option->get_lnames()) {
-      options += (options.empty() ? "--" : " --") + name;
+      options.append(options.empty() ? "--" : " --").append(name);
       if (const std::string words = choicesOf(*option); !words.empty())
-        values += "_linelet_values[\"" + key + " --" + name + "\"]=\"" + words + "\"\n";
+        values += assignment("values", key + " --" + name, words);
     }
   }
-  return "_linelet_options[\"" + key + "\"]=\"" + options + "\"\n" + values;
+  return assignment("options", key, options) + values;
 }
 
 std::string

@@ -14,8 +14,8 @@ namespace {
 constexpr double long_work = 3; // seconds
 constexpr double trial = 0.1;   // seconds that tell enough
 
-/** \brief Queries in some neighborhoods: engines gain from queries that lie together.
- */
+/** \brief Queries in a few neighborhoods, as engines are faster on queries that lie
+ * together. */
 Indices
 clusters(const Points& queries, const Indices& finite, std::size_t size)
 {

@@ -56,8 +56,8 @@ keepBetween(const Points& points,
   }
 }
 
-/** \brief Leaves out of \a curve what is not to be kept; what a vertex explained goes
- * to the one before it. */
+/** \brief Removes the vertices of \a curve that are not kept; their points go to the
+ * vertex before. */
 void
 thin(Curve& curve, const std::vector<bool>& keep)
 {
@@ -145,7 +145,7 @@ simplified(CurveNetwork network, const SimplifyTolerance& tolerances)
       fixed.push_back(count); // the first once more
     for (std::size_t k = 0; k + 1 < fixed.size(); ++k)
       keepBetween(curve.points, fixed[k], fixed[k + 1], tolerance, keep);
-    // A closed curve of two vertices is none.
+    // Two vertices make no closed curve.
     if (curve.closed && std::count(keep.begin(), keep.end(), true) < 3)
       continue;
     thin(curve, keep);

@@ -11,7 +11,7 @@ namespace linelet::apps {
 int
 runPlan(const std::vector<std::string>& arguments)
 {
-  if (arguments.empty() || arguments.front().rfind("-", 0) == 0) {
+  if (arguments.empty() || arguments.front().rfind('-', 0) == 0) {
     std::string command;
     Frame frame(
         "plan",

@@ -30,7 +30,7 @@ runJob(FragmentJob& job,
     throw std::runtime_error(
         (entry ? entry->reason : std::string("a fragment failed")) + " (" +
         std::to_string(failed.size()) + " of " + std::to_string(tasks.size()) +
-        " fragments failed; mend it and run again with --resume)");
+        " fragments failed; fix the cause and run again with --resume)");
   }
   run.merge(job, false);
   run.remove();

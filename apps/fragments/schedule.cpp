@@ -126,6 +126,7 @@ runSchedule(const std::vector<std::string>& arguments)
 
   const TimeTable table = readTimes(etc);
   std::vector<NamedSchedule> schedules;
+  schedules.reserve(Names<Heuristic>::table.size());
   for (const auto& [heuristic, name] : Names<Heuristic>::table)
     schedules.push_back(
         {std::string(name), simulate(heuristic, table.times, table.points)});

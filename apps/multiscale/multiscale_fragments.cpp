@@ -80,7 +80,7 @@ MultiscaleJob::write(const fragments::Plan& plan,
       unknown += shape.scale < 0 ? 1 : 0;
     addColumns(cloud, shapes);
   };
-  // What a point that is not finite gets.
+  // The record of a point that is not finite.
   const Points nowhere = {Point::Constant(std::nan(""))};
   MultiScaleSettings settings = settings_;
   settings.engine = ScaleEngine::Sweep;

@@ -201,11 +201,13 @@ drawBenchmark(const std::vector<MethodRows>& methods,
   const double panel_height = (height - head) / lines;
   for (std::size_t property = 0; property < groups.front().size(); ++property) {
     std::vector<SummaryGroup> same;
+    same.reserve(groups.size());
     for (const auto& group : groups)
       same.push_back(group[property]);
     const double left =
         margin + static_cast<double>(property % columns) * (panel_width + gap);
-    const double top = head + static_cast<double>(property / columns) * panel_height;
+    const std::size_t line = property / columns;
+    const double top = head + static_cast<double>(line) * panel_height;
     drawPanel(canvas,
               {left, left + panel_width, top + title, top + panel_height - foot},
               same,

@@ -189,7 +189,7 @@ placesOnLine(const io::Cloud& cloud,
     throw std::runtime_error("a profile needs a line of two places and 2 columns");
   profile.title = settings.title.empty() ? probe.title : settings.title;
   profile.position_label = "position along the line";
-  const Points places = resample(probe.line, settings.columns, profile.positions);
+  Points places = resample(probe.line, settings.columns, profile.positions);
   if (!(profile.positions.back() > 0))
     throw std::runtime_error("the line of the profile has no length");
   return places;

@@ -68,7 +68,7 @@ totalsOf(const PowerLineNetwork& network, double clearance)
 void
 print(const PowerLineNetwork& network, const Totals& totals, double clearance)
 {
-  std::printf("%-22s %zu\n", "lines", network.circuits.size());
+  std::printf("%-22s %zu\n", "circuits", network.circuits.size());
   std::printf("%-22s %zu\n", "spans", network.spans.size());
   std::printf("%-22s %zu (%.0f m, %zu of them with a remark)\n",
               "wires",
@@ -105,7 +105,7 @@ summarize(nlohmann::ordered_json& summary,
           const PowerLineNetwork& network,
           const Totals& totals)
 {
-  summary["lines"] = network.circuits.size();
+  summary["circuits"] = network.circuits.size();
   summary["spans"] = network.spans.size();
   summary["wires"] = network.wires.size();
   summary["length"] = totals.length;

@@ -51,7 +51,7 @@ gpuIsCheapest([[maybe_unused]] const std::string& device,
   opencl::DeviceCost cost;
   cost.start = 0.5;
   cost.point = 1e-7;
-  // Asking for devices wakes all drivers: not for what is done before one is open.
+  // Listing devices loads all drivers, which takes longer than small work.
   if (!isCheapest(cost, work, settings))
     return false;
   const std::vector<opencl::Device> all = opencl::devices();

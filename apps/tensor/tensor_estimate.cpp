@@ -52,7 +52,7 @@ estimate(const Points& points,
          const NeighborhoodSizes& sizes,
          Frame& frame)
 {
-  // Sizes that make no sense are refused before anything is made of them.
+  // Invalid sizes are refused first.
   validate(settings, sizes, points.size());
   EngineOption& engine = finder.engine;
   const bool automatic = engine == EngineOption::Auto;

@@ -94,7 +94,7 @@ FeatureList::FeatureList(std::string_view text) : text_(text)
     if (find(word) == nullptr) {
       std::string known = "shape, all";
       for (const Feature& feature : all_features)
-        known += std::string(", ") + feature.name;
+        known.append(", ").append(feature.name);
       throw std::invalid_argument("there is no feature '" + word + "'; there are " +
                                   known);
     }

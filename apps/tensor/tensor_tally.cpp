@@ -55,7 +55,7 @@ void
 printUnknown(const Tally& tally, double scale_unit, const Points& points)
 {
   printUnknown(tally);
-  // One point in a hundred is no reason for another radius.
+  // One point in a hundred does not justify another radius.
   if (tally.unknown * 100 <= tally.points - tally.left_out)
     return;
   if (std::isnan(scale_unit))

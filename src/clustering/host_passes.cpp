@@ -54,7 +54,7 @@ public:
     slots_ = directory.slots();
     reserveHuge(assigned_, points_.size());
     assigned_.resize(points_.size());
-    // As they are: filling them would take one thread as long as all that follows.
+    // Uninitialized: filling them on one thread would take as long as all the rest.
     home_.reset(border > 0 ? new Index[points_.size()] : nullptr);
     face_.reset(border > 0 ? new std::uint8_t[points_.size()] : nullptr);
     sums_.assign(slots_, {});
@@ -237,8 +237,8 @@ private:
       add<1>(start + static_cast<std::size_t>(i), slot, sums);
   }
 
-  /** \brief Calls work(begin, end, sums) for parts of the points; what it adds to the
-   * sums, those of a thread, comes to those of all. */
+  /** \brief Calls work(begin, end, sums) for parts of the points, with sums per thread
+   * that are added up in the end. */
   template <class Work>
   void
   forPartsWithSums(const Work& work)
@@ -289,8 +289,8 @@ private:
         });
   }
 
-  /** \brief Calls work(point, slot) for all points that \a slots gives one; those of
-   * one slot are in one thread's hands. */
+  /** \brief Calls work(point, slot) for all points with a slot; all points of a slot
+   * are visited by one thread. */
   template <class Work>
   void
   forOwned(const Index* slots, const Work& work)
@@ -300,7 +300,7 @@ private:
     runs_.forPoints(slots, points_.size(), threads_, work);
   }
 
-  /** \brief Assigns anew all points near a border with a cell behind. */
+  /** \brief Reassigns the points near a border with a cell behind it. */
   template <class Work>
   void
   forMovable(const Work& work)

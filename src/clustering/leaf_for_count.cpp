@@ -36,8 +36,8 @@ leafForCount(PointPasses& passes,
   constexpr double close_enough = 0.005;
   constexpr int most_trials = 40;
   for (int trial = 0; trial < most_trials && nearest > close_enough * wanted; ++trial) {
-    // On a surface the number falls with the square of the edge; every third time the
-    // middle, so that the range shrinks whatever the shape.
+    // On a surface the count falls with the square of the edge. Every third step
+    // bisects, so that the range shrinks for any shape.
     const double part =
         trial % 3 == 2 ? 0.5 : std::log(many / wanted) / std::log(many / few);
     const double leaf = fine * std::pow(coarse / fine, std::clamp(part, 0.02, 0.98));

@@ -13,8 +13,8 @@
 
 namespace linelet::clustering {
 
-/** \brief The slots cut into a run for every thread, so that all points of a slot are
- * in one thread's hands. */
+/** \brief The slots cut into a run per thread, so that one thread visits all points of
+ * a slot. */
 class SlotRuns {
 public:
   bool

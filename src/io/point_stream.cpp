@@ -41,7 +41,7 @@ PointStream::next(Cloud& cloud)
 bool
 PointStream::nextOfLas(Cloud& cloud)
 {
-  // Mapped anew for every block, so that no more of it than that counts as memory.
+  // Mapped block by block, so that only a block at a time is resident.
   const MappedFile file(path_, monitor_);
   std::size_t passed = 0;
   Source source{

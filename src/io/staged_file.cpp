@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief The places of all files under construction. Never destroyed: a program may be
- * told to end while it ends. */
+/** \brief The places of all files under construction. Never destroyed: a signal may
+ * come during exit. */
 struct Register {
   std::mutex mutex;
   std::set<std::string> places;

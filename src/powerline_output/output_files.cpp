@@ -31,8 +31,8 @@ unexplainedWarning(const PowerLineNetwork& network)
   char length[32];
   std::snprintf(length, sizeof length, "%.0f", unexplainedLength(network));
   return std::string(length) +
-         " m above ground look like lines but are part of no wire or tower that was "
-         "found: wires may be missing (layer unexplained)";
+         " m above ground look like lines but belong to no wire or support found: "
+         "wires may be missing (layer unexplained)";
 }
 
 /** \brief The class of a point of a wire: \a standard, unless a review says another. */
@@ -58,9 +58,9 @@ check(const ClassScheme& scheme)
                                   " does not fit into a LAS file, whose classes are 0 "
                                   "to 255");
   if (scheme.wire == scheme.tower)
-    throw std::invalid_argument("wires and towers both get class " +
+    throw std::invalid_argument("--wire-class and --tower-class are both " +
                                 std::to_string(scheme.wire) +
-                                "; give them different ones");
+                                "; choose different classes");
 }
 
 std::size_t
@@ -181,7 +181,7 @@ warnOfDoubts(const PowerLineNetwork& network,
     warnings->push_back(std::to_string(unconfirmed) + " points came with class " +
                         std::to_string(classes.wire) + " or " +
                         std::to_string(classes.tower) +
-                        " but are no wire or tower that was found; they keep it "
+                        " but belong to no wire or support found; they keep it "
                         "(--existing-classes reset makes them unclassified)");
   if (muchIsUnexplained(network))
     warnings->push_back(unexplainedWarning(network));

@@ -246,7 +246,7 @@ sectionsTable(const Content& content, const Hazards& at)
 {
   if (at.moved.sections.empty())
     return {};
-  Table table({{"line"},
+  Table table({{"circuit"},
                {"wires from dead end to dead end", true},
                {"ruling span m"},
                {"tension kN"},

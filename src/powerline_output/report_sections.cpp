@@ -94,7 +94,7 @@ private:
     if (muchIsUnexplained(content.network))
       verdict_ +=
           " Wires may be missing: " + number(unexplainedLength(content.network), 0) +
-          " m look like lines and are none that was found.";
+          " m look like lines but belong to no wire found.";
     addStates(content);
   }
 
@@ -125,7 +125,7 @@ private:
     }
     for (const Support& support : network.supports)
       poles += support.kind == Support::Kind::Pole ? 1 : 0;
-    addCount(network.circuits.size(), "line");
+    addCount(network.circuits.size(), "circuit");
     addCount(network.spans.size(), "span");
     addCount(network.wires.size(), "wire");
     add(number(length / 1000, 3) + " km", "of wire");
@@ -179,7 +179,7 @@ profilesSection(const Content& content, const ProgressMonitor* monitor)
     spans.push_back({{"id", span.id},
                      {"from", content.supportName(span.from_support)},
                      {"to", content.supportName(span.to_support)},
-                     {"line", span.circuit},
+                     {"circuit", span.circuit},
                      {"number", span.number},
                      {"length", number(span.length, 1)},
                      {"azimuth", number(span.azimuth, 1)},

@@ -87,7 +87,7 @@ spanTable(const Content& content)
 {
   const double limit = content.options.clearance;
   Table table({{"span"},
-               {"line"},
+               {"circuit"},
                {"no."},
                {"pylons"},
                {"length m"},

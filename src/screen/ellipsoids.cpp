@@ -38,7 +38,7 @@ struct Ellipsoid {
       return;
     at = print.at;
     pixels_per_unit = camera.focalLength() / (camera.perspective() ? at.z() : 1);
-    // Flat ones are as thick as a pixel, or they would have no surface.
+    // At least a pixel thick: flat ones would have no surface.
     constexpr double least = 0.25;
     const Eigen::Matrix3d a =
         print.axes * print.axes.transpose() + Eigen::Matrix3d::Identity() * least;
@@ -73,7 +73,7 @@ drawEllipsoids(const std::vector<TensorGlyph>& glyphs,
     if (!ellipsoids.back().seen)
       ellipsoids.pop_back();
   }
-  // From above the eye's left shoulder.
+  // Light from over the viewer's left shoulder.
   const Point light = Point(-0.4, -0.6, -0.7).normalized();
   const int count = threadCount(threads);
   const int bands = std::min(4 * count, std::max(1, camera.height));

@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet::screen {
 namespace HWY_NAMESPACE {
 
-/** \brief The largest square of a distance that takes part. */
+/** \brief The squared distance limit of samples. */
 inline float
 limitOf(const ScreenNormalSettings& settings)
 {

@@ -20,8 +20,8 @@ struct Place {
   double x, y;
 };
 
-/** \brief The usual places of 1, 2, 4 and 8 samples in a pixel, in sixteenths from its
- * middle (Direct3D and Vulkan name the same). */
+/** \brief Standard positions of 1, 2, 4 and 8 samples in a pixel, in sixteenths from
+ * its center (as in Direct3D and Vulkan). */
 std::vector<Place>
 placesOf(int layers)
 {
@@ -40,7 +40,7 @@ placesOf(int layers)
   }
 }
 
-/** \brief A point on the picture. */
+/** \brief A projected point. */
 struct Spot {
   float x, y, depth, radius;
 };
@@ -114,7 +114,7 @@ sampleLayers(const Points& points,
   out.y.assign(size, nan);
   out.z.assign(size, nan);
 
-  // Every band of rows is in one thread's hands.
+  // One thread per band of rows.
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int band = 0; band < count; ++band) {
     const auto row = [&](int number) {

@@ -37,7 +37,7 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-/** \brief The largest square of a distance that takes part. */
+/** \brief The squared distance limit of samples. */
 float
 limitOf(double max_distance)
 {

@@ -87,7 +87,7 @@ splatOf(const TensorGlyph& glyph,
   Eigen::Vector2d across = print.axes.col(1).head<2>();
   const double length = print.axes.col(2).norm();
   const double width = print.axes.col(1).norm();
-  // A disc seen from its side, or a needle, is still as wide as a needle.
+  // A disc seen edge-on is no thinner than a needle.
   const double least = std::max(settings.narrowest * length, 0.7);
   if (width > 0 && width < least)
     across *= least / width;
@@ -148,7 +148,7 @@ blend(const Splat& splat, int begin, int end, GlyphImage& image)
   }
 }
 
-/** \brief Back to front; of equal depths by everything else, so that the order of the
+/** \brief Back to front. Ties are broken by all other members, so that the order of the
  * input does not matter. */
 std::vector<std::size_t>
 drawingOrder(const std::vector<TensorGlyph>& glyphs,
@@ -221,8 +221,8 @@ drawSplats(const std::vector<TensorGlyph>& glyphs,
       splats.pop_back();
   }
   const int threads = threadCount(settings.threads);
-  // Every band of rows is in one thread's hands; more of them than threads share the
-  // work more evenly.
+  // Each band of rows is drawn by one thread; more bands than threads balance the
+  // load.
   const int bands = std::min(4 * threads, std::max(1, camera.height));
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
   for (int band = 0; band < bands; ++band) {

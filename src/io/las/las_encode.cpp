@@ -39,7 +39,7 @@ writeLasField(const LasField& field,
 {
   char* at = block.records + field.byte;
   if (column == nullptr) {
-    // A return that knows nothing of others is the first of one.
+    // By default a return is the first of one.
     if (field.name == "return_number" || field.name == "number_of_returns")
       for (std::size_t i = 0; i < block.count; ++i, at += block.stride)
         *at = static_cast<char>(*at | (1 << field.shift));

@@ -75,7 +75,7 @@ LasFront::sameReference() const
 bool
 LasFront::keeps(const LasRecord& record) const
 {
-  // Indices of the places of points in a file, which are not those of this one.
+  // Spatial indices of the input, which do not hold for this file.
   if (record.user() == "copc" || record.is("LAStools", 30))
     return false;
   if (record.is("LASF_Spec", 4))
@@ -243,7 +243,7 @@ LasFront::putTotals(const LasTotals& totals)
   const bool large = header_[las_at::minor] >= 4;
   if (!large && totals.points > 0xFFFFFFFFU)
     throw FileError(target_.name + ": too many points for LAS before 1.4");
-  // The fields of before 1.4 are zero where they cannot say it.
+  // The legacy fields (before 1.4) are zero where the counts do not fit.
   const bool old = layout_.format < 6 && totals.points <= 0xFFFFFFFFU;
   put(las_at::count, static_cast<std::uint32_t>(old ? totals.points : 0));
   for (std::size_t i = 0; i < 5; ++i)

@@ -197,8 +197,8 @@ countRecords(const Source& source, std::uint64_t stated, LasHeader& header)
                      std::to_string(header.record_length) + " bytes each)");
 }
 
-/** Takes the record of the compression out of those of the file, which a file that is
- * written anew must not have. */
+/** Removes the LASzip record, which must not be copied into a file that is written
+ * anew. */
 void
 takeCompression(const Source& source, const LasHeader& header, LasOrigin& origin)
 {

@@ -122,7 +122,7 @@ public:
   }
 
 private:
-  /** All blocks, or those that an index knows to be enough. */
+  /** All blocks, or those that an index selects. */
   LasBlocks
   findBlocks()
   {
@@ -193,7 +193,7 @@ private:
     }
   }
 
-  /** The first record of all, or null. */
+  /** The first record of the file, or null. */
   const char*
   firstRecord() const
   {
@@ -350,7 +350,7 @@ private:
     }
   }
 
-  /** Forgets the bytes that the columns tell. */
+  /** Drops the raw bytes that the columns represent. */
   void
   dropRaw()
   {

@@ -61,7 +61,7 @@ codesIn(const LasRecord& record)
   };
   ReferenceCodes codes;
   codes.plan = codeOf(projected);
-  // A projection of the user's own is based on longitude and latitude, but is not that.
+  // A user-defined projection is based on a geographic system, but is not one.
   if (codes.plan == 0 && codeOf(model) != 1)
     codes.plan = codeOf(geographic);
   codes.height = codeOf(vertical);

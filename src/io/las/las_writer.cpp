@@ -44,7 +44,7 @@ write(const Target& target, const Cloud& cloud, bool compress)
   file.commit();
 }
 
-/** The points that have coordinates: LAS cannot say "none". */
+/** The points that have coordinates: LAS has no value for missing ones. */
 Cloud
 withoutHoles(const Cloud& cloud)
 {

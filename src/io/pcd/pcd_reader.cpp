@@ -179,7 +179,7 @@ private:
              {}});
   }
 
-  /** Number of points the file has room for, of those the header says. */
+  /** Number of points the file holds, at most that of its header. */
   std::size_t
   wholePoints(std::size_t there) const
   {
@@ -214,7 +214,7 @@ private:
       source_.fail("the file ends after " + std::to_string(data.size() - 8) + " of " +
                    std::to_string(packed) +
                    " compressed bytes; what is cut off cannot be unpacked");
-    // No LZF code makes more than 264 bytes of 3.
+    // Three bytes of LZF unpack to at most 264.
     if (size / 88 > packed || *points_ > size / row_bytes_ ||
         *points_ * row_bytes_ != size)
       source_.fail("the compressed data say they unpack to " + std::to_string(size) +
@@ -273,7 +273,7 @@ private:
     wholePoints(points);
   }
 
-  /** False where the last line of the file is not whole. */
+  /** False if the last line of the file is incomplete. */
   bool
   readRow(std::string_view line)
   {

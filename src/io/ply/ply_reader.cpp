@@ -191,7 +191,7 @@ private:
     elements_.back().properties.push_back(std::move(property));
   }
 
-  /** Reads a value of \a type off the front of rest_; false where it is not there. */
+  /** Reads a value of \a type from the front of rest_; false if it is missing. */
   template <class F>
   bool
   takeBinary(ValueType type, F f)
@@ -207,7 +207,7 @@ private:
     });
   }
 
-  /** Steps over the entries of a list; false where they are not there. */
+  /** Skips the entries of a list; false if they are missing. */
   bool
   skipList(const Property& property)
   {
@@ -220,7 +220,7 @@ private:
     return true;
   }
 
-  /** Steps over all rows of an element before the vertices. */
+  /** Skips all rows of an element before the vertices. */
   bool
   skip(const Element& element)
   {
@@ -259,7 +259,7 @@ private:
   readVertices(const Element& vertex)
   {
     const bool ascii = format_ == "ascii";
-    // A value takes a byte at least, in text with its gap two: no more rows than these.
+    // A value takes at least a byte, in text two with its separator, which bounds rows.
     std::size_t least = 0;
     for (const Property& property : vertex.properties)
       least += ascii             ? 2
@@ -334,7 +334,7 @@ private:
     return true;
   }
 
-  /** False, for "not whole", where the text ends; else an error. */
+  /** False at the end of the text ("truncated"); else an error. */
   bool
   failOrEnd(std::string_view word, const Property& property) const
   {

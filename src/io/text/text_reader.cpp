@@ -101,7 +101,7 @@ isNumber(std::string_view word)
   return parseNumber(word, value);
 }
 
-/** Whether \a word would be a number, were it not for its decimal comma. */
+/** Whether \a word is a number but for its decimal comma. */
 bool
 hasDecimalComma(std::string_view word)
 {
@@ -186,7 +186,7 @@ private:
     }
   }
 
-  /** Forgets what is behind a separator at the end of the line: nothing. */
+  /** Drops the empty word behind a trailing separator. */
   void
   dropEnd(std::size_t columns)
   {
@@ -210,7 +210,7 @@ private:
     names_ = canonicalNames(names_);
   }
 
-  /** Looks at the first line that is no comment; true where it holds names. */
+  /** Inspects the first line that is no comment; true if it holds names. */
   bool
   begin(std::string_view line)
   {
@@ -251,7 +251,7 @@ private:
                              : "column_" + std::to_string(i + 1));
   }
 
-  /** False where the last line of the file is not whole. */
+  /** False if the last line of the file is incomplete. */
   bool
   addRow(std::string_view line)
   {

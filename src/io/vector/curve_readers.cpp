@@ -225,7 +225,7 @@ curvesFromPly(const Source& source)
       return;
     const std::size_t from = placeOf(source, row["vertex1"], vertices.size()),
                       to = placeOf(source, row["vertex2"], vertices.size());
-    // Edges that follow each other are one curve, unless they are told apart.
+    // Consecutive edges are one curve, unless a property separates them.
     if (line.empty() || from != last || row["curve"] != curve) {
       finish();
       line.push_back(vertices[from]);

@@ -67,7 +67,7 @@ writeGeoPackage(const std::string& path,
                 const std::string& wkt,
                 const ProgressMonitor* monitor)
 {
-  // The same input gives the same bytes: no time of writing.
+  // No time stamps: the same input gives the same bytes.
   const GdalOption date("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
   Reference system = parseReference(wkt);
   if (system == nullptr)
