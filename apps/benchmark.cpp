@@ -30,7 +30,7 @@ namespace {
 using bench::BenchmarkRow;
 using bench::BenchmarkRun;
 
-/** \brief Which runs are made, and what becomes of their rows. */
+/** \brief Which runs to make, and where their rows go. */
 struct BenchmarkOptions {
   std::size_t sample = 2000;
   std::uint64_t seed = 1;
@@ -147,7 +147,7 @@ public:
         throw std::runtime_error(path + ": " + error.what() + "; name another file");
       }
     }
-    // Written anew beside it: a line that was cut off is lost, the file never.
+    // Rewritten beside it: a truncated line may be lost, the file never.
     std::ostringstream whole;
     whole << bench::benchmark_csv_header << '\n';
     for (const BenchmarkRow& row : old_)

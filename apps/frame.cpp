@@ -295,7 +295,7 @@ Frame::finish()
     summary["seconds"] = seconds_;
   summary["warnings"] = warnings_;
   io::OutputFile file(json_file_);
-  // A path may hold bytes that are no UTF-8, which JSON is.
+  // A path may not be UTF-8, as JSON must be.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   file.write(summary.dump(2, ' ', false, replace) + '\n');
   file.commit();

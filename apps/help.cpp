@@ -147,7 +147,7 @@ std::string
 usageError(const CLI::App* app, const CLI::Error& error)
 {
   std::string what = error.what();
-  // A value behind an option that is none looks like an argument too many, or too few.
+  // The value of an unknown option looks like a surplus argument.
   if (const std::string unknown = unknownOption(*app); !unknown.empty()) {
     std::vector<std::string> known;
     for (const CLI::Option* option : app->get_options())

@@ -16,7 +16,7 @@ namespace {
 using bench::RunSummary;
 using bench::SummaryGroup;
 
-/// Apart for color-blind readers and in gray; more methods begin anew.
+/// Distinct for color-blind readers and in gray; further methods repeat them.
 constexpr std::array<Color, 4> bar_colors = {
     {{0.16, 0.47, 0.84}, {0.95, 0.72, 0.25}, {0.55, 0.06, 0.10}, {0.45, 0.45, 0.48}}};
 
@@ -30,7 +30,7 @@ struct Panel {
   double left, right, top, bottom;
 };
 
-/// What the properties are called in full.
+/// Full names of the properties.
 std::string
 axisLabel(const std::string& title)
 {
@@ -79,7 +79,7 @@ drawBar(Canvas& canvas,
               ink::frame);
 }
 
-/// No smaller distance than this is told from none.
+/// Smaller distances count as 0.
 constexpr double least_distance = 1e-3, most_distance = 10;
 
 void

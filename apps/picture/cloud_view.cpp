@@ -228,7 +228,7 @@ drawPoints(Canvas& canvas, const CloudView& view, const Projection& project)
 void
 drawCurves(Canvas& canvas, const CloudView& view, const Projection& project)
 {
-  // Apart for color-blind readers (Okabe, Ito 2008), bright ones first.
+  // Distinct for color-blind readers (Okabe, Ito 2008), bright ones first.
   constexpr std::array<Color, 5> palette = {{{0.84, 0.37, 0.00},
                                              {0.00, 0.45, 0.70},
                                              {0.80, 0.47, 0.65},

@@ -55,7 +55,7 @@ borders(const Axis& axis, const std::vector<double>& values)
   return result;
 }
 
-/// Apart from all colors of the shapes, in gray as well.
+/// Distinct from all colors of the shapes, in gray as well.
 constexpr Color sum_color = {0.75, 0.10, 0.55};
 
 double

@@ -22,7 +22,7 @@ constexpr double margin = 24;
 /// Of the eye from the middle of what is seen, in halves of its diagonal.
 constexpr double eye_distance = 3;
 
-/// The curves, apart for color-blind readers (Okabe, Ito 2008).
+/// Curves, distinct for color-blind readers (Okabe, Ito 2008).
 constexpr std::array<const char*, 5> palette = {
     "#d65f00", "#0073b3", "#cc78a6", "#009e73", "#e69e00"};
 
@@ -88,7 +88,7 @@ public:
     middle_ = (low + high) / 2;
     distance_ = eye_distance * std::max((high - low).norm() / 2, 1e-9);
 
-    // What is seen of it is put into the middle of the paper.
+    // Center what is visible.
     double left = std::numeric_limits<double>::infinity(), top = left, right = -left,
            bottom = -left;
     forEachPlace(view, [&](const Point& p) {
@@ -124,14 +124,14 @@ public:
     return perspective_;
   }
 
-  /** \brief How a unit ought to be drawn in the middle. */
+  /** \brief The scale at the center. */
   double
   pixelsPerUnit() const
   {
     return scale_;
   }
 
-  /** \brief The shadow of a tensor on the paper. */
+  /** \brief The projected ellipse of a tensor. */
   Eigen::Matrix2d
   shadow(const Eigen::Matrix3d& tensor) const
   {

@@ -180,7 +180,7 @@ addTree(Scene& scene, const Point& base, double height, Random& random)
   }
 }
 
-/** Places for what stands on the ground of a corridor. */
+/** Places for objects on the ground of a corridor. */
 class Ground {
 public:
   Ground(Scene& scene, const CorridorSettings& settings, Random& random)
@@ -266,7 +266,7 @@ addTrees(Scene& scene, int count, Ground& ground, Random& random)
 {
   Point last = ground.anywhere();
   for (int i = 0; i < count; ++i) {
-    // Every other one stands close to the last: groves and rows as well as lone trees.
+    // Every other tree stands close to the previous one: groves, rows and lone trees.
     Point p = ground.anywhere();
     if (random.integer(0, 1) == 0)
       p = ground.near(last);

@@ -231,7 +231,7 @@ private:
     cl::Kernel kernel = context_.exactKernel(name);
     setArguments(kernel, arguments...);
     run(context_, kernel, count_);
-    // Buffers that were uploaded for this call alone end with it.
+    // Buffers uploaded for this call only are released with it.
     context_.queue().finish();
   }
 

@@ -63,8 +63,8 @@ describe(const cl::Device& device)
 std::vector<cl::Device>
 allDevices()
 {
-  // Without sysfs, in a bare chroot say, drivers find no hardware, and PoCL ends the
-  // whole process instead of saying so.
+  // Without sysfs (in a bare chroot, say) drivers find no hardware, and PoCL aborts the
+  // process instead of reporting it.
   if (!std::filesystem::exists("/sys/devices"))
     return {};
   std::vector<cl::Platform> platforms;

@@ -40,7 +40,7 @@ usualRadius(const Points& surface,
   return std::sqrt(found[probes / 2]);
 }
 
-/** \brief The least number whose square is not below \a squared. */
+/** \brief The smallest double whose square is at least \a squared. */
 double
 rootAbove(double squared)
 {

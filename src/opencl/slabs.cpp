@@ -15,7 +15,7 @@ namespace {
  * bits. */
 constexpr std::size_t most_at_once = std::size_t{1} << 25;
 
-/** \brief Bytes on the device for so many points and queries, the table apart. */
+/** \brief Bytes on the device for points and queries, without the table. */
 std::size_t
 bytesNeeded(std::size_t points, std::size_t queries)
 {
@@ -127,7 +127,7 @@ Slab
 Slabs::upload(const Indices& points, const Indices& queries, const CellFrame& frame)
 {
   Lap lap(context_.queue());
-  // Most often every point asks for its own neighborhood.
+  // The usual case: every point is a query.
   const bool same = &surface_ == &queries_ && points == queries;
   Slab slab{
       frame, frame.layout(std::max(points.size(), queries.size())), {}, {}, {}, {}, {}};

@@ -63,8 +63,8 @@ bitsFor(std::size_t count)
 } // namespace
 
 CellFrame::CellFrame(const Points& points, const Indices& chosen, double radius)
-    // A sliver more than the radius, so that rounding never puts a neighbor two cells
-    // off.
+    // Slightly more than the radius, so that rounding never puts a neighbor two cells
+    // away.
     : cell_size(radius * (1 + 1e-6))
 {
   if (chosen.empty())

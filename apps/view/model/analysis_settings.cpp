@@ -92,6 +92,7 @@ std::vector<std::string>
 namesOf()
 {
   std::vector<std::string> names;
+  names.reserve(Names<E>::table.size());
   for (const auto& entry : Names<E>::table)
     names.emplace_back(entry.second);
   return names;

@@ -130,7 +130,7 @@ private:
   Directions directions_;
 };
 
-/** \brief Microseconds a query that the engines take, sorting the points apart. */
+/** \brief Microseconds per query of the engines, without sorting the points. */
 struct ScaleCost {
   double grid, sweep;
 };
@@ -273,7 +273,7 @@ fourthOrderTensorsOnGrid(const Points& surface,
       surface, queries, radii.back(), usefulThreads(settings.threads, queries.size()));
   if (!engine.usable())
     return false;
-  // Of queries that reach nothing no scale is defined.
+  // Queries without neighbors have no scale.
   tensors.assign(queries.size(), fourthOrderTensor({}, weight));
   if (monitor != nullptr)
     monitor->begin("fourth order", queries.size());

@@ -18,13 +18,13 @@ namespace linelet {
 
 namespace {
 
-/// Scales that are measured together; more of them may be in vain.
+/// Scales measured at a time; those behind the stop are wasted.
 constexpr std::size_t window = 3;
 
-/// The grid engine's factors are too rough for smaller changes.
+/// The grid engine's factors are too inexact for smaller changes.
 constexpr double least_change_on_grid = 1e-3;
 
-/** \brief What happens to the shapes of points from one scale to the next. */
+/** \brief Changes of the shapes of points from one scale to the next. */
 struct Change {
   double largest = 0;   ///< of a factor; a point that has just got a shape: 1
   bool defined = false; ///< any point has a shape

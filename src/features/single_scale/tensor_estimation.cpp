@@ -43,7 +43,7 @@ estimateTensors(const Points& surface,
                 ProgressMonitor* monitor)
 {
   validate(settings, sizes, queries.size());
-  // The place where engines are chosen.
+  // The only place where an engine is chosen.
   if (chosenEngine(surface, queries, settings, sizes) == Engine::Grid) {
     if (settings.radius > 0 || !sizes.radii.empty())
       return estimateTensorsOnGrid(surface, queries, settings, sizes, monitor);

@@ -14,7 +14,7 @@ namespace linelet {
 
 namespace {
 
-/** \brief Makes one record after the other; one maker a thread. */
+/** \brief Makes records one by one; one maker per thread. */
 class RecordMaker {
 public:
   RecordMaker(const NeighborSearch& search,

@@ -11,7 +11,7 @@ namespace linelet::io::hdf5 {
 
 namespace {
 
-/** \brief How many bytes a stream of zlib comes to; 0 if it is damaged. */
+/** \brief Number of bytes that a zlib stream unpacks to; 0 if it is damaged. */
 std::size_t
 inflatedSize(const std::vector<unsigned char>& stored)
 {

@@ -165,7 +165,7 @@ private:
     }
   }
 
-  /** What came from LAS, where it is whole; else only that is lost. */
+  /** The LAS header and records, if intact; otherwise only these are dropped. */
   void
   readLas(Cloud& cloud, std::size_t first, std::size_t number)
   {
@@ -203,7 +203,7 @@ private:
   UniqueNames names_;
 };
 
-/** \brief Calls \a work with a session; what HDF5 cannot do names the file. */
+/** \brief Calls \a work with a session; errors of HDF5 name the file. */
 template <class Work>
 auto
 guarded(const std::string& path, Work&& work)

@@ -39,7 +39,7 @@ struct Hdf5CloudWriter::File {
       points->append(cloud, first, count);
   }
 
-  /** \brief Calls \a work; what HDF5 cannot do names the file. */
+  /** \brief Calls \a work; errors of HDF5 name the file. */
   template <class Work>
   void
   guarded(Work&& work)

@@ -16,7 +16,7 @@ namespace {
 constexpr hsize_t chunk_rows = 16384;
 constexpr unsigned deflate_level = 4;
 
-/// Deflate makes no more than this of a byte.
+/// Largest ratio of deflate.
 constexpr double most_inflation = 1032;
 
 std::vector<Member>

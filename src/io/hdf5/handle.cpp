@@ -10,7 +10,7 @@ namespace linelet::io::hdf5 {
 
 namespace {
 
-/// Longer texts are no names or reference systems.
+/// Longer texts are neither names nor reference systems.
 constexpr std::size_t longest_text = 1 << 20;
 
 std::mutex&
@@ -78,7 +78,7 @@ Handle
 openFile(const std::string& path)
 {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "open it");
-  // Locks fail on network disks, and nobody writes where others read.
+  // Locks fail on network disks, and files are never written where others read.
   H5Pset_file_locking(access.id(), false, true);
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()),
           H5Fclose,
@@ -102,7 +102,7 @@ createFile(const std::string& path)
 {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make it");
   H5Pset_file_locking(access.id(), false, true);
-  // The format of 1.8, which every reader of the last fifteen years knows.
+  // The format of 1.8, which all current readers know.
   check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18),
         "make it");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()),

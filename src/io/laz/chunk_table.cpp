@@ -19,8 +19,8 @@ namespace {
 // whose counts add up to 2^15, are a 300th of a bit each.
 constexpr std::uint64_t most_points_per_byte = 2048;
 
-// Scans have one point in some bytes. Data that promise this many must prove it before
-// anything is allocated for them.
+// Scans take several bytes per point. A file that claims more points than this must
+// prove it before anything is allocated for them.
 constexpr std::uint64_t credible_points_per_byte = 16;
 
 const std::uint8_t*
@@ -29,7 +29,7 @@ beginOf(std::string_view bytes)
   return reinterpret_cast<const std::uint8_t*>(bytes.data());
 }
 
-/** Place of the table as the file tells it; 0: none was written. */
+/** Offset of the table as stated by the file; 0: none was written. */
 std::uint64_t
 placeOfTable(std::string_view file, std::size_t points_at)
 {
@@ -103,8 +103,8 @@ readTable(std::string_view file,
   return table;
 }
 
-/** The chunks by going from one to the next: those of layers tell their size, the
- * others must be decoded. */
+/** The chunks, found one after another: layered chunks state their size, the others
+ * must be decoded. */
 ChunkTable
 findChunks(std::string_view file,
            std::size_t begin,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a leaf's list of candidates comes to.
+// The records of a leaf, from its list of candidates.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace linelet::grid {
 void
 MultiScaleSweep::countHere(const Part& queries)
 {
-  // What may be the same place is looked at in double.
+  // Places that may coincide are compared in double.
   const double near = 4 * float_rounding * queries.size + 1e-14;
   Lanes<float> counts;
   kernels_.coincident(core_, static_cast<float>(near * near), at_, counts);

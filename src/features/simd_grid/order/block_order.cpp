@@ -133,7 +133,7 @@ BlockOrder::select(
     Entry* begin, Entry* middle, Entry* end, std::size_t axis, float low, float high)
 {
   // Where points are spread about evenly, the border between the halves is soon found
-  // by interpolation, in passes that hold no branch to guess wrong.
+  // by interpolation, in passes without unpredictable branches.
   constexpr int passes = 4;
   for (int pass = 0; pass < passes && end - begin > 4; ++pass) {
     const float border = low + (high - low) * static_cast<float>(middle - begin) /
@@ -191,7 +191,7 @@ BlockOrder::sortBlock(std::size_t block,
 {
   const Point center = frame.center(frame.cell(keys_[block]));
   const std::size_t begin = begin_[block], end = begin_[block + 1];
-  // Points lie anywhere in memory: ask for all of them before the first is needed.
+  // Points are scattered in memory: prefetch all before the first is needed.
   for (std::size_t sorted_index = begin; sorted_index < end; ++sorted_index)
     hwy::Prefetch(&points[index_[sorted_index]]);
   entries.clear();
@@ -217,7 +217,7 @@ BlockOrder::lowerBound(std::uint64_t key, std::size_t hint) const
 {
   std::size_t low = 0, high = blocks();
   if (hint < blocks() && keys_[hint] < key) {
-    // In steps that double: near answers need few, in memory that was just read.
+    // In doubling steps: near answers need few, in memory that was just read.
     low = hint;
     for (std::size_t step = 1; low + step < high; step *= 2) {
       if (keys_[low + step] >= key) {
