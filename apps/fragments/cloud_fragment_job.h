@@ -15,21 +15,6 @@ namespace linelet::apps {
 /** \brief A command that makes a cloud of every cloud that it reads. */
 class CloudFragmentJob : public FragmentJob {
 public:
-  Frame&
-  frame() override
-  {
-    return frame_;
-  }
-  CloudInput&
-  input() override
-  {
-    return input_;
-  }
-  const FragmentOptions&
-  options() const override
-  {
-    return fragments_;
-  }
   const std::string&
   place() const override
   {
@@ -43,13 +28,10 @@ public:
 
 protected:
   CloudFragmentJob(const std::string& command, const std::string& summary)
-      : frame_(command, summary)
+      : FragmentJob(command, summary)
   {
   }
 
-  Frame frame_;
-  FragmentOptions fragments_;
-  CloudInput input_{frame_};
   CloudOutput output_{frame_};
 };
 

@@ -23,12 +23,21 @@ class FragmentJob {
 public:
   virtual ~FragmentJob() = default;
 
-  virtual Frame&
-  frame() = 0;
-  virtual CloudInput&
-  input() = 0;
-  virtual const FragmentOptions&
-  options() const = 0;
+  Frame&
+  frame()
+  {
+    return frame_;
+  }
+  CloudInput&
+  input()
+  {
+    return input_;
+  }
+  const FragmentOptions&
+  options() const
+  {
+    return fragments_;
+  }
   /** \brief Where the results go: a file or folder. */
   virtual const std::string&
   place() const = 0;
@@ -53,9 +62,9 @@ public:
           ProgressMonitor* monitor) = 0;
 
   /** \brief The fragments that output \a number is made of; empty for one behind the
-   * last. */
+   * last. Here, one output of all. */
   virtual std::vector<std::size_t>
-  needs(const fragments::Plan& plan, std::size_t number) = 0;
+  needs(const fragments::Plan& plan, std::size_t number);
 
   /** \brief Writes output \a number.
    * \param[in] usable which fragments there are; all but for --partial
@@ -74,6 +83,19 @@ public:
   /** \brief Works on the cloud in one piece. \return the exit code */
   virtual int
   runWhole() = 0;
+
+protected:
+  template <class... Input>
+  FragmentJob(const std::string& command,
+              const std::string& summary,
+              const Input&... input)
+      : frame_(command, summary), input_(frame_, input...)
+  {
+  }
+
+  Frame frame_;
+  FragmentOptions fragments_;
+  CloudInput input_;
 };
 
 /** \brief The command \a name with \a arguments, parsed. \throws std::runtime_error

@@ -157,15 +157,6 @@ PowerlinesJob::compute(const fragments::Plan& plan,
   return {{"cut_off", static_cast<double>(cut_off)}};
 }
 
-std::vector<std::size_t>
-PowerlinesJob::needs(const fragments::Plan& plan, std::size_t number)
-{
-  std::vector<std::size_t> all;
-  for (std::size_t f = 0; number == 0 && f < plan.tiling.boxes(); ++f)
-    all.push_back(f);
-  return all;
-}
-
 std::map<std::string, double>
 PowerlinesJob::write(const fragments::Plan& plan,
                      const std::string& folder,

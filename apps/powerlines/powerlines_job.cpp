@@ -30,6 +30,15 @@ isLaz(const std::string& path)
 } // namespace
 
 PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
+    : FragmentJob(
+          "powerlines",
+          "Finds every wire of an airborne or UAV scan: classified cloud, vectors, "
+          "report. Points flagged as withheld take no part and stay in the "
+          "classified cloud as they are; overlap, synthetic and key points are "
+          "used like others.",
+          CloudInput::Use::Lengths,
+          "point file, z up, meters or feet (by its reference system); classes are "
+          "not needed")
 {
   frame_.addOutput("OUTDIR",
                    folder_,

@@ -25,21 +25,6 @@ class PowerlinesJob : public FragmentJob {
 public:
   explicit PowerlinesJob(const std::vector<std::string>& arguments);
 
-  Frame&
-  frame() override
-  {
-    return frame_;
-  }
-  CloudInput&
-  input() override
-  {
-    return input_;
-  }
-  const FragmentOptions&
-  options() const override
-  {
-    return fragments_;
-  }
   const std::string&
   place() const override
   {
@@ -56,8 +41,6 @@ public:
           const fragments::Fragment& fragment,
           const std::string& result,
           ProgressMonitor* monitor) override;
-  std::vector<std::size_t>
-  needs(const fragments::Plan& plan, std::size_t number) override;
   std::map<std::string, double>
   write(const fragments::Plan& plan,
         const std::string& folder,
@@ -88,24 +71,13 @@ private:
        double points,
        const std::vector<std::string>& files);
 
-  Frame frame_{
-      "powerlines",
-      "Finds every wire of an airborne or UAV scan: classified cloud, vectors, "
-      "report. Points flagged as withheld take no part and stay in the "
-      "classified cloud as they are; overlap, synthetic and key points are "
-      "used like others."};
   std::string folder_;
   powerline::PowerLineSettings settings_;
   powerline::HazardSettings hazards_;
   powerline::OutputOptions output_;
-  FragmentOptions fragments_;
   double buffer_ = 300;
   std::string reviewed_;
   bool overwrite_ = false;
-  CloudInput input_{frame_,
-                    CloudInput::Use::Lengths,
-                    "point file, z up, meters or feet (by its reference system); "
-                    "classes are not needed"};
 };
 
 } // namespace linelet::apps

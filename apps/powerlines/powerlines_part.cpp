@@ -11,7 +11,7 @@
 #include <linelet/fragments/records.h>
 #include <linelet/powerline/metric_frame.h>
 
-#include "part_archive.h"
+#include "fragments/part_archive.h"
 
 namespace linelet::apps {
 

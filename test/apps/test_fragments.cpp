@@ -119,34 +119,20 @@ TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
   const unsigned seed = std::random_device{}();
   std::mt19937 random(seed);
   const std::string job = "tensor" + options_ + path("tiles") + " ";
-  const auto begin = std::chrono::steady_clock::now();
-  runWell(job + path("a") + " --chunk 12");
-  const double whole =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::uniform_real_distribution<double> moment(0, whole / 4);
-  int killed = 0;
-  for (int i = 0; i < 50; ++i) {
-    std::vector<std::string> arguments = {"tensor",
-                                          "--radius",
-                                          "1.5",
-                                          "--engine",
-                                          ENGINE,
-                                          path("tiles"),
-                                          path("b"),
-                                          "--chunk",
-                                          "12"};
-    if (i > 0)
-      arguments.push_back("--resume");
-    const pid_t child = start(arguments);
-    std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
-    ::kill(child, SIGKILL);
-    const int status = waitFor(child);
-    killed += WIFSIGNALED(status) ? 1 : 0;
-    if (WIFEXITED(status)) {
-      ASSERT_EQ(WEXITSTATUS(status), 0) << "seed " << seed;
-      fs::remove_all(path("b")); // done: from the beginning
-    }
-  }
+  const double whole = secondsOf(job + path("a") + " --chunk 12");
+  const int killed = killAgainAndAgain({"tensor",
+                                        "--radius",
+                                        "1.5",
+                                        "--engine",
+                                        ENGINE,
+                                        path("tiles"),
+                                        path("b"),
+                                        "--chunk",
+                                        "12"},
+                                       path("b"),
+                                       50,
+                                       whole / 4,
+                                       random);
   runWell(job + path("b") + " --chunk 12 --resume");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")))
       << "seed " << seed;

@@ -142,27 +142,14 @@ TEST_F(PowerlinesFragmentsTest, KilledAndResumedAreTheSame)
   const unsigned seed = std::random_device{}();
   std::mt19937 random(seed);
   runWell(job_ + path("tiles") + " " + path("a"));
-  const auto begin = std::chrono::steady_clock::now();
-  runWell(job_ + path("tiles") + " " + path("c") + " --chunk 90");
   const double whole =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::uniform_real_distribution<double> moment(0, whole / 2);
-  int killed = 0;
-  for (int i = 0; i < 8; ++i) {
-    std::vector<std::string> arguments = {
-        "powerlines", "--threads", "1", path("tiles"), path("b"), "--chunk", "90"};
-    if (i > 0)
-      arguments.push_back("--resume");
-    const pid_t child = start(arguments);
-    std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
-    ::kill(child, SIGKILL);
-    const int status = waitFor(child);
-    killed += WIFSIGNALED(status) ? 1 : 0;
-    if (WIFEXITED(status)) {
-      ASSERT_EQ(WEXITSTATUS(status), 0) << "seed " << seed;
-      fs::remove_all(path("b")); // done: from the beginning
-    }
-  }
+      secondsOf(job_ + path("tiles") + " " + path("c") + " --chunk 90");
+  const int killed = killAgainAndAgain(
+      {"powerlines", "--threads", "1", path("tiles"), path("b"), "--chunk", "90"},
+      path("b"),
+      8,
+      whole / 2,
+      random);
   runWell(job_ + path("tiles") + " " + path("b") + " --chunk 90 --resume");
   SCOPED_TRACE("seed " + std::to_string(seed));
   expectSameFiles("a", "b");

@@ -4,11 +4,14 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -94,6 +97,44 @@ protected:
     int status = 0;
     ::waitpid(child, &status, 0);
     return status;
+  }
+
+  /** Seconds that \a arguments take. */
+  double
+  secondsOf(const std::string& arguments) const
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    runWell(arguments);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+        .count();
+  }
+
+  /** Starts \a arguments so many times, each but the first with --resume, and kills
+   * them within \a longest seconds. One that is done by then loses its \a result, and
+   * all begins anew. How many were killed. */
+  static int
+  killAgainAndAgain(std::vector<std::string> arguments,
+                    const std::string& result,
+                    int times,
+                    double longest,
+                    std::mt19937& random)
+  {
+    std::uniform_real_distribution<double> moment(0, longest);
+    int killed = 0;
+    for (int i = 0; i < times; ++i) {
+      const pid_t child = start(arguments);
+      std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+      ::kill(child, SIGKILL);
+      const int status = waitFor(child);
+      killed += WIFSIGNALED(status) ? 1 : 0;
+      if (WIFEXITED(status)) {
+        EXPECT_EQ(WEXITSTATUS(status), 0);
+        fs::remove_all(result);
+      }
+      if (i == 0)
+        arguments.emplace_back("--resume");
+    }
+    return killed;
   }
 };
 
