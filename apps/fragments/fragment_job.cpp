@@ -26,12 +26,10 @@ makeFragmentJob(const std::string& name, const std::vector<std::string>& argumen
   if (name == "powerlines")
     return makePowerlinesJob(arguments);
   if (name == "curves")
-    throw std::runtime_error(
-        "curves does not run in fragments: give it a machine whose "
-        "memory holds the points, or cut with --bounds");
+    return makeCurvesJob(arguments);
   throw std::runtime_error("'" + name +
                            "' is no command that works in fragments; those are tensor, "
-                           "multiscale and powerlines");
+                           "multiscale, curves and powerlines");
 }
 
 } // namespace linelet::apps

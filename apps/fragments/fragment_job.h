@@ -45,9 +45,16 @@ public:
   /** \brief Fails where the command cannot work so, or could not write its results. */
   virtual void
   check() = 0;
+  /** \brief What must be known of the whole cloud before its fragments are worked on;
+   * the plan keeps it. */
+  virtual std::map<std::string, double>
+  measures()
+  {
+    return {};
+  }
   /** \brief The width of the ghost zones. */
   virtual double
-  ghost() = 0;
+  ghost(const std::map<std::string, double>& measures) = 0;
   /** \brief The memory that a point takes at the most, of a fragment (with the next one
    * loaded beside it), and of the cloud in one piece. */
   virtual double
@@ -107,6 +114,8 @@ std::unique_ptr<FragmentJob>
 makeTensorJob(const std::vector<std::string>& arguments);
 std::unique_ptr<FragmentJob>
 makeMultiscaleJob(const std::vector<std::string>& arguments);
+std::unique_ptr<FragmentJob>
+makeCurvesJob(const std::vector<std::string>& arguments);
 std::unique_ptr<FragmentJob>
 makePowerlinesJob(const std::vector<std::string>& arguments);
 

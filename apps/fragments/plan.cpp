@@ -15,12 +15,14 @@ runPlan(const std::vector<std::string>& arguments)
     std::string command;
     Frame frame(
         "plan",
-        "Plans a command in fragments, out of headers alone: linelet plan "
+        "Plans a command in fragments, out of headers (curves reads the points once): "
+        "linelet plan "
         "COMMAND, and behind it what the command itself is given, as in linelet "
         "plan tensor --radius 1 --memory 4G tiles/ out/. The plan is kept in "
         "OUTPUT.fragments; linelet work OUTPUT works on it, linelet merge "
         "OUTPUT writes the results, linelet status OUTPUT tells how far it is.");
-    frame.app.add_option("COMMAND", command, "tensor, multiscale or powerlines")
+    frame.app
+        .add_option("COMMAND", command, "tensor, multiscale, curves or powerlines")
         ->required();
     frame.parse(arguments);
     return 2;

@@ -74,7 +74,8 @@ planOf(FragmentJob& job,
     if (argument != "--resume")
       plan.arguments.push_back(argument);
   plan.place = std::filesystem::current_path().string();
-  plan.ghost = job.ghost();
+  plan.measures = job.measures();
+  plan.ghost = job.ghost(plan.measures);
   // What the program, the tables and a block of the input take beside the points.
   constexpr double base = 250e6;
   const double memory = job.options().memory.bytes();

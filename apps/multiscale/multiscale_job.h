@@ -24,7 +24,7 @@ public:
   void
   check() override;
   double
-  ghost() override
+  ghost(const std::map<std::string, double>& /*measures*/) override
   {
     return multiScaleMargin(settings_.radii);
   }

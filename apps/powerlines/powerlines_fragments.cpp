@@ -62,7 +62,7 @@ PowerlinesJob::check()
 }
 
 double
-PowerlinesJob::ghost()
+PowerlinesJob::ghost(const std::map<std::string, double>& /*measures*/)
 {
   return buffer_ / io::unitsOf(reference()).plan;
 }

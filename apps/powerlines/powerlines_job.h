@@ -33,7 +33,7 @@ public:
   void
   check() override;
   double
-  ghost() override;
+  ghost(const std::map<std::string, double>& /*measures*/) override;
   double
   bytesPerPoint(bool in_fragments) const override;
   std::map<std::string, double>

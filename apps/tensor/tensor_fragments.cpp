@@ -28,7 +28,7 @@ TensorJob::check()
 }
 
 double
-TensorJob::ghost()
+TensorJob::ghost(const std::map<std::string, double>& /*measures*/)
 {
   return tensorMargin(settings_);
 }

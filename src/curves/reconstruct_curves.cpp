@@ -27,6 +27,7 @@ reconstruct(const NeighborSearch* search,
   refined.max_iterations = settings.max_iterations;
   refined.distance_cutoff = settings.distance_cutoff;
   refined.threads = settings.threads;
+  refined.whole = settings.whole;
   return search != nullptr ? reconstructRefined(*search, points, refined, monitor)
                            : reconstructRefined(points, refined, monitor);
 }

@@ -32,6 +32,7 @@ toJson(const Plan& plan)
                {"arguments", plan.arguments},
                {"place", plan.place},
                {"shift", {plan.shift.x(), plan.shift.y(), plan.shift.z()}},
+               {"measures", plan.measures},
                {"ghost", plan.ghost},
                {"most_points", plan.most_points}};
   json["inputs"] = Json::array();
@@ -60,6 +61,7 @@ fromJson(const Json& json)
   json.at("place").get_to(plan.place);
   for (int axis = 0; axis < 3; ++axis)
     plan.shift[axis] = json.at("shift").at(static_cast<std::size_t>(axis));
+  json.at("measures").get_to(plan.measures);
   json.at("ghost").get_to(plan.ghost);
   json.at("most_points").get_to(plan.most_points);
   for (const Json& one : json.at("inputs")) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <linelet/curves/curve_network.h>
+#include <linelet/curves/refined_reconstruction.h>
 #include <linelet/curves/streamline_settings.h>
 #include <linelet/search/neighbor_search.h>
 #include <linelet/support/names.h>
@@ -46,6 +47,7 @@ struct Names<Preset> {
  * other parameters are those of the published presets. */
 struct ReconstructionSettings : StreamlineSettings {
   Preset preset = Preset::Refined;
+  CloudTraits whole; ///< of the cloud that the points are a part of; refined only
 };
 
 template <class Visit>

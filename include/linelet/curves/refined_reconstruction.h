@@ -11,6 +11,19 @@
 
 namespace LINELET_PUBLIC linelet {
 
+/** \brief What a cloud is like as a whole, so that curves are looked for in each of its
+ * parts as in all of it. */
+struct CloudTraits {
+  double scale_unit = 0;   ///< D, unit of the points
+  double linear_share = 0; ///< share of the points around which it is linear
+  double points = 0;       ///< number of points; 0: nothing is known
+};
+
+/** \brief The traits of \a points, of which those that are not finite do not count.
+ * D is NaN where there are not two. */
+CloudTraits
+cloudTraits(const Points& points, unsigned threads = 0);
+
 /** \brief What may be set of the refined reconstruction; 0 lets it choose. */
 struct RefinedSettings {
   unsigned max_iterations = 0; ///< steps of one trace from its start point; 0: no limit
@@ -21,6 +34,7 @@ struct RefinedSettings {
       0;                ///< widest gap that is bridged, in the unit of the points;
                         ///< 0: an eighth of the length, where directions agree
   unsigned threads = 0; ///< threads; 0: all
+  CloudTraits whole;    ///< of the cloud that the points are a part of
 };
 
 /** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,16 @@ struct PlannedInput {
 /** \brief What is to be done, made from headers alone: which command, on which files,
  * in which boxes. Kept as `plan.json` in the folder of the run. */
 struct Plan {
-  std::string version;                ///< of linelet
-  std::string command;                ///< tensor, multiscale, ...
-  std::vector<std::string> arguments; ///< behind the command's name
-  std::string place;                  ///< folder that relative paths start from
-  std::vector<PlannedInput> inputs;   ///< in the order of the whole cloud
-  Point shift = Point::Zero();        ///< of all points
-  double ghost = 0;                   ///< width of the ghost zones
-  double most_points = 0;             ///< a fragment may have, by the memory; 0: any
-  Tiling tiling;                      ///< in world coordinates
+  std::string version;                    ///< of linelet
+  std::string command;                    ///< tensor, multiscale, ...
+  std::vector<std::string> arguments;     ///< behind the command's name
+  std::string place;                      ///< folder that relative paths start from
+  std::vector<PlannedInput> inputs;       ///< in the order of the whole cloud
+  Point shift = Point::Zero();            ///< of all points
+  std::map<std::string, double> measures; ///< of the whole cloud, by name
+  double ghost = 0;                       ///< width of the ghost zones
+  double most_points = 0; ///< a fragment may have, by the memory; 0: any
+  Tiling tiling;          ///< in world coordinates
 
   /** \brief A hash of all of it. */
   std::string

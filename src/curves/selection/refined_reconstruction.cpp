@@ -44,7 +44,7 @@ constexpr double uneven = 2.5;
 // A cloud is one of curves alone if it is linear around this share of its points; small
 // ones, noisy beside their extent, are if curves explain this share.
 constexpr double curves_alone = 0.9, least_explained = 0.5;
-constexpr std::size_t most_tried_twice = 5000;
+constexpr double most_tried_twice = 5000; // points
 
 /** \brief The fit of one component, made near the origin, where numbers keep their
  * digits.
@@ -183,6 +183,32 @@ componentCurves(const Points& points,
       curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit);
 }
 
+/** \brief Whether both ways are tried; a larger cloud is looked at first. */
+bool
+isSmall(const CloudTraits& traits)
+{
+  return traits.points <= most_tried_twice;
+}
+
+/** \brief \a known, and what is not known of it by \a points, all different. */
+CloudTraits
+traitsOf(const Points& points,
+         const NeighborSearch* search,
+         const CloudTraits& known,
+         unsigned threads)
+{
+  if (known.points > 0)
+    return known;
+  CloudTraits traits;
+  traits.points = static_cast<double>(points.size());
+  traits.scale_unit = search != nullptr ? scaleUnit(*search, points, 1024, 1, threads)
+                                        : scaleUnit(points, 1024, 1, threads);
+  if (traits.scale_unit > 0 && std::isfinite(traits.scale_unit))
+    traits.linear_share =
+        isSmall(traits) ? 1 : linearShare(points, traits.scale_unit, threads);
+  return traits;
+}
+
 CurveNetwork
 reconstruct(const Points& all,
             const NeighborSearch* search,
@@ -198,19 +224,19 @@ reconstruct(const Points& all,
   std::optional<SubsetSearch> subset;
   if (search != nullptr && points.size() < all.size())
     search = &subset.emplace(*search, all, different);
-  const double scale_unit = search != nullptr
-                                ? scaleUnit(*search, points, 1024, 1, settings.threads)
-                                : scaleUnit(points, 1024, 1, settings.threads);
-  if (!(scale_unit > 0) || !std::isfinite(scale_unit))
+  const CloudTraits traits = traitsOf(points, search, settings.whole, settings.threads);
+  const double scale_unit = traits.scale_unit;
+  if (!(scale_unit > 0) || !std::isfinite(scale_unit) || points.empty())
     return {};
-  // In a small cloud both ways are tried; a large one is looked at first.
-  const bool small = points.size() <= most_tried_twice;
-  const double linear = small ? 1 : linearShare(points, scale_unit, settings.threads);
+  const bool small = isSmall(traits);
+  const double linear = traits.linear_share;
   ModelCurves curves;
   if (linear < curves_alone)
     curves = mixedCurves(points, scale_unit, settings, monitor);
   // Curves too noisy to be followed may be most of a cloud still.
-  if (curves.empty() && linear >= least_explained) {
+  const bool is_part = settings.whole.points > 0;
+  if (linear >= curves_alone ||
+      (curves.empty() && linear >= least_explained && !is_part)) {
     const Indices kept = thinned(points, scale_unit);
     std::optional<SubsetSearch> thin;
     if (search != nullptr && kept.size() < points.size())
@@ -228,6 +254,12 @@ reconstruct(const Points& all,
 }
 
 } // namespace
+
+CloudTraits
+cloudTraits(const Points& points, unsigned threads)
+{
+  return traitsOf(pointsAt(points, distinct(points)), nullptr, {}, threads);
+}
 
 CurveNetwork
 reconstructRefined(const Points& points,

@@ -99,11 +99,12 @@ class SceneCurves {
 public:
   SceneCurves(TrackedScene& scene,
               const RefinedSettings& settings,
+              double points,
               ProgressMonitor* monitor)
       : scene_(scene),
         settings_(settings),
         monitor_(monitor),
-        needed_(least_evidence + std::log(static_cast<double>(scene.points().size())))
+        needed_(least_evidence + std::log(points))
   {
   }
 
@@ -255,7 +256,12 @@ mixedCurves(const Points& all,
   const std::vector<TrackSeed> seeds = measureScene(scene, settings.threads, monitor);
   if (monitor)
     monitor->begin("curves", std::size(bendings) * seeds.size());
-  SceneCurves curves(scene, settings, monitor);
+  // Of the whole cloud, if this is a part of it.
+  const double share = settings.whole.points > 0
+                           ? settings.whole.points / static_cast<double>(all.size())
+                           : 1;
+  SceneCurves curves(
+      scene, settings, share * static_cast<double>(scene.points().size()), monitor);
   for (const TrackBending& bending : bendings)
     curves.follow(seeds, bending);
   return curves.release();

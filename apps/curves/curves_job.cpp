@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "curves_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include <linelet/io/hdf5_file.h>
+#include <linelet/io/output_check.h>
+
+#include "commands.h"
+#include "fragments/run_job.h"
+#include "options.h"
+
+namespace linelet::apps {
+
+namespace {
+
+/** \brief Whether \a option was set to no avail, unless the preset is the published
+ * one; an option file has all of them, most as they are anyway. */
+bool
+isOfPublishedPreset(const CLI::Option* option)
+{
+  return option->get_group() == "published" && option->count() > 0 &&
+         option->results() != std::vector<std::string>{option->get_default_str()} &&
+         !(option->get_expected_max() == 0 && option->as<std::string>() == "false");
+}
+
+bool
+isHdf5(const std::string& path)
+{
+  return path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
+}
+
+/** \brief What the reconstruction says of each curve; what it cannot know is null. */
+nlohmann::ordered_json
+measuresOf(const CurveNetwork& network)
+{
+  auto result = nlohmann::ordered_json::array();
+  for (const Curve& curve : network.curves)
+    result.push_back({{"length", length(curve)},
+                      {"closed", curve.closed},
+                      {"noise", curve.noise},
+                      {"density", curve.density},
+                      {"evidence", curve.evidence}});
+  return result;
+}
+
+} // namespace
+
+CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
+    : FragmentJob(
+          "curves",
+          "Reconstructs the curves that run through a point cloud: wires, edges, "
+          "outlines. Written by ending: .obj .ply .vtk .csv in the coordinates of "
+          "the input, .h5 with the points beside them, and .geojson (WGS 84) .gpkg "
+          ".dxf .kml .fgb .shz or what else GDAL writes. Points flagged as withheld "
+          "take no part.")
+{
+  frame_.addOutput("OUTPUT", output_, "file for the curves");
+  const OptionAdder add(frame_.app);
+  add("simplify",
+      simplify_,
+      "leave out vertices, as long as the curves stay within this "
+      "length; auto: a tenth of the noise of each; 0: none");
+  addOptions(frame_.app, settings_);
+  addOptions(frame_.app, vectors_);
+  addOptions(frame_.app, fragments_);
+  add("buffer",
+      buffer_,
+      "Fragments: how far they overlap, unit of the file; 0: chosen by the spacing of "
+      "the points");
+  frame_.parse(arguments);
+  settings_.threads = frame_.threads;
+}
+
+void
+CurvesJob::warnOfUnusedOptions()
+{
+  if (!isPublished(settings_.preset))
+    for (const CLI::Option* option : frame_.app.get_options(isOfPublishedPreset))
+      frame_.warn(option->get_name() + " has no effect without --preset published");
+}
+
+int
+CurvesJob::runWhole()
+{
+  io::checkCurvesOutput(output_);
+  warnOfUnusedOptions();
+  if (!isHdf5(output_))
+    input_.readOnly({});
+  const io::Cloud cloud = input_.read();
+  const io::UsablePoints usable = input_.usable(cloud);
+  // With those that take no part as NaN, so that --start counts as the file does.
+  const Points& points = usable.points();
+  const auto count = std::count_if(
+      points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });
+  CurveNetwork network = reconstructCurves(points, settings_, &frame_.monitor);
+  frame_.lap("curves");
+  frame_.summary["withheld"] = usable.withheld();
+  frame_.summary["ignored"] = usable.ignored();
+  finish(std::move(network),
+         static_cast<double>(count),
+         cloud.shift,
+         cloud.wkt,
+         isHdf5(output_) ? &cloud : nullptr,
+         &frame_.monitor);
+  return frame_.finish();
+}
+
+void
+CurvesJob::finish(CurveNetwork network,
+                  double points,
+                  const Point& shift,
+                  const std::string& wkt,
+                  const io::Cloud* beside,
+                  ProgressMonitor* monitor)
+{
+  double tolerance = 0; // the largest
+  for (const Curve& curve : network.curves)
+    tolerance = std::max(tolerance, simplify_.of(curve));
+  network = simplified(std::move(network), simplify_);
+  std::vector<std::string> warnings;
+  if (beside != nullptr)
+    io::writeHdf5(output_, *beside, network, monitor);
+  else
+    io::writeCurves(output_, network, shift, wkt, &warnings, monitor, vectors_);
+  frame_.warn(warnings);
+  frame_.lap("write");
+
+  const auto count = static_cast<std::size_t>(points);
+  const auto closed = static_cast<std::size_t>(
+      std::count_if(network.curves.begin(), network.curves.end(), [](const Curve& c) {
+        return c.closed;
+      }));
+  if (network.curves.empty())
+    frame_.warn("no curve found in the " + std::to_string(count) +
+                " points; the output is empty");
+  std::printf(
+      "%s: %zu curves (%zu closed), %zu junctions, length %.6g, from %zu points\n",
+      output_.c_str(),
+      network.curves.size(),
+      closed,
+      network.junctions.size(),
+      length(network),
+      count);
+  frame_.summary["points"] = count;
+  frame_.summary["curves"] = network.curves.size();
+  frame_.summary["closed"] = closed;
+  frame_.summary["junctions"] = network.junctions.size();
+  frame_.summary["vertices"] = std::accumulate(
+      network.curves.begin(),
+      network.curves.end(),
+      std::size_t{0},
+      [](std::size_t sum, const Curve& c) { return sum + c.points.size(); });
+  frame_.summary["simplify_tolerance"] = tolerance;
+  frame_.summary["length"] = length(network);
+  frame_.summary["measures"] = measuresOf(network);
+}
+
+void
+CurvesJob::check()
+{
+  io::checkCurvesOutput(output_);
+  if (isPublished(settings_.preset))
+    throw std::runtime_error("--preset published does not work in fragments; leave it "
+                             "out, or give more --memory");
+  if (isHdf5(output_))
+    throw io::FileError(output_ + ": holds all points, which are not written in "
+                                  "fragments; name .gpkg or another ending, or give "
+                                  "more --memory");
+  if (!(buffer_ >= 0) || !std::isfinite(buffer_))
+    throw std::runtime_error("--buffer must be a length, or 0");
+  warnOfUnusedOptions();
+}
+
+std::unique_ptr<FragmentJob>
+makeCurvesJob(const std::vector<std::string>& arguments)
+{
+  return std::make_unique<CurvesJob>(arguments);
+}
+
+int
+runCurves(const std::vector<std::string>& arguments)
+{
+  CurvesJob job(arguments);
+  return runJob(job, "curves", arguments);
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <linelet/curves/curve_parts.h>
+#include <linelet/curves/reconstruct_curves.h>
+#include <linelet/io/vector_file.h>
+
+#include "fragments/fragment_job.h"
+#include "simplify_curves.h"
+
+namespace linelet::apps {
+
+/** \brief The command `curves`, with its options read. */
+class CurvesJob : public FragmentJob {
+public:
+  explicit CurvesJob(const std::vector<std::string>& arguments);
+
+  const std::string&
+  place() const override
+  {
+    return output_;
+  }
+  void
+  check() override;
+  std::map<std::string, double>
+  measures() override;
+  double
+  ghost(const std::map<std::string, double>& measures) override;
+  double
+  bytesPerPoint(bool in_fragments) const override;
+  std::map<std::string, double>
+  compute(const fragments::Plan& plan,
+          const fragments::Fragment& fragment,
+          const std::string& result,
+          ProgressMonitor* monitor) override;
+  std::map<std::string, double>
+  write(const fragments::Plan& plan,
+        const std::string& folder,
+        std::size_t number,
+        const std::vector<bool>& usable,
+        ProgressMonitor* monitor) override;
+  void
+  report(const std::map<std::string, double>& figures) override;
+  int
+  runWhole() override;
+
+private:
+  void
+  warnOfUnusedOptions();
+  /** \brief Simplifies \a network, writes and tells it. */
+  void
+  finish(CurveNetwork network,
+         double points,
+         const Point& shift,
+         const std::string& wkt,
+         const io::Cloud* beside,
+         ProgressMonitor* monitor);
+
+  ReconstructionSettings settings_;
+  std::string output_;
+  SimplifyTolerance simplify_{"auto"};
+  io::VectorOptions vectors_;
+  double buffer_ = 0;
+};
+
+} // namespace linelet::apps

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "curves_part.h"
+
+#include <filesystem>
+
+#include "fragments/part_archive.h"
+
+namespace linelet::apps {
+
+namespace {
+
+template <class Archive>
+void
+pass(Archive& archive, CurvePart& part)
+{
+  const auto plain = [&](auto& one) { archive.all(one); };
+  archive.list(part.pieces, [&](CurvePiece& piece) {
+    Curve& c = piece.curve;
+    archive.list(c.points, plain);
+    archive.list(c.support, plain);
+    archive.all(c.closed, c.front, c.back, c.noise, c.density, c.evidence);
+    for (CurvePiece::Cut& cut : piece.cuts) {
+      archive.all(cut.neighbor);
+      archive.list(cut.beyond, plain);
+    }
+  });
+  archive.list(part.junctions, [&](Junction& junction) {
+    archive.all(junction.position);
+    archive.list(junction.curves, plain);
+  });
+}
+
+} // namespace
+
+void
+saveCurvePart(const std::string& result, CurvePart part)
+{
+  std::error_code ignored; // the file tells
+  std::filesystem::create_directories(std::filesystem::path(result).parent_path(),
+                                      ignored);
+  Saver saver;
+  pass(saver, part);
+  saver.save(result);
+}
+
+CurvePart
+loadCurvePart(const std::string& result)
+{
+  Loader loader(result);
+  CurvePart part;
+  pass(loader, part);
+  return part;
+}
+
+} // namespace linelet::apps

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <linelet/curves/curve_parts.h>
+
+namespace linelet {
+
+/** \brief What an end of a piece is joined to. */
+struct PieceLink {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::size_t to = none; ///< end: 2 * piece, + 1 for its back
+  bool amid = false;     ///< both were cut there: one vertex between them
+  Points bridge;         ///< vertices on the way
+};
+
+/** \brief By end. */
+using PieceLinks = std::vector<PieceLink>;
+
+/** \brief Finds the ends of \a pieces that are of one curve, see \ref joinParts.
+ * \param[in] part_of the part of each piece */
+PieceLinks
+linkEnds(const std::vector<CurvePiece>& pieces,
+         const std::vector<std::size_t>& part_of,
+         double tolerance);
+
+} // namespace linelet

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Curves in fragments are those of the whole cloud, but for what depends on the order
+// in which they are looked for.
+
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include <linelet/curves/curve_network.h>
+#include <linelet/io/vector_file.h>
+
+#include "tiles_test.h"
+
+namespace linelet::test {
+
+class CurvesFragmentsTest : public TilesTest {
+protected:
+  /** Share of the length of \a of within \a reach of \a others. */
+  static double
+  shareNear(const CurveNetwork& of, const CurveNetwork& others, double reach)
+  {
+    double near = 0, all = 0;
+    for (const Curve& curve : of.curves)
+      for (std::size_t k = 1; k < curve.points.size(); ++k) {
+        const Point middle = (curve.points[k - 1] + curve.points[k]) / 2;
+        const double size = (curve.points[k] - curve.points[k - 1]).norm();
+        all += size;
+        near += distanceTo(others, middle) <= reach ? size : 0;
+      }
+    return near / all;
+  }
+
+  static double
+  distanceTo(const CurveNetwork& network, const Point& p)
+  {
+    double least = 1e30;
+    for (const Curve& curve : network.curves)
+      for (std::size_t k = 1; k < curve.points.size(); ++k) {
+        const Point& a = curve.points[k - 1];
+        const Point way = curve.points[k] - a;
+        const double t = std::clamp(way.dot(p - a) / way.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (a + t * way - p).norm());
+      }
+    return least;
+  }
+
+  const std::string job_ = "curves --threads 1 ";
+};
+
+TEST_F(CurvesFragmentsTest, OfAFolderAreThoseOfTheWhole)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  const double chunk = std::uniform_real_distribution<double>(90, 260)(random);
+  SCOPED_TRACE("seed " + std::to_string(seed) + ", chunk " + std::to_string(chunk));
+  runWell(job_ + path("tiles") + " " + path("a.obj"));
+  runWell(job_ + path("tiles") + " " + path("b.obj") + " --chunk " +
+          std::to_string(chunk) + " --json " + path("b.json"));
+  EXPECT_GT(json(path("b.json"))["fragments"], 1);
+  EXPECT_FALSE(fs::exists(path("b.obj.fragments"))) << "nothing is to stay";
+  const CurveNetwork a = io::readCurves(path("a.obj")),
+                     b = io::readCurves(path("b.obj"));
+  EXPECT_NEAR(length(b), length(a), 0.01 * length(a));
+  EXPECT_GT(shareNear(a, b, 0.1), 0.99);
+  EXPECT_GT(shareNear(b, a, 0.1), 0.99);
+}
+
+TEST_F(CurvesFragmentsTest, VerbsAndKilledRunsWriteTheSameBytes)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::string chunk = " --chunk 150";
+  const double whole = secondsOf(job_ + path("tiles") + " " + path("a.obj") + chunk);
+  runWell("plan " + job_ + path("tiles") + " " + path("b.obj") + chunk);
+  EXPECT_EQ(run("status " + path("b.obj")).code, 1) << "not done yet";
+  expectOneLineOf("merge " + path("b.obj"), "--partial");
+  const pid_t one = start({"work", path("b.obj")});
+  runWell("work " + path("b.obj") + " --every 2/2");
+  EXPECT_EQ(waitFor(one), 0);
+  runWell("merge " + path("b.obj"));
+  EXPECT_TRUE(contents(path("a.obj")) == contents(path("b.obj")));
+
+  std::vector<std::string> arguments;
+  std::istringstream words(job_ + path("tiles") + " " + path("c.obj") + chunk);
+  for (std::string word; words >> word;)
+    arguments.push_back(word);
+  EXPECT_GT(killAgainAndAgain(arguments, path("c.obj"), 6, whole / 2, random), 2);
+  runWell(job_ + path("tiles") + " " + path("c.obj") + chunk + " --resume");
+  EXPECT_TRUE(contents(path("a.obj")) == contents(path("c.obj")));
+}
+
+TEST_F(CurvesFragmentsTest, WhatDoesNotWorkInFragmentsIsRefused)
+{
+  const std::string in = "curves --chunk 90 " + path("tiles") + " ";
+  expectOneLineOf(in + path("a.obj") + " --preset published", "--preset");
+  expectOneLineOf(in + path("a.h5"), "a.h5");
+  expectOneLineOf(in + path("a.obj") + " --buffer -1", "--buffer");
+}
+
+// One point, and none that a curve could run through.
+TEST_F(CurvesFragmentsTest, DegenerateInputs)
+{
+  write("one.xyz", "1 2 3\n");
+  write("same.xyz", "1 2 3\n1 2 3\n1 2 3\n");
+  for (const std::string name : {"one", "same"}) {
+    runWell("convert " + path(name + ".xyz") + " " + path(name + ".las"));
+    runWell("curves --chunk 1 " + path(name + ".las") + " " + path("b.obj") +
+            " --json " + path("b.json"));
+    EXPECT_EQ(json(path("b.json"))["curves"], 0);
+  }
+}
+
+} // namespace linelet::test
