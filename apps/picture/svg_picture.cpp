@@ -272,6 +272,16 @@ ellipseElement(const Eigen::Matrix3d& tensor,
          hex(mix(color, {0, 0, 0}, 0.5)) + "\" stroke-width=\"0.5\"/>\n";
 }
 
+/** \brief A square of \a color and its \a name, at the foot of the paper. */
+std::string
+legendEntry(std::size_t x, int height, const std::string& color, const char* name)
+{
+  return "<rect x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(height - 26) +
+         "\" width=\"14\" height=\"12\" fill=\"" + color + "\"/>\n<text x=\"" +
+         std::to_string(x + 20) + "\" y=\"" + std::to_string(height - 16) +
+         "\" font-size=\"13\">" + name + "</text>\n";
+}
+
 } // namespace
 
 std::string
@@ -328,12 +338,7 @@ svgOfCloud(const CloudView& view,
     const auto pure = shapeColors(colors);
     constexpr std::array<const char*, 3> names = {"linear", "planar", "spherical"};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::string x = std::to_string(24 + 110 * k),
-                        y = std::to_string(height - 16);
-      text += "<rect x=\"" + x + "\" y=\"" + std::to_string(height - 26) +
-              "\" width=\"14\" height=\"12\" fill=\"" + hex(pure[k]) +
-              "\"/>\n<text x=\"" + std::to_string(24 + 110 * k + 20) + "\" y=\"" + y +
-              "\" font-size=\"13\">" + names[k] + "</text>\n";
+      text += legendEntry(24 + 110 * k, height, hex(pure[k]), names[k]);
     }
   }
   return text + "</svg>\n";
