@@ -21,6 +21,7 @@
 #include "powerline/loose_wires.h"
 #include "powerline/next_spans.h"
 #include "powerline/place_order.h"
+#include "powerline/service_drops.h"
 #include "powerline/shows_terrain.h"
 #include "powerline/unexplained.h"
 
@@ -184,12 +185,15 @@ extractPowerLines(const Points& points,
     matchEnds(with_ends);
     if (mendBreaks(with_ends, growth, settings))
       matchEnds(with_ends);
+    if (addServiceDrops(with_ends, growth, seeds, settings))
+      matchEnds(with_ends);
     throwIfCanceled(monitor);
     std::vector<Tower> towers = buildTowers(with_ends, growth, ground, settings);
     if (dropMisled(with_ends, growth)) {
       matchEnds(with_ends);
       towers = buildTowers(with_ends, growth, ground, settings);
     }
+    carryDropsHome(with_ends, growth);
     sortByPlace(with_ends, towers);
     stages.begin("catenaries");
     network.supports = describeSupports(towers, terrain);

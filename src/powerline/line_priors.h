@@ -39,6 +39,9 @@ struct LinePriors {
   double drop_reach = 6;    ///< carried on to its line; insulators and the pole hide it
   double drop_below = 4;    ///< below the wires of its line, at most
   double drop_beside = 1.5; ///< and beside them
+  double highest_pole = 16; ///< above ground, of the wires of a line that has drops
+  double steepest_drop = 0.8; ///< slope; guys are anchored about as far from their
+                              ///< pole as they are attached high, or nearer
   /// @}
 
   /** \brief Least half second derivative, 1 / 2a, of a wire that hangs over \a span. */

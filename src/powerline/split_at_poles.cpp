@@ -8,13 +8,13 @@
 #include "powerline/groups.h"
 #include "powerline/joints.h"
 #include "powerline/line_poles.h"
+#include "powerline/line_priors.h"
 #include "powerline/vertical_slice.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double highest_pole = 16;  // meters of a wire above ground
 constexpr double same_line = 3;      // meters between wires that share their poles
 constexpr double side_by_side = 0.6; // of the shorter one
 constexpr double thin_part = 0.3;    // of the points a meter of the whole, a part has
@@ -25,7 +25,7 @@ gatherLines(const std::vector<WireWithEnds>& wires, const Candidates& candidates
 {
   std::vector<char> low(wires.size());
   for (std::size_t w = 0; w < wires.size(); ++w)
-    low[w] = heightOf(wires[w].strand.piece, candidates) < highest_pole;
+    low[w] = heightOf(wires[w].strand.piece, candidates) < LinePriors().highest_pole;
   Groups groups(wires.size());
   uniteNeighbors(
       groups, wires, same_line, [&](const WireWithEnds& a, const WireWithEnds& b) {

@@ -16,7 +16,8 @@ struct PowerLineSettings {
   double clearance = 5; ///< vegetation nearer than this is reported as a hazard
   double max_gap = 50; ///< no wire is carried on across a longer stretch without points
   double min_height = 3;  ///< wires hang higher above the terrain than this
-  double min_length = 10; ///< a shorter wire is reported only where the data cut it off
+  double min_length = 10; ///< a shorter wire is reported only where the data cut it
+                          ///< off, or as what shows of a service drop
   io::ClassFilter points; ///< which of a cloud take part
   unsigned threads = 0;   ///< 0: all
 };
@@ -34,7 +35,8 @@ describe(PowerLineSettings& s, Visit&& visit)
   visit("min-height", s.min_height, "wires hang higher above ground than this, meters");
   visit("min-length",
         s.min_length,
-        "shortest wire to report, meters; shorter where the data end");
+        "shortest wire to report, meters; shorter where the data end or it leads to a "
+        "house");
 }
 
 } // namespace powerline
