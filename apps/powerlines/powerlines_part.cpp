@@ -113,6 +113,23 @@ pass(Archive& archive, powerline::Support& s)
 
 template <class Archive>
 void
+pass(Archive& archive, powerline::Jumper& j)
+{
+  archive.all(j.id, j.support, j.from_wire, j.to_wire, j.length, j.sag, j.rms);
+  archive.all(j.points);
+  archive.list(j.course, [&](Point& p) { archive.all(p); });
+}
+
+template <class Archive>
+void
+pass(Archive& archive, powerline::InsulatorString& s)
+{
+  archive.all(s.id, s.kind, s.support, s.wire, s.jumper, s.structure, s.live);
+  archive.all(s.length, s.points);
+}
+
+template <class Archive>
+void
 pass(Archive& archive, powerline::UnexplainedLine& line)
 {
   archive.all(line.id, line.length, line.width, line.points);
@@ -127,6 +144,8 @@ pass(Archive& archive, PowerlinesPart& part)
   const auto plain = [&](auto& one) { archive.all(one); };
   archive.list(part.network.wires, each);
   archive.list(part.network.supports, each);
+  archive.list(part.network.jumpers, each);
+  archive.list(part.network.insulators, each);
   archive.list(part.network.unexplained, each);
   OwnSurroundings& own = part.surroundings;
   archive.list(own.all.points, plain);
@@ -166,7 +185,9 @@ picturePoints(const fragments::Fragment& fragment,
                              network.classes[i],
                              network.is_unexplained[i],
                              0};
-    if (point.wire > 0 || point.number_of_class == powerline::pylon_class)
+    const std::uint8_t number = point.number_of_class;
+    if (point.wire > 0 || number == powerline::wire_class ||
+        number == powerline::pylon_class || number == powerline::connector_class)
       lines.push_back(point);
     else if (cells.hold(frame.meters(p)))
       others.push_back(point);

@@ -76,6 +76,11 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
               totals.length,
               totals.doubtful);
   std::printf("%-22s %zu\n", "pylons and poles", network.supports.size());
+  if (!network.jumpers.empty() || !network.insulators.empty())
+    std::printf("%-22s %zu, %zu\n",
+                "jumpers, insulators",
+                network.jumpers.size(),
+                network.insulators.size());
   std::printf("%-22s %zu (%.0f m)\n",
               "unexplained lines",
               network.unexplained.size(),
@@ -110,6 +115,8 @@ summarize(nlohmann::ordered_json& summary,
   summary["wires"] = network.wires.size();
   summary["length"] = totals.length;
   summary["supports"] = network.supports.size();
+  summary["jumpers"] = network.jumpers.size();
+  summary["insulators"] = network.insulators.size();
   summary["unexplained_lines"] = network.unexplained.size();
   summary["unexplained_length"] = unexplainedLength(network);
   summary["ground_clearance"] = toJson(network, &Wire::ground);

@@ -48,7 +48,7 @@ measureClearances(PowerLineNetwork& network,
   Points others;
   for (std::size_t k = 0; k < candidates.points.size(); ++k) {
     const std::uint8_t c = network.classes[candidates.input[k]];
-    if (network.wire_id[candidates.input[k]] == 0 && c != pylon_class)
+    if (c != wire_class && c != pylon_class && c != connector_class)
       others.push_back(candidates.points[k]);
   }
   const UniformGrid grid(others, 2);

@@ -134,7 +134,8 @@ addStubs(std::vector<WireWithEnds>& wires,
         tried[i] = 1;
       WireWithEnds stub;
       stub.strand.piece = std::move(piece);
-      if (!weigh(growth, stub.strand.piece, relaxed).accepted ||
+      if ((!weigh(growth, stub.strand.piece, relaxed).accepted &&
+           !becomesBundle(growth, stub.strand.piece, relaxed)) ||
           !goesOn(wires, stub, underside))
         continue;
       growth.claim(stub.strand.piece, 0);

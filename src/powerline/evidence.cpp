@@ -142,6 +142,12 @@ isBundle(const Growth& growth,
 
 } // namespace
 
+bool
+becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings)
+{
+  return isBundle(growth, piece, bundle_density, settings);
+}
+
 std::vector<Piece>
 growAll(Growth& growth,
         const std::vector<Seed>& seeds,

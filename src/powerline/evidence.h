@@ -29,6 +29,11 @@ struct Evidence {
 Evidence
 weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& settings);
 
+/** \brief Makes \a piece a bundle whose conductors the points do not tell apart, if it
+ * is one and dense: its conductors then are no company. */
+bool
+becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings);
+
 /** \brief All accepted wires that grow from \a seeds, their points claimed in \a growth
  * (owner: place in the result). */
 std::vector<Piece>

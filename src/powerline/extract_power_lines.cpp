@@ -18,6 +18,7 @@
 #include "powerline/describe.h"
 #include "powerline/false_positives.h"
 #include "powerline/find_ground.h"
+#include "powerline/fittings/fittings.h"
 #include "powerline/loose_wires.h"
 #include "powerline/next_spans.h"
 #include "powerline/place_order.h"
@@ -204,6 +205,7 @@ extractPowerLines(const Points& points,
     const std::vector<int> ids = numberWires(network, with_ends);
     stages.begin("labels");
     labelPoints(network, points, with_ends, ids, towers, growth);
+    findFittings(network, candidates, settings.threads);
     findUnexplained(network, lines, candidates, settings);
     stages.begin("clearances");
     measureClearances(network, candidates, settings);

@@ -17,6 +17,8 @@ partOf(const PowerLineNetwork& network,
 {
   NetworkPart part;
   part.supports = network.supports;
+  part.jumpers = network.jumpers;
+  part.insulators = network.insulators;
   part.unexplained = network.unexplained;
   for (std::size_t w = 0; w < with_ends.size(); ++w) {
     LooseWire loose;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "powerline/describe.h"
+#include "powerline/fittings/join_fittings.h"
 #include "powerline/join_lines.h"
 #include "powerline/loose_wires.h"
 #include "powerline/place_order.h"
@@ -53,6 +54,7 @@ public:
       fitAgain(taken);
     const std::vector<int> numbers = number();
     tell(numbers, ids);
+    joinFittings(parts_, ids, network_);
     for (const NetworkPart& part : parts_)
       for (const UnexplainedLine& line : part.unexplained)
         for (UnexplainedLine& stretch : clipLine(line, part.owns))

@@ -182,6 +182,15 @@ removeWires(PowerLineNetwork& network, const std::vector<bool>& kept)
     if (wire.span > 0)
       wire.circuit = network.spans[static_cast<std::size_t>(wire.span) - 1].circuit;
   }
+  for (Jumper& jumper : network.jumpers) {
+    jumper.support = newId(supports, jumper.support);
+    jumper.from_wire = newId(wires, jumper.from_wire);
+    jumper.to_wire = newId(wires, jumper.to_wire);
+  }
+  for (InsulatorString& string : network.insulators) {
+    string.support = newId(supports, string.support);
+    string.wire = newId(wires, string.wire);
+  }
 }
 
 } // namespace

@@ -21,7 +21,8 @@ constexpr std::size_t fewest = 8;   // points of a line
 bool
 isExplained(const PowerLineNetwork& network, std::size_t input)
 {
-  return network.classes[input] == wire_class || network.classes[input] == pylon_class;
+  const std::uint8_t found = network.classes[input];
+  return found == wire_class || found == pylon_class || found == connector_class;
 }
 
 /** A step along a line: its points, and what nothing else explains of them. */

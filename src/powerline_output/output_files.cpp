@@ -84,6 +84,8 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network, const ClassScheme& s
     const std::uint8_t found = network.classes[i];
     if (found == wire_class || found == pylon_class)
       classes[i] = found == wire_class ? classOf(network, i, wire) : tower;
+    else if (found == connector_class)
+      classes[i] = connector_class;
     else if (given != nullptr && (classes[i] == wire || classes[i] == tower)) {
       ++unconfirmed;
       if (scheme.existing == ExistingClasses::Reset)

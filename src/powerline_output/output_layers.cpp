@@ -148,6 +148,60 @@ unexplainedFeature(const UnexplainedLine& line, const MetricFrame& frame)
   return feature;
 }
 
+io::Attributes
+jumperAttributes(const Jumper& jumper)
+{
+  return {{"jumper_id", whole(jumper.id)},
+          {"kind", std::string("jumper")},
+          {"pylon_id", whole(jumper.support)},
+          {"from_wire", whole(jumper.from_wire)},
+          {"to_wire", whole(jumper.to_wire)},
+          {"length", jumper.length},
+          {"sag", jumper.sag},
+          {"points", whole(jumper.points)},
+          {"rms", jumper.rms}};
+}
+
+io::VectorFeature
+jumperFeature(const Jumper& jumper, const MetricFrame& frame)
+{
+  io::VectorFeature feature;
+  for (const Point& p : jumper.course)
+    feature.vertices.push_back(frame.world(p));
+  feature.attributes = jumperAttributes(jumper);
+  feature.drawing_layer = "jumpers";
+  feature.label = "jumper " + std::to_string(jumper.id) + ", wires " +
+                  std::to_string(jumper.from_wire) + " and " +
+                  std::to_string(jumper.to_wire) + ", length " +
+                  decimals(jumper.length);
+  return feature;
+}
+
+io::Attributes
+insulatorAttributes(const InsulatorString& string)
+{
+  return {{"insulator_id", whole(string.id)},
+          {"kind", std::string(nameOf(string.kind))},
+          {"pylon_id", whole(string.support)},
+          {"wire_id", whole(string.wire)},
+          {"jumper_id", whole(string.jumper)},
+          {"length", string.length},
+          {"points", whole(string.points)}};
+}
+
+io::VectorFeature
+insulatorFeature(const InsulatorString& string, const MetricFrame& frame)
+{
+  io::VectorFeature feature;
+  feature.vertices = {frame.world(string.structure), frame.world(string.live)};
+  feature.attributes = insulatorAttributes(string);
+  feature.drawing_layer = "insulators";
+  feature.label = "insulator string " + std::to_string(string.id) + " (" +
+                  std::string(nameOf(string.kind)) + "), length " +
+                  decimals(string.length);
+  return feature;
+}
+
 } // namespace
 
 bool
@@ -181,9 +235,22 @@ powerLineLayers(const io::Cloud& cloud,
   unexplained.columns = unexplainedAttributes(UnexplainedLine());
   for (const UnexplainedLine& line : network.unexplained)
     unexplained.features.push_back(unexplainedFeature(line, frame));
-  wires.text_height = pylons.text_height = unexplained.text_height =
-      text_height / frame.units().plan;
-  return {std::move(wires), std::move(pylons), std::move(unexplained)};
+  io::VectorLayer jumpers{"jumpers", io::VectorLayer::Kind::Lines, {}, {}};
+  jumpers.columns = jumperAttributes(Jumper());
+  for (const Jumper& jumper : network.jumpers)
+    jumpers.features.push_back(jumperFeature(jumper, frame));
+  io::VectorLayer insulators{"insulators", io::VectorLayer::Kind::Lines, {}, {}};
+  insulators.columns = insulatorAttributes(InsulatorString());
+  for (const InsulatorString& string : network.insulators)
+    insulators.features.push_back(insulatorFeature(string, frame));
+  std::vector<io::VectorLayer> layers = {std::move(wires),
+                                         std::move(pylons),
+                                         std::move(unexplained),
+                                         std::move(jumpers),
+                                         std::move(insulators)};
+  for (io::VectorLayer& layer : layers)
+    layer.text_height = text_height / frame.units().plan;
+  return layers;
 }
 
 } // namespace linelet::powerline

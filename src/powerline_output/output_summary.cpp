@@ -106,6 +106,38 @@ wireJson(const Wire& wire, const MetricFrame& frame, const OutputOptions& option
 }
 
 Json
+jumperJson(const Jumper& jumper, const MetricFrame& frame)
+{
+  Json course = Json::array();
+  for (const Point& p : jumper.course)
+    course.push_back(place(p, frame));
+  return {{"jumper_id", jumper.id},
+          {"kind", "jumper"},
+          {"pylon_id", identity(jumper.support)},
+          {"from_wire", identity(jumper.from_wire)},
+          {"to_wire", identity(jumper.to_wire)},
+          {"length", number(jumper.length)},
+          {"sag", number(jumper.sag)},
+          {"points", jumper.points},
+          {"rms", number(jumper.rms)},
+          {"course", std::move(course)}};
+}
+
+Json
+insulatorJson(const InsulatorString& string, const MetricFrame& frame)
+{
+  return {{"insulator_id", string.id},
+          {"kind", std::string(nameOf(string.kind))},
+          {"pylon_id", identity(string.support)},
+          {"wire_id", identity(string.wire)},
+          {"jumper_id", identity(string.jumper)},
+          {"length", number(string.length)},
+          {"points", string.points},
+          {"structure", place(string.structure, frame)},
+          {"live", place(string.live, frame)}};
+}
+
+Json
 totals(const PowerLineNetwork& network, const OutputOptions& options)
 {
   double length = 0;
@@ -119,6 +151,14 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
     poles += support.kind == Support::Kind::Pole ? 1 : 0;
     pylon_points += support.points;
   }
+  double jumper_length = 0;
+  std::size_t jumper_points = 0, insulator_points = 0;
+  for (const Jumper& jumper : network.jumpers) {
+    jumper_length += jumper.length;
+    jumper_points += jumper.points;
+  }
+  for (const InsulatorString& string : network.insulators)
+    insulator_points += string.points;
   std::size_t unexplained_points = 0;
   for (const UnexplainedLine& line : network.unexplained)
     unexplained_points += line.points;
@@ -129,9 +169,14 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
           {"wires", network.wires.size()},
           {"pylons", network.supports.size() - poles},
           {"poles", poles},
+          {"jumpers", network.jumpers.size()},
+          {"insulators", network.insulators.size()},
           {"wire_length", number(length)},
+          {"jumper_length", number(jumper_length)},
           {"wire_points", wire_points},
           {"pylon_points", pylon_points},
+          {"jumper_points", jumper_points},
+          {"insulator_points", insulator_points},
           {"wires_below_clearance", below},
           {"wires_of_low_confidence", doubtful},
           {"unexplained_lines", network.unexplained.size()},
@@ -223,7 +268,7 @@ powerLineSummary(const io::Cloud& cloud,
                   {"clearance_limit", number(options.clearance)},
                   {"totals", totals(network, options)}});
   Json circuits = Json::array(), spans = Json::array(), wires = Json::array(),
-       pylons = Json::array();
+       pylons = Json::array(), jumpers = Json::array(), insulators = Json::array();
   for (const Circuit& circuit : network.circuits)
     circuits.push_back({{"circuit", circuit.id},
                         {"spans", identities(circuit.spans)},
@@ -246,10 +291,16 @@ powerLineSummary(const io::Cloud& cloud,
                       {"height", number(support.height)},
                       {"points", support.points},
                       {"confidence", number(support.confidence)}});
+  for (const Jumper& jumper : network.jumpers)
+    jumpers.push_back(jumperJson(jumper, frame));
+  for (const InsulatorString& string : network.insulators)
+    insulators.push_back(insulatorJson(string, frame));
   summary["circuits"] = std::move(circuits);
   summary["spans"] = std::move(spans);
   summary["wires"] = std::move(wires);
   summary["pylons"] = std::move(pylons);
+  summary["jumpers"] = std::move(jumpers);
+  summary["insulators"] = std::move(insulators);
   if (!options.hazards.empty())
     summary["hazards"] = hazardSummary(cloud, options.hazards);
   // A file name need not be UTF-8; JSON must be.

@@ -144,7 +144,7 @@ addPicture(Markup& page, const Content& content, const Frame& frame)
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
     const Point p = content.point(i);
     if (!p.allFinite() || network.classes[i] == wire_class ||
-        network.classes[i] == pylon_class)
+        network.classes[i] == pylon_class || network.classes[i] == connector_class)
       continue;
     const double column = frame.x(p) / (frame.scale * cell);
     const double row = frame.y(p) / (frame.scale * cell);

@@ -140,9 +140,10 @@ addPoints(Markup& page,
     if (s < view.from || s > view.to || p.z() < view.low || p.z() > view.high)
       continue;
     const std::uint8_t kind = content.network.classes[i];
-    Markup& dots = content.network.wire_id[i] > 0 ? wires
-                   : kind == pylon_class          ? pylons
-                                                  : others;
+    const bool carries = kind == pylon_class || kind == connector_class;
+    Markup& dots = content.network.wire_id[i] > 0 || kind == wire_class ? wires
+                   : carries                                            ? pylons
+                                                                        : others;
     dots << "M" << view.x(s) << " " << view.y(p.z()) << "h0";
   }
   page << "<path class=\"dots other\" d=\"" << others.text() << "\"/>\n"

@@ -131,6 +131,8 @@ private:
     add(number(length / 1000, 3) + " km", "of wire");
     addCount(network.supports.size() - poles, "pylon");
     addCount(poles, "pole");
+    addCount(network.jumpers.size(), "jumper");
+    addCount(network.insulators.size(), "insulator string");
     if (content.options.hazards.empty())
       add(std::to_string(below),
           "wires below " + number(content.options.clearance, 1) + " m clearance",

@@ -30,7 +30,8 @@ shownPoints(const Content& content)
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i)
     if (content.point(i).allFinite()) {
       const std::uint8_t found = content.network.classes[i];
-      (found == wire_class || found == pylon_class ? lines : others)
+      (found == wire_class || found == pylon_class || found == connector_class ? lines
+                                                                               : others)
           .push_back(static_cast<Index>(i));
     }
   Indices shown;
@@ -50,7 +51,7 @@ lookOf(const Content& content, Index i)
   const std::uint8_t found = content.network.classes[i];
   if (found == wire_class)
     return Look::Wire;
-  if (found == pylon_class)
+  if (found == pylon_class || found == connector_class)
     return Look::Tower;
   const Point p = content.point(i);
   const double height = p.z() - content.network.ground.heightAt(p.x(), p.y());

@@ -40,6 +40,8 @@ struct LooseWire {
 struct NetworkPart {
   std::vector<LooseWire> wires;
   std::vector<Support> supports;
+  std::vector<Jumper> jumpers;             ///< support, wires: ids in the part
+  std::vector<InsulatorString> insulators; ///< likewise
   std::vector<UnexplainedLine> unexplained;
   /// Whether the part owns a place in plan (coordinates of the network). Every place
   /// has one owner.
@@ -58,7 +60,8 @@ struct PartIds {
  * the attachment points there from the one that owns its axis; a wire whose attachment
  * points another part knows better is fitted again to its points. What two parts own,
  * because they place it on both sides of a border, is taken once, and so is what
- * neither of them does. A line that nothing explains is taken from every part as far as
+ * neither of them does. Jumpers and insulators are taken from the part that owns their
+ * middle. A line that nothing explains is taken from every part as far as
  * that owns its places, and joined at the borders. Spans, lines and all ids follow from
  * these as for one cloud. Parts must overlap by a whole span and its supports.
  * \param[out] ids of each part */

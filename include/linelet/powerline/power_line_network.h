@@ -21,7 +21,8 @@ namespace LINELET_PUBLIC powerline {
 
 /** \brief Classes of LAS 1.4 (ASPRS) that linelet gives. */
 constexpr std::uint8_t wire_class = 14;
-constexpr std::uint8_t pylon_class = 15; ///< transmission tower; poles as well
+constexpr std::uint8_t pylon_class = 15;     ///< transmission tower; poles as well
+constexpr std::uint8_t connector_class = 16; ///< insulators between wire and structure
 constexpr std::uint8_t unclassified = 1;
 
 /** \brief A hanging wire: a catenary in a plane that wind may have swung out.
@@ -149,6 +150,38 @@ struct Support {
   double confidence = 1;  ///< [0, 1]
 };
 
+/** \brief The loop that leads the current past a support: from the end of a conductor
+ * on one side to that of the same phase on the other, clear of the structure. */
+struct Jumper {
+  int id = 0;             ///< place in PowerLineNetwork::jumpers + 1
+  int support = 0;        ///< id; 0: gone
+  int from_wire = 0;      ///< ids of the wires that it connects; of a bundle in
+  int to_wire = 0;        ///< several vectors, one of them; 0: gone
+  Points course;          ///< vertices, from clamp to clamp
+  double length = 0;      ///< along the course, meters
+  double sag = 0;         ///< largest height of the chord above it, meters
+  double rms = 0;         ///< of the distances of its points to the course, meters
+  std::size_t points = 0; ///< cloud points of it
+};
+
+/** \brief A string of insulators, or several side by side, between a structure and a
+ * live part. */
+struct InsulatorString {
+  enum class Kind {
+    Tension,    ///< in line with a wire that ends here
+    Suspension, ///< a wire hangs from it
+    Jumper      ///< a jumper hangs from it
+  };
+  int id = 0; ///< place in PowerLineNetwork::insulators + 1
+  Kind kind = Kind::Tension;
+  int support = 0; ///< id; 0: gone
+  int wire = 0;    ///< id of the wire that it holds; 0: none
+  int jumper = 0;  ///< id of the jumper that it holds or that begins there; 0
+  Point structure = Point::Zero(), live = Point::Zero(); ///< its ends
+  double length = 0;                                     ///< between them, meters
+  std::size_t points = 0;                                ///< cloud points of it
+};
+
 /** \brief A line: spans that follow each other from support to support. */
 struct Circuit {
   int id = 0;                ///< place in PowerLineNetwork::circuits + 1
@@ -180,13 +213,16 @@ struct PowerLineNetwork {
   std::vector<Span> spans;
   std::vector<Support> supports;
   std::vector<Circuit> circuits;
+  std::vector<Jumper> jumpers;              ///< by support
+  std::vector<InsulatorString> insulators;  ///< by support
   std::vector<UnexplainedLine> unexplained; ///< the longest first
 
   /// \name One entry a point, in input order
   /// @{
-  std::vector<std::uint8_t> classes; ///< 14 wire, 15 pylon or pole that were found (1
-                                     ///< where they only were given), else as given
-  std::vector<std::int32_t> wire_id; ///< 0: none
+  std::vector<std::uint8_t> classes; ///< 14 wire or jumper, 15 pylon or pole, 16
+                                     ///< insulators that were found (1 where they only
+                                     ///< were given), else as given
+  std::vector<std::int32_t> wire_id; ///< 0: none, or a jumper
   std::vector<std::int32_t> span_id; ///< 0: none
   std::vector<float> wire_distance;  ///< to its wire, meters; NaN: none
   std::vector<std::uint8_t> is_unexplained; ///< 1: point of an \ref unexplained line
@@ -207,6 +243,16 @@ bool
 muchIsUnexplained(const PowerLineNetwork& network);
 
 } // namespace powerline
+
+template <>
+struct Names<powerline::InsulatorString::Kind> {
+  static constexpr std::string_view kind = "kind of insulator string";
+  static constexpr std::
+      array<std::pair<powerline::InsulatorString::Kind, std::string_view>, 3>
+          table = {{{powerline::InsulatorString::Kind::Tension, "tension"},
+                    {powerline::InsulatorString::Kind::Suspension, "suspension"},
+                    {powerline::InsulatorString::Kind::Jumper, "jumper"}}};
+};
 
 template <>
 struct Names<powerline::Review::Verdict> {

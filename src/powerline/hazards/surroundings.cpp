@@ -33,8 +33,10 @@ enum class Meaning : std::uint8_t { Unknown, Vegetation, Building, Support, Noth
 Meaning
 meaningOf(int given, std::uint8_t found, const SurroundingClasses& classes)
 {
-  if (found == pylon_class)
+  if (found == pylon_class || found == connector_class)
     return Meaning::Support;
+  if (found == wire_class)
+    return Meaning::Nothing; // a jumper
   if (classes.vegetation.contains(given))
     return Meaning::Vegetation;
   if (classes.buildings.contains(given))

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "powerline/fittings/support_site.h"
+
+namespace linelet::powerline {
+
+/** \brief A jumper at a site, and the points of it there. */
+struct SeenJumper {
+  Jumper jumper;
+  Indices points; ///< of the site
+};
+
+/** \brief Finds the jumpers of a site: between the clamps of two wires that leave it in
+ * different directions, points follow each other that hang clear of the structure.
+ * Sets the clamps of the ends. */
+std::vector<SeenJumper>
+findJumpers(SupportSite& site, const FittingPriors& priors);
+
+} // namespace linelet::powerline

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <linelet/powerline/power_line_network.h>
+#include <linelet/search/uniform_grid.h>
+
+#include "powerline/candidates.h"
+#include "powerline/fittings/fitting_priors.h"
+
+namespace linelet::powerline {
+
+/** \brief An end of a wire at a support. Places along it are meters from the attachment
+ * point into the span; negative ones lie beyond. */
+struct WireEnd {
+  const Wire* wire;
+  bool front;
+  double attachment;  ///< s of the catenary there
+  double earthed = 0; ///< place where the structure ends and the string begins
+  double clamp = 0;   ///< place where the jumper begins, where there is one
+  bool clamped = false;
+
+  Point
+  at(double along) const
+  {
+    return wire->curve.at(front ? attachment + along : attachment - along);
+  }
+
+  double
+  along(const Point& p) const
+  {
+    const double s = wire->curve.along(p) - attachment;
+    return front ? s : -s;
+  }
+
+  /** \brief Horizontal, unit length, into the span. */
+  Point
+  outward() const;
+};
+
+/** \brief The surroundings of one support, or of several that stand together, point by
+ * point: what is bulky, and what hangs there. */
+struct SupportSite {
+  static constexpr int none = -1;
+  static constexpr int other_wire = -2; ///< of none of \ref ends
+
+  Point axis = Point::Zero();
+  double radius = 0;         ///< in plan
+  std::vector<int> supports; ///< ids
+  std::vector<WireEnd> ends;
+  std::map<int, int> end_of; ///< by the id of its wire, or of that which it goes on as
+                             ///< where a string was taken for a span
+  Points points;
+  Indices input; ///< index of each in the input
+  std::unique_ptr<UniformGrid> grid;
+  Points direction; ///< of what is thin around a point; 0 where that is bulky
+  std::vector<char>
+      earthed;            ///< part of a structure, or of something else that is bulky
+  std::vector<char> live; ///< hangs together with wires, and is not earthed
+  std::vector<int> tube;  ///< end of a wire in whose tube it lies
+  std::vector<double> along; ///< place along that end
+
+  /** \brief Whether it hangs there and is no part of a wire that is known. */
+  bool
+  isLoose(Index i) const
+  {
+    return live[i] != 0 && tube[i] == none;
+  }
+};
+
+/** \brief The sites of all pylons that are scanned so densely that shapes are seen. */
+std::vector<SupportSite>
+findSites(const PowerLineNetwork& network,
+          const Candidates& candidates,
+          const FittingPriors& priors,
+          unsigned threads);
+
+/** \brief Groups the points that \a takes, of one body each. Empty where there are
+ * none. */
+template <class Takes>
+std::vector<Indices>
+bodiesOf(const SupportSite& site, double link, Takes&& takes)
+{
+  std::vector<char> seen(site.points.size(), 0);
+  std::vector<Indices> bodies;
+  for (Index i = 0; i < site.points.size(); ++i) {
+    if (seen[i] != 0 || !takes(i))
+      continue;
+    Indices body = {i};
+    seen[i] = 1;
+    for (std::size_t k = 0; k < body.size(); ++k)
+      site.grid->forEachWithin(site.points[body[k]], link, [&](Index j, double) {
+        if (seen[j] == 0 && takes(j)) {
+          seen[j] = 1;
+          body.push_back(j);
+        }
+      });
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+} // namespace linelet::powerline
