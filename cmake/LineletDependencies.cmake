@@ -37,6 +37,7 @@ if(LINELET_BUILD_IO AND LINELET_WITH_HDF5)
   endif()
 endif()
 if(LINELET_BUILD_IO)
+  find_package(liblzf REQUIRED CONFIG) # compressed PCD
   find_package(GDAL REQUIRED)
   find_package(Ceres REQUIRED)
   # Headers that only our sources include.

@@ -57,9 +57,10 @@ if(TARGET linelet_pcl)
 endif()
 if(TARGET linelet_io)
   if(LINELET_HDF5_FOUND)
-    set(io_private PRIVATE_REQUIRES hdf5-serial zlib)
+    set(io_private hdf5-serial zlib)
   endif()
-  linelet_component(io "Point files" LIBS io REQUIRES linelet-core ${io_private})
+  linelet_component(io "Point files"
+    LIBS io REQUIRES linelet-core PRIVATE_REQUIRES liblzf ${io_private})
   linelet_component(fragments "Fragments of clouds that do not fit"
     LIBS fragments REQUIRES linelet-io)
   linelet_component(vector "Vector files and reference systems"

@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblinelet-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libhwy-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-  "libpcl-dev, libgdal-dev, libceres-dev, libhdf5-dev, ocl-icd-opencl-dev, liblz4-dev")
+  "libpcl-dev, liblzf-dev, libgdal-dev, libceres-dev, libhdf5-dev, ocl-icd-opencl-dev, liblz4-dev")
 if(BUILD_SHARED_LIBS)
   list(APPEND CPACK_COMPONENTS_ALL libraries)
   set(version ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

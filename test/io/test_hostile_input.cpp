@@ -4,6 +4,7 @@
 // Counts that lie, text that is none: refused without allocating by them.
 
 #include <functional>
+#include <map>
 
 #include "io/readers.h"
 
@@ -78,6 +79,44 @@ TEST(HostilePcd, CountsAreCheckedAgainstTheBytes)
   expectRefusal(
       readPcd, "FIELDS x y z\nSIZE 4 4\nPOINTS 1\nDATA ascii\n1 2 3\n", "SIZE");
   expectRefusal(readPcd, pcd_front + "POINTS x\nDATA ascii\n", "line 4");
+}
+
+// Streams of LZF by hand: a byte n below 32 precedes n + 1 literal bytes; a larger one
+// copies (n >> 5) + 2 bytes, 7 << 5 says that a further byte adds to them, from as many
+// bytes back as its lower five bits and the last byte say, less one.
+TEST(HostilePcd, CompressedBytesStayWithinTheirBounds)
+{
+  const auto file = [](const std::string& packed, int points) {
+    const char sizes[8] = {
+        static_cast<char>(packed.size()), 0, 0, 0, static_cast<char>(12 * points)};
+    return pcd_front + "POINTS " + std::to_string(points) +
+           "\nDATA binary_compressed\n" + std::string(sizes, 8) + packed;
+  };
+  const std::string zeros(4, '\0');
+  const std::string one = "\x03" + zeros;
+  const std::string copy_8 = std::string("\xC0\x03", 2);
+  const Cloud whole = parse(readPcd, file(one + copy_8, 1));
+  ASSERT_EQ(whole.points.size(), 1U);
+  EXPECT_EQ(whole.points[0], linelet::Point(0, 0, 0));
+  EXPECT_EQ(parse(readPcd, file("", 0)).points.size(), 0U);
+  expectRefusal(readPcd, file(one, 0), "damaged");
+
+  const std::string copy_9 = std::string("\xE0\0\x03", 3);
+  const std::map<std::string, std::string> damaged = {
+      {"nothing", ""},
+      {"literal bytes that are cut", "\x0B" + zeros},
+      {"no distance", one + "\xC0"},
+      {"no length", one + "\xE0"},
+      {"a length but no distance", one + std::string("\xE0\0", 2)},
+      {"too few bytes", one},
+      {"too many bytes", one + copy_9},
+      {"too many literal bytes", one + copy_8 + one},
+      {"a copy from before the first byte", std::string("\xC0\0", 2)},
+      {"a copy from far before the first byte", one + "\xDF\xFF"}};
+  for (const auto& [what, packed] : damaged) {
+    SCOPED_TRACE(what);
+    expectRefusal(readPcd, file(packed, 1), "damaged");
+  }
 }
 
 TEST(HostilePcd, LosesOnlyTheCutPoint)

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <optional>
 
+#include <lzf.h>
+
 #include "io/columns.h"
 #include "io/readers.h"
 #include "io/text/text_scan.h"
-#include "lzf.h"
 
 namespace linelet::io {
 
@@ -221,7 +222,14 @@ private:
                    " bytes, which is not what " + std::to_string(*points_) +
                    " points of " + std::to_string(row_bytes_) + " bytes need");
     std::string plain(size, '\0');
-    if (!unpackLzf(data.substr(8, packed), plain))
+    // liblzf returns 0 for an error, and reads a first byte even where there is none.
+    const bool whole = packed == 0 || size == 0
+                           ? packed == size
+                           : lzf_decompress(data.data() + 8,
+                                            static_cast<unsigned>(packed),
+                                            plain.data(),
+                                            static_cast<unsigned>(size)) == size;
+    if (!whole)
       source_.fail("the compressed data are damaged");
     makeColumns(*points_);
     std::size_t at = 0, column = 0;
