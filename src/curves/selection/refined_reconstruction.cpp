@@ -45,6 +45,10 @@ constexpr double uneven = 2.5;
 // ones, noisy beside their extent, are if curves explain this share.
 constexpr double curves_alone = 0.9, least_explained = 0.5;
 constexpr double most_tried_twice = 5000; // points
+// Curves that lie nearer to their points than this, in mean distances along them, blur
+// nothing. Thinner ones by this factor, with this many times the evidence needed, do
+// not come about by chance.
+constexpr double sharp = 0.1, blurred = 10, certain = 5;
 
 /** \brief The fit of one component, made near the origin, where numbers keep their
  * digits.
@@ -146,6 +150,34 @@ explainedBy(const ModelCurves& curves)
   return sum;
 }
 
+/** \brief How far the points of \a curves lie from them, in mean distances of the
+ * points along them; mean over the points. */
+double
+thicknessOf(const ModelCurves& curves)
+{
+  double sum = 0, points = 0;
+  for (const ModelCurve& curve : curves) {
+    const double own = explainedBy({curve});
+    const double extent = length(curve);
+    sum += extent > 0 ? own * curve.noise * own / extent : 0;
+    points += own;
+  }
+  return points > 0 ? sum / points : 0;
+}
+
+/** \brief Whether \a mixed, a few thin curves, tell more of a cloud than \a alone,
+ * which explain all of it: some are sure beyond any chance, and \a alone blur them. */
+bool
+standOut(const ModelCurves& mixed, const ModelCurves& alone, double points)
+{
+  ModelCurves sure;
+  for (const ModelCurve& curve : mixed)
+    if (curve.evidence > certain * evidenceNeeded(points) &&
+        thicknessOf({curve}) < sharp)
+      sure.push_back(curve);
+  return !sure.empty() && blurred * thicknessOf(sure) < thicknessOf(alone);
+}
+
 /** \brief Curves of a cloud of hardly anything else, each connected component by
  * itself.
  * \param[in] search over \a points, or null */
@@ -245,9 +277,11 @@ reconstruct(const Points& all,
         componentCurves(pointsAt(points, kept), search, scale_unit, settings, monitor);
   }
   const double explained = explainedBy(curves);
-  if (small && explained < least_explained * static_cast<double>(points.size())) {
+  const bool little = explained < least_explained * static_cast<double>(points.size());
+  if (small && (little || thicknessOf(curves) > sharp)) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
-    if (explainedBy(mixed) > explained)
+    if ((little && explainedBy(mixed) > explained) ||
+        standOut(mixed, curves, static_cast<double>(points.size())))
       curves = std::move(mixed);
   }
   return networkOf(curves);

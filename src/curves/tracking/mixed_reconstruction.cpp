@@ -11,6 +11,7 @@
 #include <linelet/support/threads.h>
 
 #include "curves/ridges/distinct_points.h"
+#include "direction_seeds.h"
 #include "track_fit.h"
 #include "track_seeds.h"
 
@@ -45,10 +46,14 @@ constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
 // clearly. Of the scenes looked at, four fifths of what was no curve lie above, and one
 // two-hundredth of the curves.
 constexpr double widest = 0.1;
+// However clearly it stands out, a curve is longer than wide by far: in standard
+// deviations.
+constexpr double least_length = 20;
 
 // Nor is what runs along a surface a curve of its own: within so many D, on most of its
 // length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
+constexpr double own_width = 3; // standard deviations, of its own points about it
 
 double
 lengthOf(const Points& path)
@@ -69,23 +74,28 @@ countOf(const EmFit& fit)
 }
 
 // Share of \a curves right beside which a surface lies: such a curve is its edge, or a
-// row of its points.
+// row of its points. Points of its own are none, although wires side by side look like
+// a surface from them.
 double
-shareOnSurface(const TrackedScene& scene, const ModelCurves& curves)
+shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double noise)
 {
   const double reach = beside * scene.unit;
+  const double own = std::min(own_width * noise, 0.25 * reach);
   double on = 0, all = 0;
   for (const ModelCurve& curve : curves)
     for (std::size_t k = 1; k < curve.nodes.size(); ++k) {
       const Point way = curve.nodes[k] - curve.nodes[k - 1];
+      const Point direction = way.normalized();
       const double steps = std::max(1.0, std::ceil(way.norm() / reach));
       for (double i = 0; i < steps; ++i) {
         const Point p = curve.nodes[k - 1] + (i + 0.5) / steps * way;
         bool near = false;
         scene.grid.forEachRun(p, reach, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t j = begin; j < end; ++j)
-            near = near || (scene.surface[j] != 0 &&
-                            (scene.points()[j] - p).squaredNorm() <= reach * reach);
+          for (std::size_t j = begin; j < end && !near; ++j) {
+            const Point v = scene.points()[j] - p;
+            near = scene.surface[j] != 0 && v.squaredNorm() <= reach * reach &&
+                   (v - direction.dot(v) * direction).squaredNorm() > own * own;
+          }
         });
         on += near ? way.norm() / steps : 0;
         all += way.norm() / steps;
@@ -101,16 +111,16 @@ public:
               const RefinedSettings& settings,
               double points,
               ProgressMonitor* monitor)
-      : scene_(scene),
-        settings_(settings),
-        monitor_(monitor),
-        needed_(least_evidence + std::log(points))
+      : scene_(scene), settings_(settings), points_(points), monitor_(monitor)
   {
   }
 
   void
-  follow(const std::vector<TrackSeed>& seeds, const TrackBending& bending)
+  follow(const std::vector<TrackSeed>& seeds,
+         const TrackBending& bending,
+         double times_needed = 1)
   {
+    needed_ = times_needed * evidenceNeeded(points_);
     failures_.assign(scene_.points().size(), 0);
     std::size_t next = 0, tried = 0;
     const std::size_t most =
@@ -214,10 +224,11 @@ private:
       fit = fitTrack(scene_, track, FitTo::Members, stop);
     const double count = countOf(fit.fit);
     if (fit.fit.curves.empty() ||
+        length(fit.fit.curves) < least_length * fit.fit.noise ||
         (fit.fit.noise * count > widest * length(fit.fit.curves) &&
          track.evidence < very_sure * needed_))
       return false;
-    if (shareOnSurface(scene_, fit.fit.curves) > most_on_surface)
+    if (shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
       return false;
     for (std::size_t k = 0; k < fit.points.size(); ++k)
       if (fit.explained[k])
@@ -238,13 +249,20 @@ private:
 
   TrackedScene& scene_;
   const RefinedSettings& settings_;
+  double points_; // of the whole cloud
   ProgressMonitor* monitor_;
-  double needed_;
+  double needed_ = 0;         // evidence
   std::vector<int> failures_; // per point
   ModelCurves curves_;
 };
 
 } // namespace
+
+double
+evidenceNeeded(double points)
+{
+  return least_evidence + std::log(points);
+}
 
 ModelCurves
 mixedCurves(const Points& all,
@@ -264,6 +282,11 @@ mixedCurves(const Points& all,
       scene, settings, share * static_cast<double>(scene.points().size()), monitor);
   for (const TrackBending& bending : bendings)
     curves.follow(seeds, bending);
+  const std::vector<TrackSeed> sparse =
+      seedsAlongDirections(scene, settings.threads, monitor);
+  if (monitor)
+    monitor->begin("sparse curves", sparse.size());
+  curves.follow(sparse, bendings[0], sure);
   return curves.release();
 }
 

@@ -9,6 +9,11 @@
 
 namespace linelet {
 
+/** \brief The evidence, a log-likelihood ratio, that a curve among \a points must have
+ * to be taken for one. */
+double
+evidenceNeeded(double points);
+
 /** \brief Curves of a scene in which surfaces, crowns and clutter stand beside them.
  *
  * Points whose neighborhood is a surface at its own scale take no part, but stay part

@@ -107,6 +107,40 @@ TEST(MixedReconstruction, FindsNothingWhereThereIsNoCurve)
   }
 }
 
+TEST(MixedReconstruction, FewPointsOfASceneAreNoCloudOfCurves)
+{
+  // Of a sparse scan without its ground, few points are left, and thick curves through
+  // crowns and from wire to wire would explain most of them.
+  for (const unsigned seed : {5U, 6U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.03), crown(0, 1.5);
+    Points points;
+    for (int tree = 0; tree < 70; ++tree) {
+      const Point center(400 * unit(random) - 160, 20 + 60 * unit(random), 4);
+      for (int k = 0; k < 45; ++k)
+        points.emplace_back(center +
+                            Point(crown(random), crown(random), crown(random)));
+    }
+    const auto wire_at = [](int wire, double x) {
+      const double lifted = wire == 1 ? 3 : 0;
+      return Point(x, 4.0 * wire, 12 + lifted + 0.0005 * (x - 40) * (x - 40));
+    };
+    for (int wire = 0; wire < wires; ++wire)
+      for (double x = -160; x < 240; x += 2.5 * (0.5 + unit(random)))
+        points.emplace_back(wire_at(wire, x) + Point(0, noise(random), noise(random)));
+    ASSERT_LT(points.size(), 5000);
+    const CurveNetwork network = reconstructCurves(points);
+    int near = 0, all = 0;
+    for (int wire = 0; wire < wires; ++wire)
+      for (double x = -155; x < 235; x += 1, ++all)
+        near += distanceTo(network, wire_at(wire, x)) <= 0.15;
+    EXPECT_GE(near, 0.8 * all);
+    EXPECT_LE(length(network), 1.1 * wires * 400);
+  }
+}
+
 TEST(MixedReconstruction, MovesTurnsAndScalesWithTheInput)
 {
   Points points = scene(5, true);

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/support/progress_monitor.h>
+
+#include "curve_track.h"
+
+namespace linelet {
+
+/** \brief Seeds where the points of a curve lie farther apart than the next curve is
+ * away: no ball around them is linear, a narrow cylinder is.
+ *
+ * Around every point that no surface and no curve explains, the cylinder through each
+ * of its neighbors is compared with the ball that contains it: it must hold more points
+ * than chance would bring into the best of so many.
+ * \return one seed per point at most, the best first */
+std::vector<TrackSeed>
+seedsAlongDirections(const TrackedScene& scene,
+                     unsigned threads,
+                     ProgressMonitor* monitor);
+
+} // namespace linelet
