@@ -258,4 +258,10 @@ byteColors(const Cloud& cloud)
   return colors;
 }
 
+void
+appendValue(std::string& text, const Column& column, std::size_t i)
+{
+  std::visit([&](const auto& values) { appendNumber(text, values[i]); }, column.values);
+}
+
 } // namespace linelet::io

@@ -45,22 +45,6 @@ constexpr std::string_view scalar_prefix = "scalar_";
 bool
 isColor(std::string_view name);
 
-/** \brief How the coordinates of a cloud were most likely written down. */
-struct CoordinateForm {
-  bool floats = true; ///< every world coordinate is a float
-  int decimals = -1;  ///< of all world coordinates, -1: more than 9
-
-  /** \brief Whether a float is near enough to tell the coordinate. */
-  bool fits_float = true;
-};
-
-CoordinateForm
-formOf(const Cloud& cloud);
-
-/** \brief Appends a world coordinate in \a form. */
-void
-appendCoordinate(std::string& text, double value, const CoordinateForm& form);
-
 /** \brief Writes \a column's value at \a i as text. */
 void
 appendValue(std::string& text, const Column& column, std::size_t i);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "coordinate_form.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "columns.h"
 #include "io/text/text_scan.h"
 
 namespace linelet::io {
@@ -74,12 +75,6 @@ appendCoordinate(std::string& text, double value, const CoordinateForm& form)
   const auto result = std::to_chars(
       buffer, buffer + sizeof buffer, value, std::chars_format::fixed, form.decimals);
   text.append(buffer, result.ptr);
-}
-
-void
-appendValue(std::string& text, const Column& column, std::size_t i)
-{
-  std::visit([&](const auto& values) { appendNumber(text, values[i]); }, column.values);
 }
 
 } // namespace linelet::io

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "columns.h"
+#include "coordinate_form.h"
 #include "files.h"
 #include "io/text/text_scan.h"
 #include "writers.h"

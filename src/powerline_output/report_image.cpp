@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
+#include "report_image.h"
 
-#include "report_page.h"
+#include <algorithm>
 
 namespace linelet::powerline::report {
 

@@ -3,14 +3,9 @@
 
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include <linelet/io/usable_points.h>
 #include <linelet/powerline/metric_frame.h>
@@ -77,18 +72,6 @@ roundStep(double range, int count);
 std::string_view
 wireColor(int number);
 
-/** \brief \a data in base64. */
-std::string
-base64(const std::vector<std::uint8_t>& data);
-
-/** \brief An 8-bit palette picture as PNG in base64, for a data address.
- * \param[in] pixels row by row from the top, places in \a palette */
-std::string
-pngBase64(std::size_t width,
-          std::size_t height,
-          const std::vector<std::uint8_t>& pixels,
-          const std::vector<std::array<std::uint8_t, 3>>& palette);
-
 /** \brief Everything the parts of the report draw from. */
 struct Content {
   const io::Cloud& cloud;
@@ -119,28 +102,5 @@ struct Content {
   std::string
   supportName(int id) const;
 };
-
-/** \brief The lines seen from above, to scale, over a picture of the cloud. */
-void
-addPlan(Markup& page, const Content& content);
-
-/** \brief Points of the cloud beside every span, a few thousand each at most. */
-std::vector<Indices>
-pointsOfSpans(const Content& content);
-
-/** \brief The profile of a span: wires, points, terrain, attachments, clearances. */
-void
-addProfile(Markup& page,
-           const Content& content,
-           const Span& span,
-           const Indices& points);
-
-/** \brief Table of the wires of a span (see report_table.h). */
-nlohmann::ordered_json
-wireTable(const Content& content, const Span& span);
-
-/** \brief Table of all spans. */
-nlohmann::ordered_json
-spanTable(const Content& content);
 
 } // namespace linelet::powerline::report

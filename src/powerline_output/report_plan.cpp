@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "report_plan.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "report_page.h"
+#include "report_image.h"
 
 namespace linelet::powerline::report {
 

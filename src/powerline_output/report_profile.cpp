@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "report_profile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "report_page.h"
 #include "report_span_frame.h"
 
 namespace linelet::powerline::report {

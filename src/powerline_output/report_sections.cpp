@@ -7,7 +7,11 @@
 #include <set>
 #include <utility>
 
+#include "report_plan.h"
+#include "report_points.h"
+#include "report_profile.h"
 #include "report_table.h"
+#include "report_tables.h"
 
 namespace linelet::powerline::report {
 

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "report_space.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "report_image.h"
 #include "report_sections.h"
-#include "report_space.h"
 
 namespace linelet::powerline::report {
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "report_tables.h"
+
 #include <algorithm>
 #include <limits>
 #include <string>
 
-#include "report_page.h"
 #include "report_sections.h"
 #include "report_space.h"
 #include "report_table.h"

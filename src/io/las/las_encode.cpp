@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "io/columns.h"
+#include "io/coordinate_form.h"
 
 namespace linelet::io {
 
