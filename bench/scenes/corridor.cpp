@@ -8,6 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "corridor_high_voltage.h"
+#include "corridor_members.h"
+#include "corridor_objects.h"
+#include "corridor_planted.h"
+#include "corridor_poles.h"
+#include "corridor_scan.h"
 #include "corridor_scene.h"
 
 namespace linelet::bench {

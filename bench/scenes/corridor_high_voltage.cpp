@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "corridor_high_voltage.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "corridor_scene.h"
+#include "corridor_members.h"
 
 namespace linelet::bench::corridor {
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "corridor_members.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "corridor_scene.h"
 
 namespace linelet::bench::corridor {
 

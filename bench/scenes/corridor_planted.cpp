@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "corridor_planted.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "corridor_scene.h"
 
 namespace linelet::bench::corridor {
 

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "corridor_poles.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-#include "corridor_scene.h"
+#include "corridor_members.h"
 
 namespace linelet::bench::corridor {
 

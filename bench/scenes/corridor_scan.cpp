@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "corridor_scan.h"
+
 #include <algorithm>
 #include <cmath>
 
