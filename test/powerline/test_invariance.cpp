@@ -194,7 +194,9 @@ TEST_P(Invariance, OfTheUnit)
 TEST_P(Invariance, FewerPointsLoseLittleAndInventNothing)
 {
   if (GetParam() != SceneKind::Standard)
-    GTEST_SKIP() << "wires of a point or two a meter have none to spare";
+    GTEST_SKIP()
+        << "not reached on streets, seeds 1 to 4: one point in two loses up to .082 of "
+           "the recall and invents up to 35 m, one in four loses .16 to .32";
   for (const unsigned one_in : {2u, 4u}) {
     SCOPED_TRACE(testing::Message() << "one point in " << one_in);
     std::mt19937 random(seed);
