@@ -19,6 +19,15 @@ constexpr double farthest_reach = 10; // meters that a wire is carried on to its
 constexpr double least_opposed = -0.5; // cosine between the outward directions
 constexpr double curve_noise = 0.05;   // meters, of a wire carried on
 constexpr double end_spread = 3;       // meters, from the last point to the support
+constexpr double gap_deviations = 3;   // of the gap between wires that share a point
+
+// Variance of a model's place: of the fit, and of what a stiff curve cannot follow, for
+// which the scatter of its points stands.
+double
+varianceAt(const SpanModel& model, double s)
+{
+  return std::pow(model.uncertainty(s), 2) + model.sigma * model.sigma;
+}
 
 } // namespace
 
@@ -67,8 +76,10 @@ meet(const WireWithEnds& a,
   Meeting m;
   m.a = s[0];
   m.b = s[1];
-  m.gap = (p.at(s[0]) - q.at(s[1])).norm();
-  m.place = (p.at(s[0]) + q.at(s[1])) / 2;
+  m.places = {p.at(s[0]), q.at(s[1])};
+  m.gap = (m.places[0] - m.places[1]).norm();
+  if (m.gap <= gap_deviations * std::sqrt(varianceAt(p, s[0]) + varianceAt(q, s[1])))
+    m.places.fill((m.places[0] + m.places[1]) / 2);
   return m;
 }
 
@@ -131,11 +142,12 @@ matchEnds(std::vector<WireWithEnds>& wires)
     b.partner = i.wire;
     b.partner_side = i.side;
     a.fixed = b.fixed = true;
-    a.place = b.place = meet(wires[static_cast<std::size_t>(i.wire)],
-                             i.side,
-                             wires[static_cast<std::size_t>(k.wire)],
-                             k.side)
-                            .place;
+    const Meeting m = meet(wires[static_cast<std::size_t>(i.wire)],
+                           i.side,
+                           wires[static_cast<std::size_t>(k.wire)],
+                           k.side);
+    a.place = m.places[0];
+    b.place = m.places[1];
   }
 }
 

@@ -57,11 +57,15 @@ struct Crossarm {
 };
 
 /** \brief Where two wires meet that face each other: their closest approach, near their
- * ends and near the crossarm if one is known. */
+ * ends and near the crossarm if one is known.
+ *
+ * Their attachment points are one and the same where the gap is no larger than the
+ * models and the scatter of their points leave open; else each stays on its own wire.
+ */
 struct Meeting {
   double a = 0, b = 0; ///< place along each model
   double gap = 0;      ///< distance there, meters
-  Point place = Point::Zero();
+  std::array<Point, 2> places = {Point::Zero(), Point::Zero()}; ///< attachment points
 };
 
 Meeting

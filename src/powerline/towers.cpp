@@ -177,11 +177,11 @@ settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
     End& end = wire.ends[static_cast<std::size_t>(id.second)];
     if (end.partner >= 0) {
       const WireWithEnds& other = wires[static_cast<std::size_t>(end.partner)];
-      // Once for both, in the same order, so that they share the point exactly.
+      // Once for both, in the same order, so that they share a point exactly.
       if (id.first < end.partner) {
         const Meeting m = meet(wire, id.second, other, end.partner_side, arm);
-        end.place = m.place;
-        endOf(wires, {end.partner, end.partner_side}).place = m.place;
+        end.place = m.places[0];
+        endOf(wires, {end.partner, end.partner_side}).place = m.places[1];
       }
       continue;
     }
