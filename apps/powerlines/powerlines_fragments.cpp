@@ -166,10 +166,9 @@ PowerlinesJob::write(const fragments::Plan& plan,
 {
   const PowerlinesMerge merge(plan, folder, usable, reference());
   std::vector<std::string> warnings;
-  std::size_t unconfirmed = 0;
   std::vector<std::string> files = powerline::powerLineFiles(folder_, output_.compress);
-  const double points = merge.writeClassified(
-      files.front(), input_, output_.classes, unconfirmed, &warnings, monitor);
+  const CopiedPoints copied =
+      merge.writeClassified(files.front(), input_, output_.classes, &warnings, monitor);
   output_.input = extent();
   output_.hazards = powerline::findHazardsAtStates(merge.network(),
                                                    merge.surroundings(),
@@ -179,12 +178,13 @@ PowerlinesJob::write(const fragments::Plan& plan,
                                                    monitor);
   powerline::writeNetworkFiles(
       folder_, merge.pictures(), merge.network(), output_, &warnings, monitor);
-  powerline::warnOfDoubts(merge.network(), unconfirmed, output_.classes, &warnings);
+  powerline::warnOfDoubts(
+      merge.network(), copied.unconfirmed, output_.classes, &warnings);
   std::sort(warnings.begin(), warnings.end());
   warnings.erase(std::unique(warnings.begin(), warnings.end()), warnings.end());
   frame_.warn(warnings);
-  tell(merge.network(), points, files);
-  return {{"points", points}};
+  tell(merge.network(), copied.points, files);
+  return {{"points", copied.points}};
 }
 
 void

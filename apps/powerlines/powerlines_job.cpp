@@ -75,7 +75,7 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
   frame_.checkOutputs(powerline::powerLineFiles(folder_, output_.compress));
   powerline::check(output_.classes);
   powerline::check(hazards_);
-  settings_.threads = frame_.threads;
+  settings_.threads = output_.threads = frame_.threads;
   settings_.points = output_.points = input_.classes();
   output_.clearance = settings_.clearance;
   output_.source = std::filesystem::path(input_.path()).filename().string();

@@ -66,6 +66,12 @@ private:
               const fragments::Fragment& fragment,
               const io::Cloud& cloud,
               const powerline::NetworkPart& part) const;
+  /** Reads the input once more and writes it with what was found.
+   * \return points whose class is not confirmed, see powerline::classify */
+  std::size_t
+  copyInput(const powerline::PowerLineNetwork& network,
+            const Point& shift,
+            std::vector<std::string>* warnings);
   void
   tell(const powerline::PowerLineNetwork& network,
        double points,

@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include <linelet/fragments/records.h>
-#include <linelet/io/cloud_stream.h>
-#include <linelet/io/merge.h>
 #include <linelet/powerline/metric_frame.h>
 
 #include "powerlines_part.h"
@@ -65,58 +63,6 @@ rasterOver(const fragments::Plan& plan,
                             static_cast<std::size_t>(ground.rows),
                         unknown);
   return ground;
-}
-
-/** The attributes that all inputs have. */
-std::vector<std::string>
-commonAttributes(const fragments::Plan& plan,
-                 const io::ReadOptions& options,
-                 std::vector<std::string>* warnings)
-{
-  std::vector<std::string> common;
-  std::set<std::string> lost;
-  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-    io::Cloud cloud;
-    io::PointStream(plan.inputs[i].path, options, 1).next(cloud);
-    if (i == 0)
-      for (const io::Column& column : cloud.columns)
-        common.push_back(column.name);
-    for (const io::Column& column : cloud.columns)
-      if (std::find(common.begin(), common.end(), column.name) == common.end())
-        lost.insert(column.name);
-    common.erase(std::remove_if(common.begin(),
-                                common.end(),
-                                [&](const std::string& name) {
-                                  if (cloud.find(name) != nullptr)
-                                    return false;
-                                  lost.insert(name);
-                                  return true;
-                                }),
-                 common.end());
-  }
-  if (!lost.empty()) {
-    std::string names;
-    for (const std::string& name : lost)
-      names += " " + name;
-    warnings->push_back("attributes that not all inputs have are left out:" + names);
-  }
-  return common;
-}
-
-/** What a cloud of several inputs is like. */
-io::Cloud
-withoutPoints(const io::Cloud& cloud, const std::vector<std::string>& attributes)
-{
-  io::Cloud empty = cloud;
-  empty.points.clear();
-  empty.columns.clear();
-  for (const io::Column& column : cloud.columns)
-    if (std::find(attributes.begin(), attributes.end(), column.name) !=
-        attributes.end()) {
-      empty.columns.push_back(column);
-      std::visit([](auto& values) { values.clear(); }, empty.columns.back().values);
-    }
-  return empty;
 }
 
 } // namespace
@@ -235,7 +181,7 @@ PowerlinesMerge::joinTerrain()
 }
 
 void
-PowerlinesMerge::label(io::Cloud& cloud,
+PowerlinesMerge::label(const io::Cloud& cloud,
                        const std::vector<PointLabel>& labels,
                        PowerLineNetwork& found) const
 {
@@ -266,54 +212,40 @@ PowerlinesMerge::label(io::Cloud& cloud,
   }
 }
 
-double
+CopiedPoints
 PowerlinesMerge::writeClassified(const std::string& path,
                                  CloudInput& input,
                                  const powerline::ClassScheme& classes,
-                                 std::size_t& unconfirmed,
                                  std::vector<std::string>* warnings,
                                  ProgressMonitor* monitor) const
 {
   io::ReadOptions options = input.readOptions();
   options.shift = plan_.shift;
-  const std::vector<std::string> common = commonAttributes(plan_, options, warnings);
-  io::CloudSink sink(path, warnings, monitor);
-  io::Cloud first, block;
-  PowerLineNetwork found;
-  found.wires = network_.wires; // reviews name classes
-  bool begun = false;
-  double points = 0;
-  unconfirmed = 0;
-  for (std::size_t i = 0; i < plan_.inputs.size(); ++i) {
-    io::PointStream stream(plan_.inputs[i].path, options, 400000, warnings, monitor);
-    fragments::RecordStream results(plan_, folder_, i, sizeof(PointLabel), usable_);
-    while (stream.next(block)) {
-      io::Cloud cloud;
-      if (!begun) {
-        first = withoutPoints(block, common);
-        begun = true;
-      }
-      cloud = first;
-      io::append(cloud, block);
-      std::vector<PointLabel> labels(cloud.points.size());
-      if (const io::Column* given = cloud.find("classification"))
-        for (std::size_t k = 0; k < labels.size(); ++k) {
-          const auto number = static_cast<std::uint8_t>(io::valueAt(*given, k));
-          // Of the points that no fragment owns, as they take no part.
-          labels[k].number_of_class =
-              number == powerline::wire_class || number == powerline::pylon_class
-                  ? powerline::unclassified
-                  : number;
-        }
-      results.next(labels.size(), labels.data());
-      label(cloud, labels, found);
-      unconfirmed += powerline::classify(cloud, found, classes);
-      sink.add(cloud);
-      points += static_cast<double>(cloud.points.size());
-    }
-  }
-  sink.commit();
-  return points;
+  std::vector<std::string> files;
+  for (const fragments::PlannedInput& planned : plan_.inputs)
+    files.push_back(planned.path);
+  std::optional<fragments::RecordStream> results;
+  std::size_t last = files.size();
+  const auto labelBlock =
+      [&](std::size_t file, const io::Cloud& cloud, PowerLineNetwork& found) {
+        if (file != last)
+          results.emplace(plan_, folder_, file, sizeof(PointLabel), usable_);
+        last = file;
+        std::vector<PointLabel> labels(cloud.points.size());
+        if (const io::Column* given = cloud.find("classification"))
+          for (std::size_t k = 0; k < labels.size(); ++k) {
+            const auto number = static_cast<std::uint8_t>(io::valueAt(*given, k));
+            // Of the points that no fragment owns, as they take no part.
+            labels[k].number_of_class =
+                number == powerline::wire_class || number == powerline::pylon_class
+                    ? powerline::unclassified
+                    : number;
+          }
+        results->next(labels.size(), labels.data());
+        label(cloud, labels, found);
+      };
+  return copyClassified(
+      path, files, options, classes, network_.wires, labelBlock, warnings, monitor);
 }
 
 } // namespace linelet::apps

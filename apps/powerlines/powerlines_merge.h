@@ -12,6 +12,7 @@
 #include <linelet/powerline/network_part.h>
 #include <linelet/powerline_output/output_files.h>
 
+#include "classified_copy.h"
 #include "cloud_files.h"
 
 namespace linelet::apps {
@@ -52,14 +53,11 @@ public:
     return surroundings_;
   }
 
-  /** \brief Writes all inputs as one classified cloud.
-   * \param[out] unconfirmed see powerline::classify
-   * \return number of points */
-  double
+  /** \brief Writes all inputs as one classified cloud. */
+  CopiedPoints
   writeClassified(const std::string& path,
                   CloudInput& input,
                   const powerline::ClassScheme& classes,
-                  std::size_t& unconfirmed,
                   std::vector<std::string>* warnings,
                   ProgressMonitor* monitor) const;
 
@@ -71,7 +69,7 @@ private:
   void
   joinTerrain();
   void
-  label(io::Cloud& cloud,
+  label(const io::Cloud& cloud,
         const std::vector<PointLabel>& labels,
         powerline::PowerLineNetwork& found) const;
 

@@ -3,18 +3,106 @@
 
 #include "powerlines_job.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include <linelet/io/cloud_stream.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline_output/review_file.h>
+
+#include "classified_copy.h"
 
 namespace linelet::apps {
 
 using powerline::PowerLineNetwork;
 
+namespace {
+
+/** Whether the points can be read once more to be written, as pipes cannot. */
+bool
+canBeReadAgain(const std::vector<std::string>& files)
+{
+  return std::all_of(files.begin(), files.end(), [](const std::string& file) {
+    std::error_code ignored;
+    return io::CloudSink::takes(file) &&
+           std::filesystem::is_regular_file(file, ignored);
+  });
+}
+
+/** What \a network says of the points of a cloud, block by block. */
+class LabelsInOrder {
+public:
+  explicit LabelsInOrder(const PowerLineNetwork& network) : network_(network) {}
+
+  /** \throws io::FileError where there are more points than there were, or fewer */
+  void
+  take(std::size_t count, PowerLineNetwork& found)
+  {
+    if (count > network_.classes.size() - next_)
+      changed();
+    const auto copy = [&](const auto& from, auto& to) {
+      const auto begin = from.begin() + static_cast<std::ptrdiff_t>(next_);
+      to.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+    };
+    copy(network_.classes, found.classes);
+    copy(network_.wire_id, found.wire_id);
+    copy(network_.span_id, found.span_id);
+    copy(network_.wire_distance, found.wire_distance);
+    copy(network_.is_unexplained, found.is_unexplained);
+    next_ += count;
+  }
+
+  void
+  finish() const
+  {
+    if (next_ != network_.classes.size())
+      changed();
+  }
+
+private:
+  [[noreturn]] static void
+  changed()
+  {
+    throw io::FileError("the input has changed while it was worked on; run it again");
+  }
+
+  const PowerLineNetwork& network_;
+  std::size_t next_ = 0;
+};
+
+} // namespace
+
+std::size_t
+PowerlinesJob::copyInput(const PowerLineNetwork& network,
+                         const Point& shift,
+                         std::vector<std::string>* warnings)
+{
+  io::ReadOptions options = input_.readOptions();
+  options.shift = shift;
+  options.attributes.reset();
+  LabelsInOrder labels(network);
+  const CopiedPoints copied = copyClassified(
+      powerline::powerLineFiles(folder_, output_.compress).front(),
+      input_.files(),
+      options,
+      output_.classes,
+      network.wires,
+      [&](std::size_t, const io::Cloud& cloud, PowerLineNetwork& found) {
+        labels.take(cloud.points.size(), found);
+      },
+      warnings,
+      &frame_.monitor);
+  labels.finish();
+  return copied.unconfirmed;
+}
+
 int
 PowerlinesJob::runWhole()
 {
+  const bool again = canBeReadAgain(input_.files());
+  if (again)
+    input_.readOnly({"number_of_returns"});
   io::Cloud cloud = input_.read();
   refuseOtherResults(powerline::otherResultsIn(folder_, cloud, output_.source));
   powerline::makeOutputFolder(folder_, output_.compress);
@@ -40,8 +128,21 @@ PowerlinesJob::runWhole()
                                                    &frame_.monitor);
   frame_.lap("hazards");
   std::vector<std::string> warnings;
-  const std::vector<std::string> files = powerline::writePowerLineFiles(
-      folder_, std::move(cloud), network, output_, &warnings, &frame_.monitor);
+  const std::vector<std::string> files =
+      powerline::powerLineFiles(folder_, output_.compress);
+  if (again) {
+    powerline::writeNetworkFiles(
+        folder_, cloud, network, output_, &warnings, &frame_.monitor);
+    const Point shift = cloud.shift;
+    cloud = {};
+    std::vector<std::string> of_cloud;
+    const std::size_t unconfirmed = copyInput(network, shift, &of_cloud);
+    powerline::warnOfDoubts(network, unconfirmed, output_.classes, &warnings);
+    warnings.insert(warnings.end(), of_cloud.begin(), of_cloud.end());
+  }
+  else
+    powerline::writePowerLineFiles(
+        folder_, std::move(cloud), network, output_, &warnings, &frame_.monitor);
   frame_.warn(warnings);
   frame_.lap("write");
   tell(network, static_cast<double>(points), files);

@@ -16,6 +16,7 @@ struct FileWork {
   std::string name; ///< path, for messages
   std::vector<std::string>* warnings = nullptr;
   ProgressMonitor* monitor = nullptr;
+  unsigned threads = 0; ///< to write in; 0: all
 
   void
   warn(const std::string& what) const

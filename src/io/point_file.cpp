@@ -138,7 +138,7 @@ writeCloud(const std::string& path,
                     " carries a shift of its own; leave out --shifted");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
-  const Target target = {path, warnings, monitor};
+  const Target target = {path, warnings, monitor, options.threads};
   if (!options.shifted) {
     format.write(target, cloud);
     writeShift(path, Point::Zero());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -78,9 +79,15 @@ classify(io::Cloud& cloud, const PowerLineNetwork& network, const ClassScheme& s
   std::vector<std::uint8_t> classes(n, 0);
   std::size_t unconfirmed = 0;
   const io::Column* given = cloud.find("classification");
+  if (given != nullptr)
+    std::visit(
+        [&](const auto& values) {
+          std::transform(values.begin(), values.end(), classes.begin(), [](auto value) {
+            return static_cast<std::uint8_t>(static_cast<double>(value));
+          });
+        },
+        given->values);
   for (std::size_t i = 0; i < n; ++i) {
-    if (given != nullptr)
-      classes[i] = static_cast<std::uint8_t>(io::valueAt(*given, i));
     const std::uint8_t found = network.classes[i];
     if (found == wire_class || found == pylon_class)
       classes[i] = found == wire_class ? classOf(network, i, wire) : tower;
@@ -201,7 +208,9 @@ writePowerLineFiles(const std::string& folder,
       writeNetworkFiles(folder, cloud, network, options, warnings, monitor);
   const std::size_t unconfirmed = classify(cloud, network, options.classes);
   warnOfDoubts(network, unconfirmed, options.classes, warnings);
-  io::writeCloud(paths[0], cloud, {}, warnings, monitor);
+  io::WriteOptions how;
+  how.threads = options.threads;
+  io::writeCloud(paths[0], cloud, how, warnings, monitor);
   return paths;
 }
 

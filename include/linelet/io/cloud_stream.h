@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <linelet/io/cloud.h>
+#include <linelet/io/file_error.h>
 #include <linelet/io/point_file.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
@@ -46,6 +47,13 @@ private:
   ProgressMonitor* monitor_;
 };
 
+/** \brief Parts of a cloud cannot stand in one LAS file record by record; in one piece
+ * they can. */
+class PartsDiffer : public FileError {
+public:
+  using FileError::FileError;
+};
+
 /** \brief Writes a LAS or LAZ file a part at a time: byte for byte what \ref writeCloud
  * makes of all parts together. */
 class CloudSink {
@@ -54,14 +62,16 @@ public:
   static bool
   takes(const std::string& path);
 
-  /** \throws FileError unless it \ref takes it */
+  /** \param[in] threads to make and compress records in; 0: all
+   * \throws FileError unless it \ref takes it */
   explicit CloudSink(const std::string& path,
                      std::vector<std::string>* warnings = nullptr,
-                     ProgressMonitor* monitor = nullptr);
+                     ProgressMonitor* monitor = nullptr,
+                     unsigned threads = 0);
   ~CloudSink();
 
   /** \brief Adds the points of \a cloud, which has the columns of those before.
-   * \throws FileError where it does not fit to them */
+   * \throws PartsDiffer where it does not fit to them */
   void
   add(const Cloud& cloud);
 

@@ -51,6 +51,7 @@ struct WriteOptions {
   /// Write coordinates less the shift of the cloud, which goes into a file beside, PATH
   /// with .shift behind, where \ref readCloud finds it. Not for LAS, which has its own.
   bool shifted = false;
+  unsigned threads = 0; ///< to make and compress records in; 0: all
 };
 
 template <class Visit>

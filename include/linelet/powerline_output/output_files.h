@@ -74,6 +74,7 @@ struct OutputOptions {
   io::ClassFilter points;    ///< which of the cloud took part
   io::VectorOptions vectors; ///< of all vector files
   bool compress = false;     ///< classified.laz instead of classified.las
+  unsigned threads = 0;      ///< to write in; 0: all
   Provenance provenance;     ///< for the report
   /// Of all of the input, where the cloud holds but a part of it.
   std::optional<InputExtent> input;

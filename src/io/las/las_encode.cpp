@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 
+#include <linelet/support/threads.h>
+
 #include "io/columns.h"
 #include "io/coordinate_form.h"
 
@@ -18,6 +20,16 @@ fitsLasField(const LasField& field, const Column& column)
   const double largest_angle = 32767 * las_angle_step;
   return std::visit(
       [&](const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if (field.bits == 0 && !field.isAngleStep() && typeOf(column) == field.type)
+          return true;
+        if constexpr (std::is_same_v<Value, std::uint8_t>)
+          if (field.bits != 0) {
+            std::uint8_t all = 0;
+            for (const std::uint8_t value : values)
+              all |= value;
+            return all < (1U << field.bits);
+          }
         return std::all_of(values.begin(), values.end(), [&](auto value) {
           if (field.isAngleStep())
             return std::abs(static_cast<double>(value)) <= largest_angle;
@@ -133,12 +145,13 @@ writeLasExtra(const LasExtra& extra,
       });
 }
 
-LasSteps::LasSteps(const Cloud& cloud) : points_(cloud.points), shift_(cloud.shift)
+LasSteps::LasSteps(const Cloud& cloud, unsigned threads)
+    : points_(cloud.points), shift_(cloud.shift)
 {
   if (cloud.las != nullptr) {
     grid_ = cloud.las->grid;
     native_ = cloud.las->shift == cloud.shift;
-    if (holds())
+    if (holds(threads))
       return;
     replaced_ = true;
   }
@@ -157,14 +170,15 @@ LasSteps::steps(const Point& point, int axis) const
 }
 
 bool
-LasSteps::holds() const
+LasSteps::holds(unsigned threads) const
 {
-  return std::all_of(points_.begin(), points_.end(), [this](const Point& point) {
+  bool all = true;
+#pragma omp parallel for schedule(static) reduction(&& : all)                         \
+    num_threads(threadCount(threads))
+  for (std::size_t i = 0; i < points_.size(); ++i)
     for (int axis = 0; axis < 3; ++axis)
-      if (!representable<std::int32_t>(steps(point, axis)))
-        return false;
-    return true;
-  });
+      all = all && representable<std::int32_t>(steps(points_[i], axis));
+  return all;
 }
 
 void

@@ -37,8 +37,9 @@ writeLasExtra(const LasExtra& extra,
 /** \brief Grid steps of point \a i of \a cloud. */
 class LasSteps {
 public:
-  /** The grid the cloud came from where it fits, else one that fits. */
-  explicit LasSteps(const Cloud& cloud);
+  /** The grid the cloud came from where it fits, else one that fits.
+   * \param[in] threads 0: all */
+  explicit LasSteps(const Cloud& cloud, unsigned threads = 0);
 
   std::array<std::int32_t, 3>
   operator()(std::size_t i) const;
@@ -60,7 +61,7 @@ private:
   double
   steps(const Point& point, int axis) const;
   bool
-  holds() const;
+  holds(unsigned threads) const;
   void
   choose(const Cloud& cloud);
 

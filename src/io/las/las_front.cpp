@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <linelet/io/file_error.h>
+#include <linelet/support/threads.h>
 
 #include "io/columns.h"
 #include "io/source.h"
@@ -28,7 +29,10 @@ lengthOf(const std::vector<LasRecord>& records)
 } // namespace
 
 LasFront::LasFront(const FileWork& target, const Cloud& cloud, bool compress)
-    : target_(target), cloud_(cloud), steps_(cloud), layout_(chooseLasLayout(cloud))
+    : target_(target),
+      cloud_(cloud),
+      steps_(cloud, target.threads),
+      layout_(chooseLasLayout(cloud))
 {
   if (layout_.record_length > 65535)
     throw FileError(target.name + ": " + std::to_string(layout_.record_length) +
@@ -212,19 +216,39 @@ LasFront::placeWaveform(std::uint64_t end)
 }
 
 void
+LasTotals::add(const std::array<std::int32_t, 3>& at, double return_number)
+{
+  add({1, {}, at, at});
+  if (return_number >= 1 && return_number <= 15)
+    ++returns[static_cast<std::size_t>(return_number) - 1];
+}
+
+void
+LasTotals::add(const LasTotals& more)
+{
+  if (more.points == 0)
+    return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = points == 0 ? more.low[axis] : std::min(low[axis], more.low[axis]);
+    high[axis] = points == 0 ? more.high[axis] : std::max(high[axis], more.high[axis]);
+  }
+  points += more.points;
+  for (std::size_t i = 0; i < returns.size(); ++i)
+    returns[i] += more.returns[i];
+}
+
+void
 LasFront::count(LasTotals& totals) const
 {
   const Column* number = layout_.fields[1]; // return_number in every format
-  for (std::size_t i = 0; i < cloud_.points.size(); ++i) {
-    const auto at = steps_(i);
-    const bool first = totals.points++ == 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      totals.low[axis] = first ? at[axis] : std::min(totals.low[axis], at[axis]);
-      totals.high[axis] = first ? at[axis] : std::max(totals.high[axis], at[axis]);
-    }
-    const double place = number == nullptr ? 1 : valueAt(*number, i);
-    if (place >= 1 && place <= 15)
-      ++totals.returns[static_cast<std::size_t>(place) - 1];
+#pragma omp parallel num_threads(threadCount(target_.threads))
+  {
+    LasTotals part;
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < cloud_.points.size(); ++i)
+      part.add(steps_(i), number == nullptr ? 1 : valueAt(*number, i));
+#pragma omp critical(linelet_las_totals)
+    totals.add(part);
   }
 }
 

@@ -21,6 +21,14 @@ struct LasTotals {
   std::uint64_t points = 0;
   std::array<std::uint64_t, 15> returns{};
   std::array<std::int32_t, 3> low{}, high{}; ///< steps of the grid
+
+  /** \brief Takes in one point more. */
+  void
+  add(const std::array<std::int32_t, 3>& at, double return_number);
+
+  /** \brief Takes in other points. */
+  void
+  add(const LasTotals& more);
 };
 
 /** \brief A LAS file for a cloud, or for a part of one: everything but where the points

@@ -11,6 +11,7 @@
 #include "io/laz/chunk_table.h"
 #include "io/source.h"
 #include "las_front.h"
+#include "las_records.h"
 #include "laz_points.h"
 
 namespace linelet::io {
@@ -43,13 +44,14 @@ CloudSink::takes(const std::string& path)
 
 CloudSink::CloudSink(const std::string& path,
                      std::vector<std::string>* warnings,
-                     ProgressMonitor* monitor)
+                     ProgressMonitor* monitor,
+                     unsigned threads)
     : state_(std::make_unique<State>())
 {
   if (!takes(path))
     throw FileError(path + ": only .las and .laz are written part by part; name one "
                            "of these");
-  state_->target = {path, warnings, monitor};
+  state_->target = {path, warnings, monitor, threads};
   state_->compress = endingOf(path) == ".laz";
 }
 
@@ -83,9 +85,12 @@ CloudSink::State::putChunks(std::size_t points)
 {
   const std::size_t length = front->recordLength();
   const auto encoded = encodeChunks(
-      *front->compression(), points, [&](std::size_t first, std::size_t number) {
+      *front->compression(),
+      points,
+      [&](std::size_t first, std::size_t number) {
         return buffer.substr(first * length, number * length);
-      });
+      },
+      target.threads);
   for (const auto& chunk : encoded) {
     put({chunk.begin(), chunk.end()});
     chunks.push_back(static_cast<std::uint32_t>(chunk.size()));
@@ -100,22 +105,19 @@ CloudSink::add(const Cloud& cloud)
   const bool first = s.front == nullptr;
   if (first)
     s.begin(cloud);
-  const FileWork quiet{s.target.name, nullptr, s.target.monitor};
+  const FileWork quiet{s.target.name, nullptr, s.target.monitor, s.target.threads};
   const LasFront part(quiet, cloud, s.compress);
   if (!part.agreesWith(*s.front))
-    throw FileError(s.target.name +
-                    ": parts of the points need other records than the first ones; "
-                    "work on it in one piece");
+    throw PartsDiffer(s.target.name +
+                      ": parts of the points need other records than the first ones; "
+                      "work on it in one piece");
   part.count(s.totals);
-  const std::size_t count = cloud.points.size();
-  for (std::size_t i = 0; i < count; i += block_points) {
-    const std::size_t number = std::min(block_points, count - i);
+  forEachRecords(part, cloud.points.size(), s.target, [&](const std::string& records) {
     if (s.compress)
-      s.buffer += part.makeRecords(i, number);
+      s.buffer += records;
     else
-      s.put(part.makeRecords(i, number));
-    s.target.advance(number);
-  }
+      s.put(records);
+  });
   if (!s.compress)
     return;
   const std::size_t chunk = s.front->compression()->chunk_size;

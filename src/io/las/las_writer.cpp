@@ -8,6 +8,7 @@
 #include "io/source.h"
 #include "io/writers.h"
 #include "las_front.h"
+#include "las_records.h"
 #include "laz_points.h"
 
 namespace linelet::io {
@@ -21,15 +22,14 @@ write(const Target& target, const Cloud& cloud, bool compress)
   LasTotals totals;
   front.count(totals);
   const std::size_t count = cloud.points.size();
-  const auto records = [&](std::size_t first, std::size_t number) {
-    target.advance(number);
-    return front.makeRecords(first, number);
-  };
   std::optional<LazPoints> points;
   std::uint64_t bytes = count * front.recordLength();
   if (front.compression()) {
-    points.emplace(*front.compression());
-    points->encode(count, records);
+    points.emplace(*front.compression(), target.threads);
+    points->encode(count, [&](std::size_t first, std::size_t number) {
+      target.advance(number);
+      return front.makeRecords(first, number);
+    });
     bytes = points->size();
   }
   const std::string before = front.before(totals, bytes);
@@ -38,8 +38,8 @@ write(const Target& target, const Cloud& cloud, bool compress)
   if (points)
     points->write(file, before.size());
   else
-    for (std::size_t first = 0; first < count; first += block_points)
-      file.write(records(first, std::min(block_points, count - first)));
+    forEachRecords(
+        front, count, target, [&](const std::string& records) { file.write(records); });
   file.write(front.behind());
   file.commit();
 }

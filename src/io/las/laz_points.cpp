@@ -29,13 +29,14 @@ std::vector<std::vector<std::uint8_t>>
 encodeChunks(
     const laz::Layout& layout,
     std::size_t count,
-    const std::function<std::string(std::size_t first, std::size_t number)>& records)
+    const std::function<std::string(std::size_t first, std::size_t number)>& records,
+    unsigned threads)
 {
   const std::size_t size = layout.chunk_size;
   std::vector<std::vector<std::uint8_t>> chunks((count + size - 1) / size);
   std::exception_ptr problem;
   std::atomic<bool> stop{false};
-#pragma omp parallel for schedule(dynamic) num_threads(threadCount(0))
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     if (stop)
       continue;
@@ -61,7 +62,7 @@ LazPoints::encode(
     std::size_t count,
     const std::function<std::string(std::size_t first, std::size_t number)>& records)
 {
-  chunks_ = encodeChunks(layout_, count, records);
+  chunks_ = encodeChunks(layout_, count, records, threads_);
   std::vector<std::uint32_t> sizes;
   for (const auto& chunk : chunks_)
     sizes.push_back(static_cast<std::uint32_t>(chunk.size()));

@@ -17,17 +17,23 @@
 namespace linelet::io {
 
 /** \brief The chunks of \a count points, compressed in several threads at once;
- * \a records makes the records of some of them from the first on. */
+ * \a records makes the records of some of them from the first on.
+ * \param[in] threads 0: all */
 std::vector<std::vector<std::uint8_t>>
 encodeChunks(
     const laz::Layout& layout,
     std::size_t count,
-    const std::function<std::string(std::size_t first, std::size_t number)>& records);
+    const std::function<std::string(std::size_t first, std::size_t number)>& records,
+    unsigned threads);
 
 /** \brief The compressed points of a file to write. */
 class LazPoints {
 public:
-  explicit LazPoints(laz::Layout layout) : layout_(std::move(layout)) {}
+  /** \param[in] threads 0: all */
+  LazPoints(laz::Layout layout, unsigned threads)
+      : layout_(std::move(layout)), threads_(threads)
+  {
+  }
 
   /** \brief Compresses \a count points, in several threads at once; \a records makes
    * the records of some of them from the first on. */
@@ -46,6 +52,7 @@ public:
 
 private:
   laz::Layout layout_;
+  unsigned threads_;
   std::vector<std::vector<std::uint8_t>> chunks_;
   std::vector<std::uint8_t> table_;
 };
