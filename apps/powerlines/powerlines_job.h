@@ -72,6 +72,11 @@ private:
   copyInput(const powerline::PowerLineNetwork& network,
             const Point& shift,
             std::vector<std::string>* warnings);
+  /** The same with all attributes held at once, of inputs that differ too much. */
+  std::size_t
+  writeInOnePiece(const powerline::PowerLineNetwork& network,
+                  const Point& shift,
+                  std::vector<std::string>* warnings);
   void
   tell(const powerline::PowerLineNetwork& network,
        double points,

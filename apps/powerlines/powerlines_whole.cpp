@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <linelet/io/cloud_stream.h>
+#include <linelet/io/merge.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline_output/review_file.h>
 
@@ -97,6 +98,33 @@ PowerlinesJob::copyInput(const PowerLineNetwork& network,
   return copied.unconfirmed;
 }
 
+std::size_t
+PowerlinesJob::writeInOnePiece(const PowerLineNetwork& network,
+                               const Point& shift,
+                               std::vector<std::string>* warnings)
+{
+  io::ReadOptions all = input_.readOptions();
+  all.shift = shift;
+  all.attributes.reset();
+  io::Cloud cloud;
+  for (const std::string& file : input_.files()) {
+    io::Cloud more = io::readCloud(file, all, warnings, &frame_.monitor);
+    if (cloud.las == nullptr)
+      cloud = std::move(more);
+    else
+      io::append(cloud, more, warnings);
+  }
+  const std::size_t unconfirmed = powerline::classify(cloud, network, output_.classes);
+  io::WriteOptions options;
+  options.threads = frame_.threads;
+  io::writeCloud(powerline::powerLineFiles(folder_, output_.compress).front(),
+                 cloud,
+                 options,
+                 warnings,
+                 &frame_.monitor);
+  return unconfirmed;
+}
+
 int
 PowerlinesJob::runWhole()
 {
@@ -136,7 +164,13 @@ PowerlinesJob::runWhole()
     const Point shift = cloud.shift;
     cloud = {};
     std::vector<std::string> of_cloud;
-    const std::size_t unconfirmed = copyInput(network, shift, &of_cloud);
+    std::size_t unconfirmed = 0;
+    try {
+      unconfirmed = copyInput(network, shift, &of_cloud);
+    }
+    catch (const io::PartsDiffer&) {
+      unconfirmed = writeInOnePiece(network, shift, &of_cloud);
+    }
     powerline::warnOfDoubts(network, unconfirmed, output_.classes, &warnings);
     warnings.insert(warnings.end(), of_cloud.begin(), of_cloud.end());
   }

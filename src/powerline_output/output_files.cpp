@@ -13,6 +13,9 @@
 #include <linelet/io/output_file.h>
 #include <linelet/io/point_file.h>
 #include <linelet/powerline_output/output_files.h>
+#include <linelet/support/threads.h>
+
+#include "support/parallel_failure.h"
 
 namespace linelet::powerline {
 
@@ -153,28 +156,38 @@ writeNetworkFiles(const std::string& folder,
   check(options.classes);
   const std::vector<std::string> paths = powerLineFiles(folder, options.compress);
   const auto layers = powerLineLayers(cloud, network, options);
-  const auto writeLayers = [&](const std::string& path,
-                               const std::vector<io::VectorLayer>& content,
-                               std::vector<std::string>* told) {
-    io::VectorOptions vectors = options.vectors;
-    if (path.substr(path.rfind('.')) == ".geojson" && !vectors.keep_crs)
-      vectors.output_crs.clear(); // it is in WGS 84 by its standard
-    io::writeLayers(path, content, cloud.wkt, told, monitor, vectors);
-  };
-  for (std::size_t i = 1; i <= 3; ++i)
-    writeLayers(paths[i], layers, warnings);
   const auto hazards = hazardLayers(cloud, options.hazards);
-  for (std::size_t i = 4; i <= 6; ++i)
-    writeLayers(paths[i], hazards, nullptr);
-  for (std::size_t i = 7; i <= 9; ++i) {
-    const auto name = std::filesystem::path(paths[i]).stem().string();
-    for (const io::VectorLayer& layer : hazards)
-      if (layer.name == name)
-        writeLayers(paths[i], {layer}, nullptr);
-  }
-  writeText(paths[10], powerLineSummary(cloud, network, options));
-  throwIfCanceled(monitor);
-  writeText(paths[11], powerLineReport(cloud, network, options, monitor));
+  const std::string report = powerLineReport(cloud, network, options, monitor);
+  std::vector<std::vector<std::string>> told(paths.size());
+  const auto writeFile = [&](std::size_t i) {
+    if (i == 10)
+      return writeText(paths[i], powerLineSummary(cloud, network, options));
+    if (i == 11)
+      return writeText(paths[i], report);
+    const std::filesystem::path path = paths[i];
+    io::VectorOptions vectors = options.vectors;
+    if (path.extension() == ".geojson" && !vectors.keep_crs)
+      vectors.output_crs.clear(); // it is in WGS 84 by its standard
+    const auto one =
+        std::find_if(hazards.begin(), hazards.end(), [&](const auto& layer) {
+          return path.extension() == ".csv" && layer.name == path.stem().string();
+        });
+    const auto& content = i <= 3 ? layers : hazards;
+    io::writeLayers(paths[i],
+                    one == hazards.end() ? content : std::vector<io::VectorLayer>{*one},
+                    cloud.wkt,
+                    i <= 3 ? &told[i] : nullptr,
+                    monitor,
+                    vectors);
+  };
+  ParallelFailure failure;
+#pragma omp parallel for schedule(dynamic) num_threads(threadCount(options.threads))
+  for (std::size_t i = 1; i < paths.size(); ++i)
+    failure.guard([&] { writeFile(i); });
+  failure.rethrow();
+  if (warnings != nullptr)
+    for (const auto& sentences : told)
+      warnings->insert(warnings->end(), sentences.begin(), sentences.end());
   return paths;
 }
 

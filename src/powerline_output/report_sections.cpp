@@ -4,14 +4,18 @@
 #include "report_sections.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
+
+#include <linelet/support/threads.h>
 
 #include "report_plan.h"
 #include "report_points.h"
 #include "report_profile.h"
 #include "report_table.h"
 #include "report_tables.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::powerline::report {
 
@@ -212,23 +216,33 @@ settingsSection(const Content& content)
 std::vector<Section>
 sectionsOf(const Content& content, const ProgressMonitor* monitor)
 {
-  std::vector<Section> sections = {summarySection(content)};
-  throwIfCanceled(monitor);
-  sections.push_back(planSection(content));
-  throwIfCanceled(monitor);
+  using Maker = std::function<Section()>;
+  std::vector<Maker> makers = {[&] { return summarySection(content); },
+                               [&] { return planSection(content); }};
   if (!content.network.wires.empty()) {
-    sections.push_back(spaceSection(content));
+    makers.emplace_back([&] { return spaceSection(content); });
     const std::size_t states = content.options.hazards.size();
-    sections.push_back(states > 0 ? hazardsSection(content)
-                                  : clearancesSection(content));
+    makers.emplace_back([&content, states] {
+      return states > 0 ? hazardsSection(content) : clearancesSection(content);
+    });
     if (states > 1)
-      sections.push_back(statesSection(content));
-    sections.push_back(spansSection(content));
-    sections.push_back(profilesSection(content, monitor));
+      makers.emplace_back([&] { return statesSection(content); });
+    makers.emplace_back([&] { return spansSection(content); });
+    makers.emplace_back([&] { return profilesSection(content, monitor); });
   }
   const Provenance& from = content.options.provenance;
   if (!from.inputs.empty() || !from.settings.empty())
-    sections.push_back(settingsSection(content));
+    makers.emplace_back([&] { return settingsSection(content); });
+  std::vector<Section> sections(makers.size());
+  ParallelFailure failure;
+#pragma omp parallel for schedule(dynamic)                                             \
+    num_threads(threadCount(content.options.threads))
+  for (std::size_t k = 0; k < makers.size(); ++k)
+    failure.guard([&] {
+      throwIfCanceled(monitor);
+      sections[k] = makers[k]();
+    });
+  failure.rethrow();
   return sections;
 }
 
