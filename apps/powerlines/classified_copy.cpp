@@ -77,6 +77,7 @@ copyClassified(const std::string& path,
                const std::vector<std::string>& files,
                const io::ReadOptions& options,
                const powerline::ClassScheme& classes,
+               const std::string& wkt,
                const std::vector<powerline::Wire>& wires,
                const LabelBlock& label,
                std::vector<std::string>* warnings,
@@ -99,6 +100,8 @@ copyClassified(const std::string& path,
       io::Cloud cloud = several ? first : std::move(block);
       if (several)
         io::append(cloud, block);
+      if (cloud.wkt.empty())
+        cloud.wkt = wkt;
       label(i, cloud, found);
       copied.unconfirmed += powerline::classify(cloud, found, classes);
       sink.add(cloud);

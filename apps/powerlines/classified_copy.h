@@ -29,6 +29,7 @@ struct CopiedPoints {
  * and what was found, so that nobody need hold their attributes.
  * \param[in] path .las or .laz
  * \param[in] options how to read them, with the shift of all, and threads
+ * \param[in] wkt reference system, where the first file tells none
  * \param[in] wires of the network, whose reviews name classes
  * \throws io::PartsDiffer where they cannot be written in this way, io::FileError */
 CopiedPoints
@@ -36,6 +37,7 @@ copyClassified(const std::string& path,
                const std::vector<std::string>& files,
                const io::ReadOptions& options,
                const powerline::ClassScheme& classes,
+               const std::string& wkt,
                const std::vector<powerline::Wire>& wires,
                const LabelBlock& label,
                std::vector<std::string>* warnings,

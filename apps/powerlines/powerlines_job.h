@@ -71,11 +71,13 @@ private:
   std::size_t
   copyInput(const powerline::PowerLineNetwork& network,
             const Point& shift,
+            const std::string& wkt,
             std::vector<std::string>* warnings);
   /** The same with all attributes held at once, of inputs that differ too much. */
   std::size_t
   writeInOnePiece(const powerline::PowerLineNetwork& network,
                   const Point& shift,
+                  const std::string& wkt,
                   std::vector<std::string>* warnings);
   void
   tell(const powerline::PowerLineNetwork& network,

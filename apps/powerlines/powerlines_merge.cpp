@@ -244,8 +244,15 @@ PowerlinesMerge::writeClassified(const std::string& path,
         results->next(labels.size(), labels.data());
         label(cloud, labels, found);
       };
-  return copyClassified(
-      path, files, options, classes, network_.wires, labelBlock, warnings, monitor);
+  return copyClassified(path,
+                        files,
+                        options,
+                        classes,
+                        pictures_.wkt,
+                        network_.wires,
+                        labelBlock,
+                        warnings,
+                        monitor);
 }
 
 } // namespace linelet::apps

@@ -77,6 +77,7 @@ private:
 std::size_t
 PowerlinesJob::copyInput(const PowerLineNetwork& network,
                          const Point& shift,
+                         const std::string& wkt,
                          std::vector<std::string>* warnings)
 {
   io::ReadOptions options = input_.readOptions();
@@ -88,6 +89,7 @@ PowerlinesJob::copyInput(const PowerLineNetwork& network,
       input_.files(),
       options,
       output_.classes,
+      wkt,
       network.wires,
       [&](std::size_t, const io::Cloud& cloud, PowerLineNetwork& found) {
         labels.take(cloud.points.size(), found);
@@ -101,6 +103,7 @@ PowerlinesJob::copyInput(const PowerLineNetwork& network,
 std::size_t
 PowerlinesJob::writeInOnePiece(const PowerLineNetwork& network,
                                const Point& shift,
+                               const std::string& wkt,
                                std::vector<std::string>* warnings)
 {
   io::ReadOptions all = input_.readOptions();
@@ -114,6 +117,8 @@ PowerlinesJob::writeInOnePiece(const PowerLineNetwork& network,
     else
       io::append(cloud, more, warnings);
   }
+  if (cloud.wkt.empty())
+    cloud.wkt = wkt;
   const std::size_t unconfirmed = powerline::classify(cloud, network, output_.classes);
   io::WriteOptions options;
   options.threads = frame_.threads;
@@ -162,14 +167,15 @@ PowerlinesJob::runWhole()
     powerline::writeNetworkFiles(
         folder_, cloud, network, output_, &warnings, &frame_.monitor);
     const Point shift = cloud.shift;
+    const std::string wkt = cloud.wkt;
     cloud = {};
     std::vector<std::string> of_cloud;
     std::size_t unconfirmed = 0;
     try {
-      unconfirmed = copyInput(network, shift, &of_cloud);
+      unconfirmed = copyInput(network, shift, wkt, &of_cloud);
     }
     catch (const io::PartsDiffer&) {
-      unconfirmed = writeInOnePiece(network, shift, &of_cloud);
+      unconfirmed = writeInOnePiece(network, shift, wkt, &of_cloud);
     }
     powerline::warnOfDoubts(network, unconfirmed, output_.classes, &warnings);
     warnings.insert(warnings.end(), of_cloud.begin(), of_cloud.end());
