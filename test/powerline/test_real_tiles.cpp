@@ -204,18 +204,22 @@ TEST_P(DronePylon, ShowsItsConductorsAndNoWiresOfItsLattice)
   EXPECT_LE(lattice, 0.10 * wires);
 }
 
-// With insulators, which the people who labeled them call wires too.
-class DroneFittings : public ::testing::TestWithParam<const char*> {};
+// With insulators, which the people who labeled them call wires too: nine tenths, but
+// for two pylons whose strings are hardly told from their crossarms.
+struct LabeledPylon {
+  const char* number;
+  double least_recall = 0.90;
+};
+
+class DroneFittings : public ::testing::TestWithParam<LabeledPylon> {};
 
 TEST_P(DroneFittings, AreNineTenthsOfWhatIsLabeledWireWithItsConductors)
 {
   const std::string name =
-      std::string("lidar/uav_towers/uavtower_") + GetParam() + ".las";
+      std::string("lidar/uav_towers/uavtower_") + GetParam().number + ".las";
   LINELET_NEEDS_DATA(name);
   const Tile tile = read(name);
-  NetworkPart as_the_command_does;
-  const PowerLineNetwork n =
-      extractPowerLines(tile.points, {}, {}, nullptr, &as_the_command_does);
+  const PowerLineNetwork n = extractPowerLines(tile.points);
   EXPECT_FALSE(n.insulators.empty());
   double hit = 0, extra = 0, missed = 0;
   for (std::size_t i = 0; i < tile.truth.size(); ++i) {
@@ -225,14 +229,22 @@ TEST_P(DroneFittings, AreNineTenthsOfWhatIsLabeledWireWithItsConductors)
     extra += !is && said;
     missed += is && !said;
   }
-  EXPECT_GE(hit, 0.90 * (hit + missed));
+  EXPECT_GE(hit, GetParam().least_recall * (hit + missed));
   EXPECT_GE(hit, 0.99 * (hit + extra));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Even,
-    DroneFittings,
-    ::testing::Values("002", "003", "004", "005", "006", "008", "010"));
+INSTANTIATE_TEST_SUITE_P(All,
+                         DroneFittings,
+                         ::testing::Values(LabeledPylon{"001", 0.88},
+                                           LabeledPylon{"002"},
+                                           LabeledPylon{"003"},
+                                           LabeledPylon{"004"},
+                                           LabeledPylon{"005"},
+                                           LabeledPylon{"006"},
+                                           LabeledPylon{"007"},
+                                           LabeledPylon{"008"},
+                                           LabeledPylon{"009", 0.87},
+                                           LabeledPylon{"010"}));
 
 INSTANTIATE_TEST_SUITE_P(
     All,
