@@ -60,7 +60,9 @@ expectSameInFeet(const std::vector<io::VectorLayer>& feet,
   ASSERT_EQ(feet.size(), meters.size());
   for (std::size_t l = 0; l < feet.size(); ++l) {
     ASSERT_EQ(feet[l].features.size(), meters[l].features.size());
-    ASSERT_FALSE(meters[l].features.empty());
+    // These scans are too coarse for jumpers and insulators.
+    ASSERT_EQ(meters[l].features.empty(),
+              meters[l].name == "jumpers" || meters[l].name == "insulators");
     for (std::size_t f = 0; f < feet[l].features.size(); ++f) {
       SCOPED_TRACE(meters[l].features[f].label);
       const io::VectorFeature& a = feet[l].features[f];
