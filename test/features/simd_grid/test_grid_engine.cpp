@@ -53,8 +53,9 @@ TEST(GridEngine, AgreesForEveryKernelAndCentroid)
       settings.radius = 1;
       settings.weighting = weightingOf(kernel.first);
       settings.centroid = centroid.first;
-      if (!isUnbounded(kernel.first) || centroid.first == Centroid::QueryPoint)
+      if (!isUnbounded(kernel.first) || centroid.first == Centroid::QueryPoint) {
         EXPECT_TRUE(gridAgrees(points, settings, {}, 80));
+      }
       // Every kernel also weights centroids.
       if (centroid.first == Centroid::WeightedMean) {
         settings.centroid_weighting = settings.weighting;
