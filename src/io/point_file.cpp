@@ -110,7 +110,8 @@ readCloud(const std::string& path,
   const MappedFile file(path, monitor);
   if (monitor != nullptr)
     monitor->begin("reading", 0);
-  Cloud cloud = format.read({{path, warnings, monitor}, file.bytes(), options});
+  const FileWork work{path, warnings, monitor};
+  Cloud cloud = format.read(Source(work, file.bytes(), options));
   if (format.read != readLas) {
     cloud.shift += readShift(path);
     if (options.shift)

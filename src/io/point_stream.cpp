@@ -44,8 +44,8 @@ PointStream::nextOfLas(Cloud& cloud)
   // Mapped block by block, so that only a block at a time is resident.
   const MappedFile file(path_, monitor_);
   std::size_t passed = 0;
-  Source source{
-      {path_, begun_ ? nullptr : warnings_, monitor_}, file.bytes(), options_};
+  const FileWork work{path_, begun_ ? nullptr : warnings_, monitor_};
+  Source source(work, file.bytes(), options_);
   source.first = first_;
   source.behind = first_ + block_;
   source.passed = &passed;

@@ -52,7 +52,8 @@ TEST(RefinedReconstruction, DegenerateInputGivesNoCurveOrOneThatIsFinite)
   for (const Curve& curve : reconstructRefined(collinear).curves)
     for (const Point& p : curve.points)
       EXPECT_TRUE(p.allFinite());
-  EXPECT_THROW(reconstructRefined(collinear, {0, 0, nan, 1, {}}), std::invalid_argument);
+  EXPECT_THROW(reconstructRefined(collinear, {0, 0, nan, 1, {}}),
+               std::invalid_argument);
 }
 
 TEST(RefinedReconstruction, SurfacesAndVolumesAreNoCurves)
