@@ -110,8 +110,13 @@ readCloud(const std::string& path,
   const MappedFile file(path, monitor);
   if (monitor != nullptr)
     monitor->begin("reading", 0);
-  const FileWork work{path, warnings, monitor};
-  Cloud cloud = format.read(Source(work, file.bytes(), options));
+  Source source;
+  source.name = path;
+  source.warnings = warnings;
+  source.monitor = monitor;
+  source.bytes = file.bytes();
+  source.options = options;
+  Cloud cloud = format.read(source);
   if (format.read != readLas) {
     cloud.shift += readShift(path);
     if (options.shift)

@@ -44,8 +44,12 @@ PointStream::nextOfLas(Cloud& cloud)
   // Mapped block by block, so that only a block at a time is resident.
   const MappedFile file(path_, monitor_);
   std::size_t passed = 0;
-  const FileWork work{path_, begun_ ? nullptr : warnings_, monitor_};
-  Source source(work, file.bytes(), options_);
+  Source source;
+  source.name = path_;
+  source.warnings = begun_ ? nullptr : warnings_;
+  source.monitor = monitor_;
+  source.bytes = file.bytes();
+  source.options = options_;
   source.first = first_;
   source.behind = first_ + block_;
   source.passed = &passed;

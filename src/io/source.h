@@ -20,11 +20,6 @@ namespace linelet::io {
  *
  * Readers work on memory: a mapped file, or what a fuzzer made up. */
 struct Source : FileWork {
-  Source(const FileWork& work, std::string_view content, const ReadOptions& read)
-      : FileWork(work), bytes(content), options(read)
-  {
-  }
-
   std::string_view bytes;
   ReadOptions options;
   /// LAS: only the blocks (chunks) that begin at these points of the file.
