@@ -158,7 +158,7 @@ TEST_F(Classes, OfPowerLinesAreThoseAskedFor)
   EXPECT_EQ(a[15], b[64]);
   expectOneLineOf("powerlines " + corridor_ + " " + other + " --wire-class 300", "300");
   expectOneLineOf("powerlines " + corridor_ + " " + other + " --wire-class 15",
-                  "different ones");
+                  "choose different classes");
 }
 
 TEST_F(Classes, ThatCameWithTheFileStayOrGo)

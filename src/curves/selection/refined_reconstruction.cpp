@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <linelet/search/scale_unit.h>
 #include <linelet/search/subset_search.h>
 #include <linelet/support/text.h>
@@ -49,6 +51,8 @@ constexpr double most_tried_twice = 5000; // points
 // nothing. Thinner ones by this factor, with this many times the evidence needed, do
 // not come about by chance.
 constexpr double sharp = 0.1, blurred = 10, certain = 5;
+// Nor is a cloud of so many D a shape, whose noise may vary along it, but a scene.
+constexpr double scene_extent = 150;
 
 /** \brief The fit of one component, made near the origin, where numbers keep their
  * digits.
@@ -178,6 +182,16 @@ standOut(const ModelCurves& mixed, const ModelCurves& alone, double points)
   return !sure.empty() && blurred * thicknessOf(sure) < thicknessOf(alone);
 }
 
+/** \brief Diagonal of the box around \a points. */
+double
+extentOf(const Points& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Point& p : points)
+    box.extend(p);
+  return box.diagonal().norm();
+}
+
 /** \brief Curves of a cloud of hardly anything else, each connected component by
  * itself.
  * \param[in] search over \a points, or null */
@@ -281,7 +295,8 @@ reconstruct(const Points& all,
   if (small && (little || thicknessOf(curves) > sharp)) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
     if ((little && explainedBy(mixed) > explained) ||
-        standOut(mixed, curves, static_cast<double>(points.size())))
+        (extentOf(points) > scene_extent * scale_unit &&
+         standOut(mixed, curves, static_cast<double>(points.size()))))
       curves = std::move(mixed);
   }
   return networkOf(curves);
