@@ -13,9 +13,6 @@
 #include <linelet/io/output_file.h>
 #include <linelet/io/point_file.h>
 #include <linelet/powerline_output/output_files.h>
-#include <linelet/support/threads.h>
-
-#include "support/parallel_failure.h"
 
 namespace linelet::powerline {
 
@@ -180,11 +177,10 @@ writeNetworkFiles(const std::string& folder,
                     monitor,
                     vectors);
   };
-  ParallelFailure failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threadCount(options.threads))
+  // One after the other: GDAL's drivers crash now and then when they write side by
+  // side.
   for (std::size_t i = 1; i < paths.size(); ++i)
-    failure.guard([&] { writeFile(i); });
-  failure.rethrow();
+    writeFile(i);
   if (warnings != nullptr)
     for (const auto& sentences : told)
       warnings->insert(warnings->end(), sentences.begin(), sentences.end());
