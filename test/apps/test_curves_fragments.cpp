@@ -48,6 +48,16 @@ protected:
     return least;
   }
 
+  static double
+  longestEdge(const CurveNetwork& network)
+  {
+    double longest = 0;
+    for (const Curve& curve : network.curves)
+      for (std::size_t k = 1; k < curve.points.size(); ++k)
+        longest = std::max(longest, (curve.points[k] - curve.points[k - 1]).norm());
+    return longest;
+  }
+
   const std::string job_ = "curves --threads 1 ";
 };
 
@@ -69,6 +79,26 @@ TEST_F(CurvesFragmentsTest, OfAFolderAreThoseOfTheWhole)
   EXPECT_NEAR(length(b), length(a), 0.05 * length(a));
   EXPECT_GT(shareNear(a, b, 0.1), 0.95);
   EXPECT_GT(shareNear(b, a, 0.1), 0.95);
+}
+
+// Nothing is joined through empty space, wherever the borders are.
+TEST_F(CurvesFragmentsTest, JoinedCurvesHaveNoLongSteps)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::string all = job_ + "--simplify 0 " + path("tiles") + " ";
+  runWell(all + path("a.obj"));
+  // Vertices lie as far apart as the points of a curve ask for, which is measured where
+  // a fragment sees it.
+  const double most = 1.5 * longestEdge(io::readCurves(path("a.obj")));
+  std::vector<double> chunks = {95, 122.302271};
+  for (int i = 0; i < 4; ++i)
+    chunks.push_back(std::uniform_real_distribution<double>(60, 260)(random));
+  for (const double chunk : chunks) {
+    runWell(all + path("b.obj") + " --chunk " + std::to_string(chunk));
+    EXPECT_LT(longestEdge(io::readCurves(path("b.obj"))), most) << "chunk " << chunk;
+  }
 }
 
 TEST_F(CurvesFragmentsTest, VerbsAndKilledRunsWriteTheSameBytes)

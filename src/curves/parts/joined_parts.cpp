@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -52,22 +53,14 @@ public:
       return;
     }
     const bool counted = !curve_.support.empty() && !next.support.empty();
-    auto begin = next.points.begin();
-    auto counts = next.support.begin();
-    const Points& bridge = link.bridge;
-    if (link.amid) {
-      curve_.points.back() = (curve_.points.back() + *begin++) / 2;
-      if (counted)
-        curve_.support.back() += *counts++;
-    }
-    curve_.points.insert(curve_.points.end(), bridge.begin(), bridge.end());
-    curve_.points.insert(curve_.points.end(), begin, next.points.end());
-    if (counted) {
-      curve_.support.insert(curve_.support.end(), bridge.size(), 0);
-      curve_.support.insert(curve_.support.end(), counts, next.support.end());
-    }
-    else
+    if (!counted) {
       curve_.support.clear();
+      next.support.clear();
+    }
+    goTo(link, next);
+    curve_.points.insert(curve_.points.end(), next.points.begin(), next.points.end());
+    curve_.support.insert(
+        curve_.support.end(), next.support.begin(), next.support.end());
     curve_.back = next.back;
   }
 
@@ -75,18 +68,7 @@ public:
   void
   close(const PieceLink& link)
   {
-    const Points& bridge = link.bridge;
-    if (link.amid) {
-      curve_.points.front() = (curve_.points.front() + curve_.points.back()) / 2;
-      curve_.points.pop_back();
-      if (!curve_.support.empty()) {
-        curve_.support.front() += curve_.support.back();
-        curve_.support.pop_back();
-      }
-    }
-    curve_.points.insert(curve_.points.end(), bridge.begin(), bridge.end());
-    if (!curve_.support.empty())
-      curve_.support.insert(curve_.support.end(), bridge.size(), 0);
+    goTo(link, curve_);
     curve_.closed = true;
     curve_.front = curve_.back = {EndKind::Loop, -1};
   }
@@ -109,6 +91,25 @@ public:
   }
 
 private:
+  /** Goes the way to \a next, and takes off it what both have. */
+  void
+  goTo(const PieceLink& link, Curve& next)
+  {
+    const auto skip =
+        static_cast<std::ptrdiff_t>(std::min(link.skip, next.points.size() - 1));
+    if (link.seam)
+      curve_.points.back() = *link.seam;
+    next.points.erase(next.points.begin(), next.points.begin() + skip);
+    curve_.points.insert(curve_.points.end(), link.bridge.begin(), link.bridge.end());
+    if (next.support.empty())
+      return;
+    const auto end = next.support.begin() + skip;
+    curve_.support.back() =
+        std::accumulate(next.support.begin(), end, curve_.support.back());
+    next.support.erase(next.support.begin(), end);
+    curve_.support.insert(curve_.support.end(), link.bridge.size(), 0);
+  }
+
   Curve curve_;
   double length_ = 0, squares_ = 0, points_ = 0, evidence_ = 0;
 };

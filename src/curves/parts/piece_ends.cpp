@@ -18,22 +18,33 @@ namespace {
 struct Candidate {
   double apart;
   std::size_t a, b;
-  bool amid;
-  Points bridge;
+  PieceLink there, back;
 };
 
-double
-distanceTo(const Points& course, const Point& p)
+/** \brief The place of a course that is nearest to some point. */
+struct NearestPlace {
+  double distance = std::numeric_limits<double>::infinity();
+  Point at = Point::Zero();
+  std::size_t edge = 0; ///< that it is on
+  std::size_t next = 0; ///< the first vertex behind it
+};
+
+/** \param[in] same distance within which two places are one */
+NearestPlace
+nearestOn(const Points& course, const Point& p, double same)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < course.size(); ++k) {
+  NearestPlace nearest;
+  for (std::size_t k = 0; k + 1 < course.size(); ++k) {
     const Point& a = course[k];
-    const Point way = course[std::min(k + 1, course.size() - 1)] - a;
+    const Point way = course[k + 1] - a;
     const double squared = way.squaredNorm();
     const double t = squared > 0 ? std::clamp(way.dot(p - a) / squared, 0.0, 1.0) : 0;
-    least = std::min(least, (a + t * way - p).norm());
+    const Point at = a + t * way;
+    if ((at - p).norm() <= nearest.distance)
+      nearest = {
+          (at - p).norm(), at, k, (course[k + 1] - at).norm() > same ? k + 1 : k + 2};
   }
-  return least;
+  return nearest;
 }
 
 class EndLinks {
@@ -83,37 +94,34 @@ public:
   void
   meet(std::size_t a, std::size_t b)
   {
-    const Point way = place(b) - place(a);
-    if (way.norm() > tolerance_ + std::max(reachOf(a), reachOf(b)) ||
-        outward(a).dot(outward(b)) >= 0)
+    if (outward(a).dot(outward(b)) >= 0)
       return;
-    const double apart =
-        std::max(distanceTo(courseOf(a), place(b)), distanceTo(courseOf(b), place(a)));
+    const double same = 1e-3 * tolerance_;
+    const NearestPlace on_a = nearestOn(courseOf(a), place(b), same),
+                       on_b = nearestOn(courseOf(b), place(a), same);
+    const double apart = std::max(on_a.distance, on_b.distance);
     if (apart <= tolerance_)
-      candidates_.push_back({apart, a, b, true, {}});
+      candidates_.push_back({apart, a, b, linkTo(b, a, on_b), linkTo(a, b, on_a)});
   }
 
   /** \brief An end that was cut, and one that just ends. */
   void
   reach(std::size_t a, std::size_t b)
   {
-    const Points& beyond = cut(a).beyond;
-    const Point& end = place(b);
-    double least = std::min(tolerance_, (place(a) - end).norm());
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < beyond.size(); ++k)
-      if ((beyond[k] - end).norm() < least) {
-        least = (beyond[k] - end).norm();
-        count = k;
-      }
-    if (least > tolerance_ || outward(a).dot(outward(b)) >= 0)
+    if (outward(a).dot(outward(b)) >= 0)
       return;
-    candidates_.push_back(
-        {least,
-         a,
-         b,
-         false,
-         Points(beyond.begin(), beyond.begin() + static_cast<std::ptrdiff_t>(count))});
+    Points course = cut(a).beyond;
+    course.insert(course.begin(), place(a));
+    const NearestPlace nearest = nearestOn(course, place(b), 1e-3 * tolerance_);
+    if (nearest.distance > tolerance_)
+      return;
+    PieceLink there, back;
+    there.to = b;
+    there.bridge.assign(course.begin() + 1,
+                        course.begin() + 1 + static_cast<std::ptrdiff_t>(nearest.edge));
+    back.to = a;
+    back.bridge.assign(there.bridge.rbegin(), there.bridge.rend());
+    candidates_.push_back({nearest.distance, a, b, there, back});
   }
 
   /** \brief Joins candidates, the closest first. */
@@ -126,8 +134,8 @@ public:
     for (const Candidate& c : candidates_) {
       if (!isFree(c.a) || !isFree(c.b) || c.a == c.b)
         continue;
-      links[c.a] = {c.b, c.amid, c.bridge};
-      links[c.b] = {c.a, c.amid, Points(c.bridge.rbegin(), c.bridge.rend())};
+      links[c.a] = c.there;
+      links[c.b] = c.back;
     }
     candidates_.clear();
   }
@@ -141,14 +149,21 @@ private:
                         : Point(points.back() - points[points.size() - 2]);
   }
 
-  double
-  reachOf(std::size_t end) const
+  /** From \a end to where \a to goes on, at \a nearest of its course. */
+  PieceLink
+  linkTo(std::size_t to, std::size_t end, const NearestPlace& nearest) const
   {
-    const Points& beyond = cut(end).beyond;
-    return beyond.empty() ? 0 : (beyond.back() - place(end)).norm();
+    PieceLink link;
+    link.to = to;
+    link.seam = (place(end) + nearest.at) / 2;
+    const Points& beyond = cut(to).beyond;
+    for (std::size_t k = nearest.next; k < beyond.size(); ++k)
+      link.bridge.push_back(beyond[beyond.size() - 1 - k]);
+    link.skip = nearest.next - std::min(nearest.next, beyond.size());
+    return link;
   }
 
-  /** The curve beyond the cut, and as far before it. */
+  /** How the curve comes to the cut from beyond, and goes on as far behind it. */
   Points
   courseOf(std::size_t end) const
   {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <linelet/curves/curve_parts.h>
@@ -14,9 +15,10 @@ namespace linelet {
 struct PieceLink {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  std::size_t to = none; ///< end: 2 * piece, + 1 for its back
-  bool amid = false;     ///< both were cut there: one vertex between them
-  Points bridge;         ///< vertices on the way
+  std::size_t to = none;     ///< end: 2 * piece, + 1 for its back
+  std::optional<Point> seam; ///< where the one goes over to the other; none: at the end
+  Points bridge;             ///< vertices on the way
+  std::size_t skip = 0; ///< vertices of the other, from that end on, that both have
 };
 
 /** \brief By end. */

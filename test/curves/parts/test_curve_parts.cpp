@@ -189,6 +189,57 @@ TEST(CurveParts, AnEndShortOfTheBorderIsReached)
   EXPECT_NEAR(length(joined), 20, 1e-9);
 }
 
+// A curve of another place that ends in the neighbor, side by side with nothing.
+TEST(CurveParts, AnEndFarFromTheCutIsLeftAlone)
+{
+  const PartOwner owner = boxes(0, -20, 100);
+  const auto line = [](double from, double to, double y) {
+    CurveNetwork found;
+    found.curves.emplace_back();
+    for (double x = from; x < to + 0.25; x += 0.5)
+      found.curves.back().points.emplace_back(x, y, 5);
+    return found;
+  };
+  const std::size_t left = owner({-1, 0, 0}), right = owner({1, 0, 0});
+  for (const auto& [from, y] : {std::pair(40.0, 0.0), {5.0, 0.0}, {1.0, 0.5}}) {
+    std::vector<CurvePart> parts(std::max(left, right) + 1);
+    parts[left] = ownedBy(line(-10, 3, 0), left, owner, 5);
+    parts[right] = ownedBy(line(from, 60, y), right, owner, 5);
+    const CurveNetwork joined = joinParts(parts, 0.4);
+    ASSERT_EQ(joined.curves.size(), 2U) << from << ", " << y;
+    EXPECT_NEAR(length(joined), 10 + 60 - from, 1e-9);
+  }
+}
+
+// Where it runs along the border almost, the neighbors leave it to each other, or have
+// both of it.
+TEST(CurveParts, AlongABorderNothingIsLostOrTwice)
+{
+  const PartOwner owner = boxes(0, -20, 100);
+  for (const double slope : {0.1, 0.02, -0.02, -0.1})
+    for (const double apart : {0.03, -0.03}) {
+      CurveNetwork found;
+      found.curves.emplace_back();
+      for (double y = -9.9; y < 10; y += 0.3)
+        found.curves.back().points.emplace_back(slope * y, y, 5);
+      std::vector<CurvePart> parts;
+      for (const double side : {-1.0, 1.0}) {
+        CurveNetwork seen = found;
+        for (Point& p : seen.curves[0].points)
+          p.x() += side * apart / 2;
+        const std::size_t self = owner({side, 0, 0});
+        parts.resize(std::max(parts.size(), self + 1));
+        parts[self] = ownedBy(seen, self, owner, 5);
+      }
+      const CurveNetwork joined = joinParts(parts, 0.1);
+      ASSERT_EQ(joined.curves.size(), 1U) << slope << ", " << apart;
+      EXPECT_NEAR(length(joined), length(found), 0.01) << slope << ", " << apart;
+      for (std::size_t k = 1; k < joined.curves[0].points.size(); ++k)
+        EXPECT_LT((joined.curves[0].points[k] - joined.curves[0].points[k - 1]).norm(),
+                  0.35);
+    }
+}
+
 TEST(CurveParts, JunctionsKeepTheirCurves)
 {
   CurveNetwork whole;
