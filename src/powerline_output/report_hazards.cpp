@@ -278,6 +278,7 @@ hazardsSection(const Content& content)
                 muchIsUnexplained(content.network)
                     ? Json(number(unexplainedLength(content.network), 0))
                     : Json()},
+               {"unknown", clearancesAreUnknown(content.network)},
                {"no_clearances", scanned.clearances.empty()}};
   const auto add = [&](const char* key, Json table) {
     data[key] = table.is_null() ? Json() : Json{{"table", std::move(table)}};
@@ -302,10 +303,11 @@ statesSection(const Content& content)
          {"clearances", clearances.is_null() ? Json() : Json{{"table", clearances}}},
          {"sections", sections.is_null() ? Json() : Json{{"table", sections}}}});
   }
-  return {
-      "states",
-      "Other states of the conductors",
-      {{"overview", {{"table", statesTable(content)}}}, {"states", std::move(states)}}};
+  return {"states",
+          "Other states of the conductors",
+          {{"overview", {{"table", statesTable(content)}}},
+           {"unknown", clearancesAreUnknown(content.network)},
+           {"states", std::move(states)}}};
 }
 
 } // namespace linelet::powerline::report

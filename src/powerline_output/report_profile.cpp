@@ -134,21 +134,22 @@ addPoints(Markup& page,
           const View& view,
           const Indices& points)
 {
-  Markup wires, pylons, others;
+  Markup wires, pylons, insulators, others;
   for (const Index i : points) {
     const Point p = content.point(i);
     const double s = frame.along(p);
     if (s < view.from || s > view.to || p.z() < view.low || p.z() > view.high)
       continue;
     const std::uint8_t kind = content.network.classes[i];
-    const bool carries = kind == pylon_class || kind == connector_class;
     Markup& dots = content.network.wire_id[i] > 0 || kind == wire_class ? wires
-                   : carries                                            ? pylons
+                   : kind == connector_class                            ? insulators
+                   : kind == pylon_class                                ? pylons
                                                                         : others;
     dots << "M" << view.x(s) << " " << view.y(p.z()) << "h0";
   }
   page << "<path class=\"dots other\" d=\"" << others.text() << "\"/>\n"
        << "<path class=\"dots pylon\" d=\"" << pylons.text() << "\"/>\n"
+       << "<path class=\"dots insulator\" d=\"" << insulators.text() << "\"/>\n"
        << "<path class=\"dots onwire\" d=\"" << wires.text() << "\"/>\n";
 }
 
@@ -174,6 +175,29 @@ addWireCurves(Markup& page,
            << view.x(frame.along(end)) << "\" cy=\"" << view.y(end.z())
            << "\" r=\"2.6\"><title>wire " << wire.number << " at "
            << number(end.z() + view.world, 2) << " m</title></circle>\n";
+  }
+}
+
+/** The jumpers at both supports. */
+void
+addJumpers(Markup& page,
+           const Content& content,
+           const Span& span,
+           const SpanFrame& frame,
+           const View& view)
+{
+  for (const Jumper& jumper : content.network.jumpers) {
+    if (jumper.support == 0 ||
+        (jumper.support != span.from_support && jumper.support != span.to_support))
+      continue;
+    page << "<path class=\"jumper\" d=\"";
+    bool first = true;
+    for (const Point& p : jumper.course) {
+      const double s = std::clamp(frame.along(p), view.from, view.to);
+      page << (first ? "M" : " L") << view.x(s) << " " << view.y(p.z());
+      first = false;
+    }
+    page << "\"><title>jumper " << jumper.id << "</title></path>\n";
   }
 }
 
@@ -253,6 +277,7 @@ addProfile(Markup& page,
   addGround(page, content, frame, view);
   addPoints(page, content, frame, view, points);
   addWireCurves(page, content, span, frame, view);
+  addJumpers(page, content, span, frame, view);
   addStretches(page, content, span, frame, view);
   addClearance(page, content, span, frame, view);
   const double factor = view.y_scale / view.x_scale;

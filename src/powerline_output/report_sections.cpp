@@ -89,16 +89,19 @@ private:
     std::string spans;
     for (const int span : severe)
       spans += (spans.empty() ? "" : ", ") + std::to_string(span);
-    verdict_class_ = counts[3] > 0                         ? "high"
-                     : counts[2] + counts[1] + falling > 0 ? "medium"
-                                                           : "none";
-    verdict_ = counts[3] > 0
-                   ? "Act now: severe hazards in " +
-                         std::string(severe.size() == 1 ? "span " : "spans ") + spans +
-                         "."
-               : counts[2] + counts[1] + falling > 0
-                   ? "Nothing severe as scanned; see the list for what to plan."
-                   : "Nothing is nearer to a wire than its limit, as scanned.";
+    const bool unknown = clearancesAreUnknown(content.network);
+    verdict_class_ = counts[3] > 0                                    ? "high"
+                     : counts[2] + counts[1] + falling > 0 || unknown ? "medium"
+                                                                      : "none";
+    verdict_ =
+        counts[3] > 0
+            ? "Act now: severe hazards in " +
+                  std::string(severe.size() == 1 ? "span " : "spans ") + spans + "."
+        : counts[2] + counts[1] + falling > 0
+            ? "Nothing severe as scanned; see the list for what to plan."
+        : unknown ? "Clearances are unknown: neither ground nor objects were seen near "
+                    "the wires."
+                  : "Nothing is nearer to a wire than its limit, as scanned.";
     if (muchIsUnexplained(content.network))
       verdict_ +=
           " Wires may be missing: " + number(unexplainedLength(content.network), 0) +
@@ -211,6 +214,15 @@ settingsSection(const Content& content)
           "Settings",
           {{"inputs", from.inputs},
            {"table", from.settings.empty() ? Json() : table.json()}}};
+}
+
+bool
+clearancesAreUnknown(const PowerLineNetwork& network)
+{
+  return !network.wires.empty() &&
+         std::none_of(network.wires.begin(), network.wires.end(), [](const Wire& wire) {
+           return wire.ground.known() || wire.vegetation.known();
+         });
 }
 
 std::vector<Section>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "report_image.h"
 #include "report_sections.h"
@@ -22,7 +23,7 @@ constexpr std::size_t most_of_others = 35000;
 constexpr std::size_t most_still = 5000; ///< dots of the still picture
 
 /** \brief What a point is drawn as; places in the palette of page/space.js. */
-enum class Look : std::uint8_t { Ground, Low, Object, Tower, Wire };
+enum class Look : std::uint8_t { Ground, Low, Object, Tower, Wire, Insulator };
 
 /** \brief The points that are shown, evenly thinned: those of lines and the others. */
 Indices
@@ -53,8 +54,10 @@ lookOf(const Content& content, Index i)
   const std::uint8_t found = content.network.classes[i];
   if (found == wire_class)
     return Look::Wire;
-  if (found == pylon_class || found == connector_class)
+  if (found == pylon_class)
     return Look::Tower;
+  if (found == connector_class)
+    return Look::Insulator;
   const Point p = content.point(i);
   const double height = p.z() - content.network.ground.heightAt(p.x(), p.y());
   return height > 2 ? Look::Object : height > 0.4 ? Look::Low : Look::Ground;
@@ -99,21 +102,29 @@ struct Frame {
   }
 };
 
-/** \brief Wires as runs of vertices: a count, then as many places, 16 bits each. */
+/** \brief What a line is drawn as; places in the tints of page/space.js. */
+enum class LineLook : std::uint8_t { Wire, Doubtful, Jumper };
+
+/** \brief Wires and jumpers as runs of vertices: their number, their look, and their
+ * places, 16 bits each. */
 Bytes
-wireBytes(const Content& content, const Frame& frame)
+lineBytes(const Content& content, const Frame& frame)
 {
   Bytes out;
-  for (const Wire& wire : content.network.wires) {
-    const Points line = polyline(wire, 0.02);
+  const auto put = [&](const Points& line, LineLook look) {
     const auto count = static_cast<unsigned>(std::min<std::size_t>(line.size(), 65535));
     out.push_back(static_cast<std::uint8_t>(count & 0xff));
     out.push_back(static_cast<std::uint8_t>(count >> 8));
-    out.push_back(wire.reason.empty() ? 0 : 1);
+    out.push_back(static_cast<std::uint8_t>(look));
     out.push_back(0);
     for (unsigned k = 0; k < count; ++k)
       frame.put(out, line[k]);
-  }
+  };
+  for (const Wire& wire : content.network.wires)
+    put(polyline(wire, 0.02),
+        wire.reason.empty() ? LineLook::Wire : LineLook::Doubtful);
+  for (const Jumper& jumper : content.network.jumpers)
+    put(jumper.course, LineLook::Jumper);
   return out;
 }
 
@@ -148,12 +159,16 @@ stillPicture(const Content& content, const Frame& frame, const Indices& shown)
     const Eigen::Vector2d at = scale * (seen(p) - low);
     page << at.x() << " " << at.y();
   };
-  for (const bool lines : {false, true}) {
-    page << "<path class=\"dots " << (lines ? "pylon" : "other") << "\" d=\"";
+  const auto paint = [](Look look) {
+    return look == Look::Insulator                     ? "insulator"
+           : look == Look::Tower || look == Look::Wire ? "pylon"
+                                                       : "other";
+  };
+  for (const std::string_view kind : {"other", "pylon", "insulator"}) {
+    page << "<path class=\"dots " << std::string(kind) << "\" d=\"";
     const std::size_t stride = shown.size() / most_still + 1;
     for (std::size_t k = 0; k < shown.size(); k += stride) {
-      const Look look = lookOf(content, shown[k]);
-      if ((look == Look::Tower || look == Look::Wire) != lines)
+      if (paint(lookOf(content, shown[k])) != kind)
         continue;
       page << "M";
       put(content.point(shown[k]));
@@ -161,16 +176,23 @@ stillPicture(const Content& content, const Frame& frame, const Indices& shown)
     }
     page << "\"/>\n";
   }
-  for (const Wire& wire : content.network.wires) {
-    page << "<path class=\"line" << (wire.reason.empty() ? "" : " doubtful")
-         << "\" stroke=\"" << wireColor(wire.number) << "\" d=\"";
+  const auto draw = [&](const Points& line) {
     const char* lead = "M";
-    for (const Point& p : polyline(wire, 0.1)) {
+    for (const Point& p : line) {
       page << lead;
       put(p);
       lead = "L";
     }
     page << "\"/>\n";
+  };
+  for (const Wire& wire : content.network.wires) {
+    page << "<path class=\"line" << (wire.reason.empty() ? "" : " doubtful")
+         << "\" stroke=\"" << wireColor(wire.number) << "\" d=\"";
+    draw(polyline(wire, 0.1));
+  }
+  for (const Jumper& jumper : content.network.jumpers) {
+    page << "<path class=\"jumper\" d=\"";
+    draw(jumper.course);
   }
   page << "</svg>\n";
   return page.text();
@@ -229,6 +251,9 @@ spaceSection(const Content& content)
   for (const Wire& wire : content.network.wires)
     for (const Point& p : polyline(wire, 0.1))
       frame.include(p);
+  for (const Jumper& jumper : content.network.jumpers)
+    for (const Point& p : jumper.course)
+      frame.include(p);
   frame.close();
   Bytes places, looks;
   for (const Index i : shown) {
@@ -247,7 +272,7 @@ spaceSection(const Content& content)
                      {"size", frame.local(frame.high)},
                      {"places", base64(places)},
                      {"looks", base64(looks)},
-                     {"wires", base64(wireBytes(content, frame))},
+                     {"lines", base64(lineBytes(content, frame))},
                      {"hazards", std::move(hazards)}};
   return {"space",
           "In space",

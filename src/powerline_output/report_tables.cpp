@@ -178,6 +178,7 @@ clearancesSection(const Content& content)
             muchIsUnexplained(content.network)
                 ? nlohmann::ordered_json(number(unexplainedLength(content.network), 0))
                 : nlohmann::ordered_json()},
+           {"unknown", clearancesAreUnknown(content.network)},
            {"table", hazards.empty() ? nlohmann::ordered_json() : table.json()}}};
 }
 

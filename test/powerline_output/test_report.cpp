@@ -139,6 +139,25 @@ TEST_F(Report, DoesNotCallClearWhatItDidNotFind)
   EXPECT_NE(text.find("400 m above ground look like lines"), std::string::npos);
 }
 
+// A scan of the line alone shows no hazards, and is no proof that there are none.
+TEST_F(Report, DoesNotCallClearWhatCannotBeKnown)
+{
+  const std::string known = page();
+  EXPECT_EQ(known.find("clearances are unknown"), std::string::npos);
+  for (Wire& wire : network_.wires)
+    wire.ground = wire.vegetation = Clearance();
+  std::string text = page();
+  EXPECT_EQ(nestingError(text), "");
+  EXPECT_EQ(text.find("No wire comes closer"), std::string::npos);
+  EXPECT_NE(text.find("clearances are unknown"), std::string::npos);
+  options_.hazards.emplace_back();
+  text = page();
+  EXPECT_EQ(nestingError(text), "");
+  EXPECT_EQ(text.find("Nothing is nearer"), std::string::npos);
+  EXPECT_EQ(text.find("No wire comes closer"), std::string::npos);
+  EXPECT_NE(text.find("Clearances are unknown"), std::string::npos);
+}
+
 /** What base64 text says. */
 std::vector<std::uint8_t>
 decoded(const std::string& text)
@@ -175,7 +194,7 @@ TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
       nlohmann::json::parse(text.substr(from, text.find("</script>", from) - from));
   const std::vector<std::uint8_t> places = decoded(data["places"]),
                                   looks = decoded(data["looks"]),
-                                  wires = decoded(data["wires"]);
+                                  lines = decoded(data["lines"]);
   ASSERT_EQ(places.size(), 6 * cloud_.points.size());
   EXPECT_EQ(looks.size(), cloud_.points.size());
   EXPECT_EQ(std::count(looks.begin(), looks.end(), 4), 12); // points of wires
@@ -192,8 +211,8 @@ TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
     EXPECT_NEAR(coordinate(2 + k, 1), cloud_.points[15 + k].y() - low, step);
   }
   std::size_t runs = 0;
-  for (std::size_t at = 0; at < wires.size(); ++runs)
-    at += 4 + 6 * (wires[at] + 256U * wires[at + 1]);
+  for (std::size_t at = 0; at < lines.size(); ++runs)
+    at += 4 + 6 * (lines[at] + 256U * lines[at + 1]);
   EXPECT_EQ(runs, 3U);
   ASSERT_EQ(data["hazards"].size(), 1U);
   EXPECT_EQ(occurrences(text, "id=\"space-1\""), 1U);
@@ -201,6 +220,37 @@ TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
             std::string::npos);
   // And without WebGL 2, a picture.
   EXPECT_EQ(occurrences(text, "<svg class=\"still\""), 1U);
+}
+
+// A jumper is a line of its own kind in space and beside its support in both profiles;
+// points of insulators have their own color.
+TEST_F(Report, JumpersAndInsulatorsAreDrawn)
+{
+  const std::string before = page();
+  EXPECT_EQ(occurrences(before, "class=\"jumper\""), 0U);
+  Jumper jumper;
+  jumper.id = 1;
+  jumper.support = 2;
+  jumper.from_wire = 1;
+  jumper.to_wire = 3;
+  jumper.course = {{98, 3, 20}, {100, 3, 18}, {102, 3, 20}};
+  network_.jumpers.push_back(jumper);
+  network_.classes[12] = connector_class; // a pylon's point before
+  const std::string text = page();
+  EXPECT_EQ(occurrences(text, "class=\"jumper\""), 3U); // two profiles, the still
+  const std::string lead = "id=\"space-data\">";
+  const std::size_t from = text.find(lead) + lead.size();
+  const auto data =
+      nlohmann::json::parse(text.substr(from, text.find("</script>", from) - from));
+  const std::vector<std::uint8_t> looks = decoded(data["looks"]),
+                                  lines = decoded(data["lines"]);
+  EXPECT_EQ(std::count(looks.begin(), looks.end(), 3), 0);
+  EXPECT_EQ(std::count(looks.begin(), looks.end(), 5), 1);
+  std::vector<int> kinds;
+  for (std::size_t at = 0; at < lines.size();
+       at += 4 + 6 * (lines[at] + 256U * lines[at + 1]))
+    kinds.push_back(lines[at + 2]);
+  EXPECT_EQ(kinds, (std::vector<int>{0, 1, 0, 2})); // the second wire is in doubt
 }
 
 TEST_F(Report, SaysWhyAWireIsInDoubt)

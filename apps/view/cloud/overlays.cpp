@@ -23,7 +23,8 @@ showCurves(const Model& model, Polylines& lines, Polylines& chosen)
                         accepted = {0.05, 0.6, 0.25}, rejected = {0.75, 0.75, 0.78},
                         curve = {0.75, 0.1, 0.55}, truth = {0.1, 0.1, 0.1},
                         support = {0.3, 0.3, 0.35}, mark = {1.0, 0.1, 0.6},
-                        unexplained = {0.85, 0.1, 0.1};
+                        unexplained = {0.85, 0.1, 0.1}, jumper = {0.05, 0.55, 0.45},
+                        insulator = {0.72, 0.35, 0.1};
   lines.clear();
   chosen.clear();
   for (const Curve& one : model.scene().truth.curves)
@@ -47,12 +48,17 @@ showCurves(const Model& model, Polylines& lines, Polylines& chosen)
       const bool is_chosen = wire.id == model.wire();
       (is_chosen ? chosen : lines).add(line, false, is_chosen ? mark : color);
     }
-    for (const powerline::UnexplainedLine& one : network->unexplained) {
-      Points line = one.course;
+    const auto addCourse = [&](Points line, const apps::Color& color) {
       for (Point& p : line)
         p = model.toCloud(p);
-      lines.add(line, false, unexplained);
-    }
+      lines.add(line, false, color);
+    };
+    for (const powerline::UnexplainedLine& one : network->unexplained)
+      addCourse(one.course, unexplained);
+    for (const powerline::Jumper& one : network->jumpers)
+      addCourse(one.course, jumper);
+    for (const powerline::InsulatorString& one : network->insulators)
+      addCourse({one.structure, one.live}, insulator);
     for (const powerline::Support& one : network->supports)
       lines.add({model.toCloud(one.base), model.toCloud(one.top)}, false, support);
   }

@@ -54,6 +54,10 @@ public:
     }
     for (const json& one : summary.at("pylons"))
       network.supports.push_back(support(one));
+    for (const json& one : summary.at("jumpers"))
+      network.jumpers.push_back(jumper(one));
+    for (const json& one : summary.at("insulators"))
+      network.insulators.push_back(insulator(one));
   }
 
 private:
@@ -141,6 +145,40 @@ private:
     support.points = one.at("points");
     support.confidence = number(one.at("confidence"));
     return support;
+  }
+
+  powerline::Jumper
+  jumper(const json& one) const
+  {
+    powerline::Jumper jumper;
+    jumper.id = one.at("jumper_id");
+    jumper.support = identity(one.at("pylon_id"));
+    jumper.from_wire = identity(one.at("from_wire"));
+    jumper.to_wire = identity(one.at("to_wire"));
+    for (const json& xyz : one.at("course"))
+      jumper.course.push_back(place(xyz));
+    jumper.length = number(one.at("length"));
+    jumper.sag = number(one.at("sag"));
+    jumper.rms = number(one.at("rms"));
+    jumper.points = one.at("points");
+    return jumper;
+  }
+
+  powerline::InsulatorString
+  insulator(const json& one) const
+  {
+    powerline::InsulatorString string;
+    string.id = one.at("insulator_id");
+    string.kind =
+        fromName<powerline::InsulatorString::Kind>(one.at("kind").get<std::string>());
+    string.support = identity(one.at("pylon_id"));
+    string.wire = identity(one.at("wire_id"));
+    string.jumper = identity(one.at("jumper_id"));
+    string.structure = place(one.at("structure"));
+    string.live = place(one.at("live"));
+    string.length = number(one.at("length"));
+    string.points = one.at("points");
+    return string;
   }
 
   Point shift_;

@@ -27,7 +27,7 @@ function program(vertex, fragment) {
   return made;
 }
 const dots = program(
-  "in vec3 place; in float look; uniform mat4 view; uniform float size; uniform vec3 palette[5];" +
+  "in vec3 place; in float look; uniform mat4 view; uniform float size; uniform vec3 palette[6];" +
   "out vec3 ink; void main() { gl_Position = view * vec4(place, 1.0);" +
   "gl_PointSize = look > 2.5 ? size * 1.5 : size; ink = palette[int(look + 0.5)]; }",
   "in vec3 ink; out vec4 color; void main() { vec2 p = gl_PointCoord - 0.5;" +
@@ -79,15 +79,16 @@ function lineArray(runs) {
     ([name, count, offset]) => feed(lines, name, count, gl.FLOAT, false, 44, offset));
   return {array, count: floats.length / 11};
 }
-const wireWords = new Uint16Array(bytesOf(data.wires).buffer), wireRuns = [];
-for (let at = 0; wireWords.length > at;) {
-  const count = wireWords[at], doubtful = wireWords[at + 1], line = [];
+const lineWords = new Uint16Array(bytesOf(data.lines).buffer), lineRuns = [];
+const tints = [[0, 0.36, 0.72], [0.95, 0.55, 0], [0.05, 0.55, 0.45]]; // wire, doubtful, jumper
+for (let at = 0; lineWords.length > at;) {
+  const count = lineWords[at], tint = tints[lineWords[at + 1]], line = [];
   at += 2;
   for (let k = 0; count > k; k++, at += 3)
-    line.push([wireWords[at] * step, wireWords[at + 1] * step, wireWords[at + 2] * step]);
-  wireRuns.push({line, tint: doubtful ? [0.95, 0.55, 0] : [0, 0.36, 0.72]});
+    line.push([lineWords[at] * step, lineWords[at + 1] * step, lineWords[at + 2] * step]);
+  lineRuns.push({line, tint});
 }
-const wires = lineArray(wireRuns);
+const drawn = lineArray(lineRuns);
 const red = [0.78, 0.06, 0.18];
 const hazards = lineArray(data.hazards.map(h => ({line: [h.from, h.to], tint: red})));
 let chosen = lineArray([]);
@@ -135,13 +136,14 @@ function paint() {
     gl.uniformMatrix4fv(gl.getUniformLocation(dots, "view"), false, view);
     gl.uniform1f(gl.getUniformLocation(dots, "size"), ratio * Math.min(4, Math.max(1.6, 1.6 * radius / eye.away)));
     gl.uniform3fv(gl.getUniformLocation(dots, "palette"), [
-      0.78, 0.72, 0.62, 0.66, 0.74, 0.56, 0.36, 0.55, 0.34, 0.25, 0.25, 0.3, 0.45, 0.6, 0.8]);
+      0.78, 0.72, 0.62, 0.66, 0.74, 0.56, 0.36, 0.55, 0.34, 0.25, 0.25, 0.3, 0.45, 0.6, 0.8,
+      0.72, 0.35, 0.1]);
     gl.bindVertexArray(dotArray);
     gl.drawArrays(gl.POINTS, 0, places.length / 3);
     gl.useProgram(lines);
     gl.uniformMatrix4fv(gl.getUniformLocation(lines, "view"), false, view);
     gl.uniform2f(gl.getUniformLocation(lines, "pixels"), canvas.width, canvas.height);
-    for (const [what, width] of [[wires, 2], [hazards, 3], [chosen, 7]]) {
+    for (const [what, width] of [[drawn, 2], [hazards, 3], [chosen, 7]]) {
       gl.uniform1f(gl.getUniformLocation(lines, "width"), width * ratio);
       gl.bindVertexArray(what.array);
       gl.drawArrays(gl.TRIANGLES, 0, what.count);

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -183,6 +185,46 @@ TEST_F(ViewAndTool, ReviewReachesTheTool)
     guarded += number == 13 ? 1 : 0;
   EXPECT_EQ(notes, 1u);
   EXPECT_GT(guarded, 10u);
+}
+
+// Jumpers and insulators come back from the folder in their place: a course as long as
+// it is said to be, through the cloud, with the ends of a string its length apart.
+TEST_F(ViewAndTool, FittingsOfATowerAreInTheirPlace)
+{
+  LINELET_NEEDS_DATA("lidar/uav_towers");
+  std::vector<std::filesystem::path> towers;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::dataPath("lidar/uav_towers")))
+    if (entry.path().extension() == ".las" || entry.path().extension() == ".laz")
+      towers.push_back(entry.path());
+  ASSERT_FALSE(towers.empty());
+  runTool("powerlines " + std::min_element(towers.begin(), towers.end())->string() +
+          " " + path("tower"));
+  open(path("tower"));
+  const powerline::PowerLineNetwork& found = *model.lines();
+  ASSERT_FALSE(found.jumpers.empty());
+  ASSERT_FALSE(found.insulators.empty());
+  Point low = model.scene().cloud.points.front(), high = low;
+  for (const Point& p : model.scene().cloud.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const auto inCloud = [&](const Point& of_network) {
+    const Point p = model.toCloud(of_network);
+    return ((p - low).array() > -1).all() && ((high - p).array() > -1).all();
+  };
+  for (const powerline::Jumper& jumper : found.jumpers) {
+    double length = 0;
+    for (std::size_t k = 1; k < jumper.course.size(); ++k)
+      length += (jumper.course[k] - jumper.course[k - 1]).norm();
+    EXPECT_NEAR(length, jumper.length, 0.01) << jumper.id;
+    for (const Point& p : jumper.course)
+      EXPECT_TRUE(inCloud(p)) << jumper.id;
+  }
+  for (const powerline::InsulatorString& string : found.insulators) {
+    EXPECT_NEAR((string.live - string.structure).norm(), string.length, 0.01);
+    EXPECT_TRUE(inCloud(string.live) && inCloud(string.structure)) << string.id;
+  }
 }
 
 } // namespace
