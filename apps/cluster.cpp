@@ -90,6 +90,14 @@ representatives(const io::Cloud& cloud, const Clusters& clusters)
     counts.push_back(r.count);
     records.push_back(recordOf(r.tensor, 0, r.count));
   }
+  for (std::size_t i = 0; i < clusters.normals.size(); ++i) {
+    const Eigen::Vector3f normal = clusters.normals[i].cast<float>();
+    records[i].normal_x = normal.x();
+    records[i].normal_y = normal.y();
+    records[i].normal_z = normal.z();
+  }
+  const char* const normals = clusters.normals.empty() ? "along the smallest extent"
+                                                       : "towards the empty cells";
   for (const io::Column& column : cloud.columns)
     result.set(reduced(column, clusters));
   result.set({"count", std::move(counts), "points that it stands for"});
@@ -103,9 +111,9 @@ representatives(const io::Cloud& cloud, const Clusters& clusters)
   add("yy", &R::yy, "covariance of the members");
   add("yz", &R::yz, "covariance of the members");
   add("zz", &R::zz, "covariance of the members");
-  add("normal_x", &R::normal_x, "along the smallest extent");
-  add("normal_y", &R::normal_y, "along the smallest extent");
-  add("normal_z", &R::normal_z, "along the smallest extent");
+  add("normal_x", &R::normal_x, normals);
+  add("normal_y", &R::normal_y, normals);
+  add("normal_z", &R::normal_z, normals);
   add("linearity", &R::linearity, "shape factor CL, 0 to 1");
   add("planarity", &R::planarity, "shape factor CP, 0 to 1");
   add("sphericity", &R::sphericity, "shape factor CS, 0 to 1");

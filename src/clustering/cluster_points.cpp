@@ -13,6 +13,7 @@
 #include <linelet/support/threads.h>
 
 #include "cluster_with.h"
+#include "empty_cell_normals.h"
 #include "host_passes.h"
 #include "leaf_for_count.h"
 #include "moves.h"
@@ -215,6 +216,13 @@ clusterWith(const MakePasses& make,
   for (std::size_t a = 0; a < 3; ++a)
     clusters.cells[a] = frame.cells[a];
   clusters.leaf = leaf;
+  if (settings.normals == NormalRule::EmptyCells) {
+    std::vector<char> is_filled(cells.size(), 0);
+    for (const Representative& one : clusters.representatives)
+      is_filled[directory.find(one.cell)] = 1;
+    clusters.normals = emptyCellNormals(
+        clusters.representatives, directory, frame, is_filled, threads);
+  }
   return clusters;
 }
 

@@ -211,4 +211,62 @@ TEST(ClusterPoints, HaveMeansAndModesOfTheirMembersValues)
   EXPECT_EQ(clusterModes(clusters, {2, 6, 6, 9, 2}), (std::vector<double>{6, 2}));
 }
 
+// Where a ball ends is known: normals by empty cells point out of it. Cells are half a
+// unit wide and seen two cells far, so a few degrees are what their coarseness costs.
+TEST(ClusterPoints, NormalsTowardsEmptyCellsPointOutOfABall)
+{
+  constexpr unsigned seed = 8;
+  SCOPED_TRACE(seed);
+  boost::random::mt19937 random(seed);
+  boost::random::uniform_real_distribution<double> uniform(-5, 5);
+  Points ball;
+  while (ball.size() < 400000)
+    if (const Point p(uniform(random), uniform(random), uniform(random)); p.norm() < 5)
+      ball.push_back(p + Point(1000, 2000, 30));
+  ClusterSettings settings = settingsOf(0.5, 0);
+  settings.normals = NormalRule::EmptyCells;
+  const Clusters clusters = clusterPoints(ball, settings);
+  ASSERT_EQ(clusters.normals.size(), clusters.representatives.size());
+  std::size_t surface = 0, inside = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < clusters.normals.size(); ++i) {
+    const Point out = clusters.representatives[i].center - Point(1000, 2000, 30);
+    if (out.norm() < 5 - 4 * 0.5) { // no empty cell within two
+      EXPECT_TRUE(clusters.normals[i].isZero());
+      ++inside;
+    }
+    else if (out.norm() > 4.5) {
+      EXPECT_NEAR(clusters.normals[i].norm(), 1, 1e-12);
+      const double cosine = clusters.normals[i].dot(out.normalized());
+      EXPECT_GT(cosine, std::cos(30 / 57.3));
+      sum += std::acos(std::min(1.0, cosine)) * 57.3;
+      ++surface;
+    }
+  }
+  EXPECT_GT(inside, 500U);
+  ASSERT_GT(surface, 500U);
+  EXPECT_LT(sum / static_cast<double>(surface), 8);
+}
+
+// A wall of one point a cell has no covariance to speak of, and still a normal.
+TEST(ClusterPoints, NormalsTowardsEmptyCellsNeedOnePointACell)
+{
+  Points wall;
+  for (int i = 0; i < 40; ++i)
+    for (int k = 0; k < 30; ++k)
+      wall.emplace_back(0.3, i + 0.5, k + 0.5);
+  ClusterSettings settings = settingsOf(1, 0);
+  settings.normals = NormalRule::EmptyCells;
+  const Clusters clusters = clusterPoints(wall, settings);
+  ASSERT_EQ(clusters.normals.size(), wall.size());
+  for (std::size_t i = 0; i < wall.size(); ++i) {
+    const Point& p = clusters.representatives[i].center;
+    if (p.y() > 3 && p.y() < 37 && p.z() > 3 && p.z() < 27) {
+      EXPECT_NEAR(std::abs(clusters.normals[i].x()), 1, 1e-9) << p.transpose();
+    }
+  }
+  settings.normals = NormalRule::Tensor;
+  EXPECT_TRUE(clusterPoints(wall, settings).normals.empty());
+}
+
 } // namespace

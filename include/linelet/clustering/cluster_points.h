@@ -33,6 +33,7 @@ struct Clusters {
                       ///< not finite or out of the camera's view
   std::array<std::int64_t, 3> cells{}; ///< of the grid, along each of its axes
   double leaf = 0; ///< edge of the cells where they are cubes, else 0
+  Points normals;  ///< of the representatives, with NormalRule::EmptyCells alone
 };
 
 /** \brief Clusters points by a grid whose cells adapt to them (Schiffner et al. 2014).

@@ -33,6 +33,23 @@ struct Names<MoveRule> {
   }};
 };
 
+/** \brief Where the normals of representatives come from. */
+enum class NormalRule {
+  Tensor,    ///< the smallest extent of the members
+  EmptyCells ///< towards the empty cells around, two cells far: for cells with few
+             ///< members, and oriented to the outside (Schiffner et al. 2015; the text
+             ///< gives no formula: their mean direction, or for walls the axis of it)
+};
+
+template <>
+struct Names<NormalRule> {
+  static constexpr std::string_view kind = "rule of normals";
+  static constexpr std::array<std::pair<NormalRule, std::string_view>, 2> table = {{
+      {NormalRule::Tensor, "tensor"},
+      {NormalRule::EmptyCells, "empty-cells"},
+  }};
+};
+
 /** \brief The grid that points are clustered in, and how its cells adapt to them.
  *
  * Exactly one of \ref cells, \ref leaf and \ref count says how fine the grid is. */
@@ -45,6 +62,7 @@ struct ClusterSettings {
   MoveRule move_by = MoveRule::Plane;
   double border = 0.5; ///< how near to the border of a cell a point moves, in (0, 0.5]
                        ///< of the cell's width
+  NormalRule normals = NormalRule::Tensor;
   std::optional<Camera> camera; ///< cells fill its view, finer near the eye; \ref cells
                                 ///< then says how many
   unsigned threads = 0;         ///< 0: all; the result is the same for any number
@@ -63,6 +81,10 @@ describe(ClusterSettings& s, Visit&& visit)
         s.border,
         "how near to the border a point must be to move, in widths of its cell, at "
         "most 0.5");
+  visit("normals",
+        s.normals,
+        "what normals are: along the smallest extent of the members, or towards the "
+        "empty cells around");
 }
 
 /** \brief Checks that the grid is said once and makes sense.
