@@ -14,7 +14,8 @@ runConvert(const std::vector<std::string>& arguments)
 {
   Frame frame("convert",
               "Converts point files, with all attributes that both formats can hold: "
-              ".las, .laz, .pcd, .ply, .xyz, .txt, .csv, and the vertices of .obj.");
+              ".las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv, and the vertices "
+              "of .obj and of vector files (.gpkg, .geojson, .shp, .dxf, ...).");
   CloudInput input(frame, CloudInput::Use::Copy);
   CloudOutput output(frame);
   frame.parse(arguments);

@@ -13,6 +13,7 @@
 #include "readers.h"
 #include "reference_systems.h"
 #include "shift_file.h"
+#include "vector_points.h"
 #include "wanted_attributes.h"
 #include "window.h"
 #include "writers.h"
@@ -27,12 +28,13 @@ struct Format {
   void (*write)(const Target& target, const Cloud& cloud);
 };
 
-constexpr std::array<Format, 10> formats = {
+constexpr std::array<Format, 11> formats = {
     {{".las", readLas, writeLas},
      {".laz", readLas, writeLaz},
      {".pcd", readPcd, writePcd},
      {".ply", readPly, writePly},
      {".h5", readHdf5, writeHdf5},
+     {".vtkhdf", nullptr, writeVtkHdf},
      {".xyz", readText, writeText},
      {".txt", readText, writeText},
      {".csv", readText, writeText},
@@ -46,6 +48,11 @@ formatOf(const std::string& path)
   for (const Format& format : formats)
     if (ending == format.ending)
       return format;
+  if (const VectorPoints* vector = vectorPoints();
+      vector != nullptr && vector->reads(path)) {
+    static const Format vertices = {"", vector->read, nullptr};
+    return vertices;
+  }
   throw FileError(
       path + ": the ending '" + ending +
       "' names no format; use .las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv or .obj");
@@ -56,7 +63,9 @@ writtenFormatOf(const std::string& path)
 {
   const Format& format = formatOf(path);
   if (format.write == nullptr)
-    throw FileError(path + ": .xy files are read only; use .xyz");
+    throw FileError(path + ": " + endingOf(path) +
+                    " is not a format for writing points; use .las, .laz, .pcd, .ply, "
+                    ".h5 or .xyz");
   return format;
 }
 
@@ -106,6 +115,9 @@ readCloud(const std::string& path,
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
     throw FileError(path + ": is a folder; name a point file");
   const Format& format = formatOf(path);
+  if (format.read == nullptr)
+    throw FileError(path + ": " + endingOf(path) +
+                    " is for other programs to read; read the cloud it was made of");
   const Window window = windowOf(options);
   const MappedFile file(path, monitor);
   if (monitor != nullptr)

@@ -26,6 +26,10 @@ writePly(const Target& target, const Cloud& cloud);
 void
 writeHdf5(const Target& target, const Cloud& cloud);
 
+/** \brief The points as an unstructured grid of VTKHDF 1.0, for ParaView. */
+void
+writeVtkHdf(const Target& target, const Cloud& cloud);
+
 void
 writeText(const Target& target, const Cloud& cloud);
 

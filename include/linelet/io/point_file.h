@@ -66,7 +66,8 @@ describe(WriteOptions& s, Visit&& visit)
 }
 
 /** \brief Reads .las, .laz (and .copc.laz), .pcd, .ply, .h5, .xyz/.txt/.csv or the
- * vertices of .obj, by ending; with a file of its shift beside it (see \ref
+ * vertices of .obj, by ending, and where linelet::vector is linked those of vector
+ * files (.gpkg, .geojson, .shp, ...); with a file of its shift beside it (see \ref
  * WriteOptions) in world coordinates.
  * \param[in] path the file
  * \param[in] options see there

@@ -98,6 +98,12 @@ readHdf5(const Source& source)
 }
 
 void
+writeVtkHdf(const Target& target, const Cloud&)
+{
+  refuse(target.name);
+}
+
+void
 writeHdf5(const Target& target, const Cloud&)
 {
   refuse(target.name);

@@ -52,4 +52,10 @@ layerDriver(const std::string& path)
       "or another that GDAL writes");
 }
 
+std::string
+findReadLayerDriver(const std::string& path)
+{
+  return endingOf(path) == ".shp" ? "ESRI Shapefile" : findLayerDriver(path);
+}
+
 } // namespace linelet::io

@@ -16,4 +16,9 @@ findLayerDriver(const std::string& path);
 std::string
 layerDriver(const std::string& path);
 
+/** \brief The driver that reads layers from \a path: those that write, and that of
+ * shapefiles. Empty where there is none. */
+std::string
+findReadLayerDriver(const std::string& path);
+
 } // namespace linelet::io

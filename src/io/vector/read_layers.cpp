@@ -1,18 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <memory>
-
-#include <cpl_conv.h>
-#include <gdal_priv.h>
-#include <ogrsf_frmts.h>
-
 #include <linelet/io/vector_file.h>
 
-#include "complaints.h"
 #include "curve_readers.h"
+#include "dataset.h"
 #include "io/files.h"
-#include "layer_formats.h"
 
 namespace linelet::io {
 
@@ -38,34 +31,6 @@ addLines(const OGRGeometry* geometry, CurveNetwork& network)
   else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0)
     for (const OGRGeometry* part : *geometry->toGeometryCollection())
       addLines(part, network);
-}
-
-std::string
-referenceOf(OGRLayer& layer)
-{
-  // GDAL takes linelet's local systems for systems.
-  const OGRSpatialReference* system = layer.GetSpatialRef();
-  char* text = nullptr;
-  std::string wkt;
-  if (system != nullptr && system->IsLocal() == 0 &&
-      system->exportToWkt(&text) == OGRERR_NONE)
-    wkt = text;
-  CPLFree(text);
-  return wkt;
-}
-
-std::unique_ptr<GDALDataset>
-openDataset(const std::string& path, const Complaints& complaints)
-{
-  GDALAllRegister();
-  const std::string driver = layerDriver(path);
-  const char* const drivers[] = {driver.c_str(), nullptr};
-  std::unique_ptr<GDALDataset> dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
-  if (dataset == nullptr)
-    throw FileError(path + ": cannot be read as what its ending says (" +
-                    complaints.first() + "); check that it is whole");
-  return dataset;
 }
 
 Value
