@@ -78,6 +78,8 @@ void
 FragmentRun::remove() const
 {
   std::error_code ignored;
+  // First what makes it a run: who is killed in between leaves none to go on with.
+  fs::remove(fs::path(folder_) / "plan.json", ignored);
   fs::remove_all(folder_, ignored);
 }
 

@@ -107,7 +107,7 @@ TEST_F(CurvesFragmentsTest, VerbsAndKilledRunsWriteTheSameBytes)
   std::mt19937 random(seed);
   SCOPED_TRACE("seed " + std::to_string(seed));
   const std::string chunk = " --chunk 150";
-  const double whole = secondsOf(job_ + path("tiles") + " " + path("a.obj") + chunk);
+  runWell(job_ + path("tiles") + " " + path("a.obj") + chunk);
   runWell("plan " + job_ + path("tiles") + " " + path("b.obj") + chunk);
   EXPECT_EQ(run("status " + path("b.obj")).code, 1) << "not done yet";
   expectOneLineOf("merge " + path("b.obj"), "--partial");
@@ -121,7 +121,7 @@ TEST_F(CurvesFragmentsTest, VerbsAndKilledRunsWriteTheSameBytes)
   std::istringstream words(job_ + path("tiles") + " " + path("c.obj") + chunk);
   for (std::string word; words >> word;)
     arguments.push_back(word);
-  EXPECT_GT(killAgainAndAgain(arguments, path("c.obj"), 6, whole / 2, random), 2);
+  killAgainAndAgain(arguments, path("c.obj"), 6, random);
   runWell(job_ + path("tiles") + " " + path("c.obj") + chunk + " --resume");
   EXPECT_TRUE(contents(path("a.obj")) == contents(path("c.obj")));
 }

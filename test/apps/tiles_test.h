@@ -99,42 +99,60 @@ protected:
     return status;
   }
 
-  /** Seconds that \a arguments take. */
-  double
-  secondsOf(const std::string& arguments) const
+  /** Fragments, inputs and outputs that are done of the run for \a result. */
+  static std::size_t
+  doneOf(const std::string& result)
   {
-    const auto begin = std::chrono::steady_clock::now();
-    runWell(arguments);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-        .count();
+    std::size_t count = 0;
+    for (const char* kind : {"cut", "task", "output"}) {
+      std::error_code none;
+      for (const auto& entry :
+           fs::directory_iterator(fs::path(result + ".fragments") / kind, none))
+        count += entry.path().extension() == ".json" ? 1 : 0;
+    }
+    return count;
   }
 
-  /** Starts \a arguments so many times, each but the first with --resume, and kills
-   * them within \a longest seconds. One that is done by then loses its \a result, and
-   * all begins anew. How many were killed. */
-  static int
+  static bool
+  isOver(pid_t child)
+  {
+    siginfo_t state{};
+    return ::waitid(
+               P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT) ==
+               0 &&
+           state.si_pid == child;
+  }
+
+  /** Starts \a arguments until they were killed so many times, each but the first with
+   * --resume. They are killed a moment after up to five things more were done than
+   * before, whatever the time that takes; where all was done by then, \a result is
+   * removed and all begins anew. */
+  static void
   killAgainAndAgain(std::vector<std::string> arguments,
                     const std::string& result,
                     int times,
-                    double longest,
                     std::mt19937& random)
   {
-    std::uniform_real_distribution<double> moment(0, longest);
-    int killed = 0;
-    for (int i = 0; i < times; ++i) {
+    std::uniform_int_distribution<std::size_t> more(0, 5);
+    std::uniform_int_distribution<int> moment(0, 30000); // microseconds
+    for (int killed = 0, runs = 0; killed < times; ++runs) {
+      ASSERT_LT(runs, 20 * times) << "nearly all were done before they were killed";
+      const std::size_t until = doneOf(result) + more(random);
       const pid_t child = start(arguments);
-      std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+      while (!isOver(child) && doneOf(result) < until)
+        std::this_thread::sleep_for(std::chrono::microseconds(500));
+      std::this_thread::sleep_for(std::chrono::microseconds(moment(random)));
       ::kill(child, SIGKILL);
       const int status = waitFor(child);
-      killed += WIFSIGNALED(status) ? 1 : 0;
-      if (WIFEXITED(status)) {
+      if (WIFSIGNALED(status))
+        ++killed;
+      else {
         EXPECT_EQ(WEXITSTATUS(status), 0);
         fs::remove_all(result);
       }
-      if (i == 0)
+      if (runs == 0)
         arguments.emplace_back("--resume");
     }
-    return killed;
   }
 };
 
