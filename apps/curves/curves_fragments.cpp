@@ -25,8 +25,10 @@ constexpr double same_curve = 0.5;
 CloudTraits
 traitsIn(const std::map<std::string, double>& measures)
 {
-  return {
-      measures.at("scale_unit"), measures.at("linear_share"), measures.at("points")};
+  return {measures.at("scale_unit"),
+          measures.at("linear_share"),
+          measures.at("points"),
+          measures.at("extent")};
 }
 
 } // namespace
@@ -38,7 +40,8 @@ CurvesJob::measures()
   // Where there is no D, there are no curves.
   return {{"scale_unit", std::isfinite(traits.scale_unit) ? traits.scale_unit : 0},
           {"linear_share", traits.linear_share},
-          {"points", traits.points}};
+          {"points", traits.points},
+          {"extent", traits.extent}};
 }
 
 double

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <Eigen/Geometry>
+
 #include <linelet/io/cloud_stream.h>
 
 namespace linelet::apps {
@@ -60,6 +62,7 @@ traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor)
   options.shift = input.shift();
   Points some;
   double count = 0;
+  Eigen::AlignedBox3d box;
   for (const std::string& file : input.files()) {
     io::PointStream stream(file, options, 400000, nullptr, monitor);
     io::Cloud cloud;
@@ -69,6 +72,7 @@ traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor)
       for (const Point& p : usable.points())
         if (p.allFinite()) {
           ++count;
+          box.extend(p);
           if (squares.hold(p + cloud.shift))
             some.push_back(p);
         }
@@ -76,6 +80,7 @@ traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor)
   }
   CloudTraits traits = cloudTraits(some, threads);
   traits.points = std::max(traits.points, count);
+  traits.extent = box.isEmpty() ? 0 : box.diagonal().norm();
   return traits;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves in fragments are those of the whole cloud, but for what depends on the order
-// in which they are looked for.
+// Curves in fragments are those of the whole cloud, but for what depends on how far
+// they are seen.
 
 #include <chrono>
 #include <csignal>
@@ -74,11 +74,12 @@ TEST_F(CurvesFragmentsTest, OfAFolderAreThoseOfTheWhole)
   EXPECT_FALSE(fs::exists(path("b.obj.fragments"))) << "nothing is to stay";
   const CurveNetwork a = io::readCurves(path("a.obj")),
                      b = io::readCurves(path("b.obj"));
-  // Curves of few points are found or not by what was explained before them, which
-  // depends on the order over the whole cloud: chunks of 95 to 250 gave -2 to +3 %.
-  EXPECT_NEAR(length(b), length(a), 0.05 * length(a));
-  EXPECT_GT(shareNear(a, b, 0.1), 0.95);
-  EXPECT_GT(shareNear(b, a, 0.1), 0.95);
+  // What ends at the border of a fragment has less evidence there, which may change
+  // what is found first among curves side by side: 22 tilings gave lengths of -.3 to
+  // +2.2 %, and .975 or more of them within .1.
+  EXPECT_NEAR(length(b), length(a), 0.03 * length(a));
+  EXPECT_GT(shareNear(a, b, 0.1), 0.97);
+  EXPECT_GT(shareNear(b, a, 0.1), 0.97);
 }
 
 // Nothing is joined through empty space, wherever the borders are.

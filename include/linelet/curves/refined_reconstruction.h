@@ -17,6 +17,7 @@ struct CloudTraits {
   double scale_unit = 0;   ///< D, unit of the points
   double linear_share = 0; ///< share of the points around which it is linear
   double points = 0;       ///< number of points; 0: nothing is known
+  double extent = 0;       ///< diagonal of the box around them
 };
 
 /** \brief The traits of \a points, of which those that are not finite do not count.

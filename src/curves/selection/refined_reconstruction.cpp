@@ -247,6 +247,7 @@ traitsOf(const Points& points,
     return known;
   CloudTraits traits;
   traits.points = static_cast<double>(points.size());
+  traits.extent = extentOf(points);
   traits.scale_unit = search != nullptr ? scaleUnit(*search, points, 1024, 1, threads)
                                         : scaleUnit(points, 1024, 1, threads);
   if (traits.scale_unit > 0 && std::isfinite(traits.scale_unit))
@@ -295,8 +296,8 @@ reconstruct(const Points& all,
   if (small && (little || thicknessOf(curves) > sharp)) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
     if ((little && explainedBy(mixed) > explained) ||
-        (extentOf(points) > scene_extent * scale_unit &&
-         standOut(mixed, curves, static_cast<double>(points.size()))))
+        (traits.extent > scene_extent * scale_unit &&
+         standOut(mixed, curves, traits.points)))
       curves = std::move(mixed);
   }
   return networkOf(curves);

@@ -178,6 +178,7 @@ bestSeed(const TrackedScene& scene, std::size_t i)
 
 std::vector<TrackSeed>
 seedsAlongDirections(const TrackedScene& scene,
+                     double points,
                      unsigned threads,
                      ProgressMonitor* monitor)
 {
@@ -186,7 +187,7 @@ seedsAlongDirections(const TrackedScene& scene,
     monitor->begin("sparse curves", count);
   std::vector<TrackSeed> seeds;
   // What the most of so many points would show by chance.
-  const double needed = std::log(static_cast<double>(std::max<std::size_t>(count, 1)));
+  const double needed = std::log(std::max(points, 1.0));
   ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
   for (std::size_t i = 0; i < count; ++i) {

@@ -17,9 +17,11 @@ namespace linelet {
  * Around every point that no surface and no curve explains, the cylinder through each
  * of its neighbors is compared with the ball that contains it: it must hold more points
  * than chance would bring into the best of so many.
+ * \param[in] points of the whole scene, by which chance is judged
  * \return one seed per point at most, the best first */
 std::vector<TrackSeed>
 seedsAlongDirections(const TrackedScene& scene,
+                     double points,
                      unsigned threads,
                      ProgressMonitor* monitor);
 

@@ -12,6 +12,7 @@
 
 #include "curves/ridges/distinct_points.h"
 #include "direction_seeds.h"
+#include "seed_groups.h"
 #include "track_fit.h"
 #include "track_seeds.h"
 
@@ -19,8 +20,10 @@ namespace linelet {
 
 namespace {
 
-// Seeds followed side by side; the best of them then take their points first.
-constexpr std::size_t batch_size = 64;
+// Seeds followed side by side, of a cell of so many D; the best of them then take their
+// points first.
+constexpr std::size_t group_size = 8;
+constexpr double group_side = 30;
 // Closer points tell no more than one of them. In D.
 constexpr double least_distance = 0.25;
 // Stiff curves first: what they explain misleads no other any more. Radians per 10
@@ -122,23 +125,26 @@ public:
   {
     needed_ = times_needed * evidenceNeeded(points_);
     failures_.assign(scene_.points().size(), 0);
-    std::size_t next = 0, tried = 0;
+    SeedGroups groups(seeds, group_side * scene_.unit);
+    const auto is_open = [&](const TrackSeed& seed) {
+      return !scene_.taken[seed.index] && failures_[seed.index] < most_failures;
+    };
+    std::size_t tried = 0, told = 0; // to the monitor
     const std::size_t most =
         settings_.start_points > 0 ? settings_.start_points : seeds.size();
-    while (next < seeds.size() && tried < most) {
-      const std::size_t before = next;
-      std::vector<TrackSeed> batch;
-      for (; next < seeds.size() && batch.size() < batch_size && tried < most; ++next) {
-        const Index i = seeds[next].index;
-        if (scene_.taken[i] || failures_[i] >= most_failures)
-          continue;
-        batch.push_back(seeds[next]);
-        ++tried;
-      }
-      takeBest(batch, tracksFrom(batch, bending));
+    for (;;) {
+      const std::vector<TrackSeed> group =
+          groups.next(std::min(group_size, most - tried), is_open);
+      if (group.empty())
+        break;
+      tried += group.size();
+      takeBest(group, tracksFrom(group, bending));
       if (monitor_)
-        monitor_->advance(next - before);
+        monitor_->advance(groups.passed() - told);
+      told = groups.passed();
     }
+    if (monitor_)
+      monitor_->advance(seeds.size() - told);
   }
 
   ModelCurves
@@ -155,15 +161,15 @@ private:
   }
 
   std::vector<Track>
-  tracksFrom(const std::vector<TrackSeed>& batch, const TrackBending& bending) const
+  tracksFrom(const std::vector<TrackSeed>& group, const TrackBending& bending) const
   {
-    std::vector<Track> tracks(batch.size());
+    std::vector<Track> tracks(group.size());
     std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings_.threads))
-    for (std::size_t k = 0; k < batch.size(); ++k)
+    for (std::size_t k = 0; k < group.size(); ++k)
       try {
         for (const double width : {1.0, narrower}) {
-          TrackSeed seed = batch[k];
+          TrackSeed seed = group[k];
           seed.noise *= width;
           Track track = followCurve(scene_,
                                     seed,
@@ -185,7 +191,7 @@ private:
   }
 
   void
-  takeBest(const std::vector<TrackSeed>& batch, const std::vector<Track>& tracks)
+  takeBest(const std::vector<TrackSeed>& group, const std::vector<Track>& tracks)
   {
     std::vector<std::size_t> order(tracks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -197,7 +203,7 @@ private:
         throw Canceled();
       if (take(tracks[k]))
         continue;
-      ++failures_[batch[k].index];
+      ++failures_[group[k].index];
       for (const Track::Member& m : tracks[k].members)
         if (m.weight > 0.5 && !scene_.taken[m.index])
           ++failures_[m.index];
@@ -278,12 +284,12 @@ mixedCurves(const Points& all,
   const double share = settings.whole.points > 0
                            ? settings.whole.points / static_cast<double>(all.size())
                            : 1;
-  SceneCurves curves(
-      scene, settings, share * static_cast<double>(scene.points().size()), monitor);
+  const double points = share * static_cast<double>(scene.points().size());
+  SceneCurves curves(scene, settings, points, monitor);
   for (const TrackBending& bending : bendings)
     curves.follow(seeds, bending);
   const std::vector<TrackSeed> sparse =
-      seedsAlongDirections(scene, settings.threads, monitor);
+      seedsAlongDirections(scene, points, settings.threads, monitor);
   if (monitor)
     monitor->begin("sparse curves", sparse.size());
   curves.follow(sparse, bendings[0], sure);
