@@ -151,7 +151,7 @@ extractPowerLines(const Points& points,
     stages.begin("seeds");
     const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
     stages.begin("wires");
-    Growth growth(candidates, settings);
+    Growth growth(candidates, settings, seeds);
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("curves");
     std::vector<SeenLine> lines;

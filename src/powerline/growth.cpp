@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "powerline/counts.h"
 #include "powerline/line_priors.h"
@@ -48,10 +49,13 @@ updateExtent(Piece& piece, const Points& points)
   }
 }
 
-Growth::Growth(const Candidates& candidates, const PowerLineSettings& settings)
+Growth::Growth(const Candidates& candidates,
+               const PowerLineSettings& settings,
+               const std::vector<Seed>& seeds)
     : candidates_(candidates),
       settings_(settings),
-      owner_(candidates.points.size(), nobody)
+      owner_(candidates.points.size(), nobody),
+      tangents_(candidates, seeds)
 {
 }
 
@@ -241,6 +245,32 @@ Growth::grow(const Seed& seed) const
 }
 
 std::vector<Piece>
+Growth::betweenBreaks(const Piece& piece) const
+{
+  std::vector<Piece> parts;
+  if (piece.thickness > 0)
+    return parts;
+  const std::vector<Tangents::Sample> samples = tangents_.along(piece.model);
+  const std::vector<double> kinks = findKinks(samples);
+  for (std::size_t k = 0; !kinks.empty() && k <= kinks.size(); ++k) {
+    const double low = k == 0 ? piece.model.begin : kinks[k - 1];
+    const double high = k == kinks.size() ? piece.model.end : kinks[k];
+    Piece part = piece;
+    const double far = std::numeric_limits<double>::infinity();
+    const Point from = piece.model.at(low), to = piece.model.at(high);
+    // What it took for its points beyond the first break were those of others.
+    if (!hangAlong(part.model, samples, low, high) || !lockOnStrongestWire(part))
+      continue;
+    const SpanModel& m = part.model;
+    if (extend(part,
+               k == 0 ? -far : m.along(from),
+               k == kinks.size() ? far : m.along(to)))
+      parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::vector<Piece>
 Growth::betweenSupports(Piece piece) const
 {
   const Points& points = candidates_.points;
@@ -255,6 +285,10 @@ Growth::betweenSupports(Piece piece) const
       part.model = part.model.reframed();
       if (!collect(part, part.tolerance()))
         continue;
+      if (std::vector<Piece> parts = betweenBreaks(part); !parts.empty()) {
+        std::move(parts.begin(), parts.end(), std::back_inserter(next));
+        continue;
+      }
       const std::vector<double> kinks = findKinks(part, points);
       if (kinks.empty()) {
         done.push_back(std::move(part));

@@ -11,6 +11,7 @@
 
 #include "powerline/candidates.h"
 #include "powerline/span_model.h"
+#include "powerline/tangents.h"
 
 namespace linelet::powerline {
 
@@ -59,7 +60,10 @@ class Growth {
 public:
   static constexpr int nobody = -1;
 
-  Growth(const Candidates& candidates, const PowerLineSettings& settings);
+  /** \param[in] seeds that tell the directions of wires */
+  Growth(const Candidates& candidates,
+         const PowerLineSettings& settings,
+         const std::vector<Seed>& seeds = {});
 
   /** \brief Grows a wire from \a seed to both sides; its parts between supports.
    * Nothing is claimed. Empty where nothing grows. */
@@ -130,9 +134,14 @@ private:
   bool
   lockOnStrongestWire(Piece& piece) const;
 
+  /** The parts of \a piece between the downward breaks of all wires around it. */
+  std::vector<Piece>
+  betweenBreaks(const Piece& piece) const;
+
   const Candidates& candidates_;
   const PowerLineSettings& settings_;
   std::vector<int> owner_;
+  Tangents tangents_;
 };
 
 /** \brief Lets the model of \a piece begin and end where its members do. */
