@@ -31,7 +31,8 @@ struct LinePriors {
 
   double hidden = 0.3; ///< of the length of a wire, by crowns, supports and dropouts
 
-  double open = 0.25; ///< of the length of a line, with nothing but deep below
+  double open = 0.25;       ///< of the length of a line, with nothing but deep below
+  double open_itself = 0.5; ///< of every wire: crowns let pulses through, roofs do not
 
   /// \name Service drops
   /// @{

@@ -245,7 +245,10 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     keep[w] = drop || (!isRope(m, beyond) && !isStray(m, evidence, beyond));
   }
   for (std::size_t w = 0; w < wires.size(); ++w)
-    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)], terrain);
+    // Rows and edges of roofs do not become wires by running beside some.
+    keep[w] =
+        keep[w] != 0 && plausible(families[family_of.root(w)], terrain) &&
+        (!terrain || openBelow(wires[w].model(), underside) >= priors.open_itself);
   keepOnly(keep, wires, growth);
 }
 
