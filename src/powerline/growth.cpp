@@ -262,9 +262,8 @@ Growth::betweenBreaks(const Piece& piece) const
     if (!hangAlong(part.model, samples, low, high) || !lockOnStrongestWire(part))
       continue;
     const SpanModel& m = part.model;
-    if (extend(part,
-               k == 0 ? -far : m.along(from),
-               k == kinks.size() ? far : m.along(to)))
+    if (extend(
+            part, k == 0 ? -far : m.along(from), k == kinks.size() ? far : m.along(to)))
       parts.push_back(std::move(part));
   }
   return parts;

@@ -30,8 +30,9 @@ grown(const Points& points, const PowerLineSettings& settings = {})
 {
   const Ground ground = findGround(points, {}, false);
   const Candidates candidates = findCandidates(points, ground, settings.min_height);
-  Growth growth(candidates, settings);
-  return growAll(growth, findSeeds(candidates, 1, nullptr), settings, nullptr);
+  const std::vector<Seed> seeds = findSeeds(candidates, 1, nullptr);
+  Growth growth(candidates, settings, seeds);
+  return growAll(growth, seeds, settings, nullptr);
 }
 
 TEST(SpanModel, KeepsItsCurveWhenReframed)
