@@ -37,6 +37,7 @@ struct LinePriors {
   /// \name Service drops
   /// @{
   double longest_drop = 45; ///< a house farther away gets a pole of its own
+  double shortest_drop = 6; ///< poles stand across a pavement and a front yard at least
   double drop_reach = 6;    ///< carried on to its line; insulators and the pole hide it
   double drop_below = 4;    ///< below the wires of its line, at most
   double drop_beside = 1.5; ///< and beside them

@@ -103,6 +103,7 @@ addServiceDrops(std::vector<WireWithEnds>& wires,
   const std::vector<Attachment> attachments = attachmentsOf(wires, candidates);
   PowerLineSettings relaxed = settings;
   relaxed.min_length = std::min(least_seen, settings.min_length);
+  const double shortest = std::min(priors.shortest_drop, settings.min_length);
   std::vector<char> tried(candidates.points.size(), 0);
   const std::size_t before = wires.size();
   for (const Seed& seed : seeds) {
@@ -123,7 +124,7 @@ addServiceDrops(std::vector<WireWithEnds>& wires,
       // A wire does not end in the air: where no house is seen, it is farther.
       const double length = std::max(ways[0], ways[1]) + m.length() +
                             (home < 0 ? priors.drop_reach : home);
-      if (length < settings.min_length || length > priors.longest_drop)
+      if (length < shortest || length > priors.longest_drop)
         continue;
       const Evidence evidence = weigh(growth, piece, relaxed);
       const Bend bend = bendOf(piece, candidates.points);
