@@ -53,7 +53,7 @@ joinParts(const Growth& growth,
   return growth.collect(joined, bundle_radius) &&
          static_cast<double>(joined.members.size()) >=
              explained_part * static_cast<double>(before) &&
-         weigh(growth, joined, settings).sound;
+         weigh(growth, joined, settings).sound && findKinks(joined, points).empty();
 }
 
 } // namespace
