@@ -33,6 +33,8 @@ struct Record {
 };
 static_assert(sizeof(Record) == 32);
 
+constexpr std::size_t block_size = 500000; // points read at a time
+
 struct Closer {
   void
   operator()(std::FILE* file) const
@@ -118,6 +120,62 @@ private:
   std::map<std::size_t, Piece> pieces_;
 };
 
+/** Calls \a use with every usable point of \a cloud, which begins at place \a first of
+ * \a input, and its world coordinates. */
+template <class Use>
+void
+forEachRecord(const Plan& plan,
+              const PlannedInput& input,
+              const io::ClassFilter& filter,
+              const io::Cloud& cloud,
+              std::size_t first,
+              Use use)
+{
+  if (first + cloud.points.size() > std::numeric_limits<std::uint32_t>::max())
+    throw io::FileError(input.path +
+                        ": has more than 4,294,967,295 points; cut it in two");
+  const Area& area = input.extent.area;
+  const io::UsablePoints usable(cloud, nullptr, filter);
+  const io::Column* classes = cloud.find("classification");
+  const io::Column* returns = cloud.find("number_of_returns");
+  const auto numberIn = [](const io::Column* column, std::size_t i) {
+    return column == nullptr ? std::uint8_t{0}
+                             : static_cast<std::uint8_t>(io::valueAt(*column, i));
+  };
+  const Point offset = cloud.shift - plan.shift;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!usable.points()[i].allFinite())
+      continue;
+    const Point p = usable.points()[i] + offset;
+    const Point world = p + plan.shift;
+    for (std::size_t a = 0; a < 2; ++a) {
+      const double value = world[static_cast<Eigen::Index>(a)];
+      if (value < area.low[a] || value > area.high[a])
+        throw io::FileError(input.path +
+                            ": has points outside of the bounds that its header "
+                            "names; write it anew with linelet convert");
+    }
+    use(Record{p.x(),
+               p.y(),
+               p.z(),
+               static_cast<std::uint32_t>(first + i),
+               numberIn(classes, i),
+               numberIn(returns, i),
+               0},
+        world);
+  }
+}
+
+void
+put(const Record& record, bool core, Fragment& fragment)
+{
+  fragment.points.emplace_back(record.x, record.y, record.z);
+  fragment.classes.push_back(record.number_of_class);
+  fragment.returns.push_back(record.number_of_returns);
+  fragment.places.push_back(record.place);
+  fragment.core.push_back(core);
+}
+
 } // namespace
 
 std::size_t
@@ -157,46 +215,22 @@ Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
   for (const std::size_t f : plan_.tiling.near(area, plan_.reach()))
     wanted[f] = !ledger_.done(Ledger::task, f);
   Construction pieces;
-  io::PointStream stream(planned.path, options_, 500000, nullptr, monitor);
+  io::PointStream stream(planned.path, options_, block_size, nullptr, monitor);
   io::Cloud cloud;
   std::size_t first = 0;
   while (stream.next(cloud)) {
-    if (first + cloud.points.size() > std::numeric_limits<std::uint32_t>::max())
-      throw io::FileError(planned.path +
-                          ": has more than 4,294,967,295 points; cut it in two");
-    const io::UsablePoints usable(cloud, nullptr, classes_);
-    const io::Column* classes = cloud.find("classification");
-    const io::Column* returns = cloud.find("number_of_returns");
-    const auto numberIn = [](const io::Column* column, std::size_t i) {
-      return column == nullptr ? std::uint8_t{0}
-                               : static_cast<std::uint8_t>(io::valueAt(*column, i));
-    };
-    const Point offset = cloud.shift - plan_.shift;
-    for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-      if (!usable.points()[i].allFinite())
-        continue;
-      const Point p = usable.points()[i] + offset;
-      const Point world = p + plan_.shift;
-      for (std::size_t a = 0; a < 2; ++a) {
-        const double value = world[static_cast<Eigen::Index>(a)];
-        if (value < area.low[a] || value > area.high[a])
-          throw io::FileError(planned.path +
-                              ": has points outside of the bounds that its header "
-                              "names; write it anew with linelet convert");
-      }
-      const Record record{p.x(),
-                          p.y(),
-                          p.z(),
-                          static_cast<std::uint32_t>(first + i),
-                          numberIn(classes, i),
-                          numberIn(returns, i),
-                          0};
-      plan_.tiling.forEachNear(
-          world.x(), world.y(), plan_.reach(), [&](std::size_t fragment) {
-            if (wanted[fragment])
-              pieces.add(fragment, record);
-          });
-    }
+    forEachRecord(plan_,
+                  planned,
+                  classes_,
+                  cloud,
+                  first,
+                  [&](const Record& record, const Point& world) {
+                    plan_.tiling.forEachNear(
+                        world.x(), world.y(), plan_.reach(), [&](std::size_t fragment) {
+                          if (wanted[fragment])
+                            pieces.add(fragment, record);
+                        });
+                  });
     first += cloud.points.size();
     pieces.flush(pathFor);
     throwIfCanceled(monitor);
@@ -206,6 +240,61 @@ Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
   entry.points = static_cast<double>(first);
   entry.pieces = pieces.publish(pathFor);
   ledger_.write(Ledger::cut, input, entry);
+}
+
+/** Where an input keeps what fragment \a number may have; nothing where it has no
+ * octree to go by. */
+Pieces::Ranges
+Pieces::octreeRanges(std::size_t input, std::size_t number) const
+{
+  // Places are those of all that is read.
+  if (!options_.bounds.empty() || !options_.bounds_3d.empty() ||
+      options_.resolution > 0 || options_.lenient)
+    return {};
+  const Area box = plan_.tiling.box(number);
+  const double reach = plan_.reach();
+  return io::copcRanges(plan_.inputs[input].path,
+                        {box.low[0] - reach,
+                         box.low[1] - reach,
+                         box.high[0] + reach,
+                         box.high[1] + reach});
+}
+
+/** \return how many points came to it */
+std::size_t
+Pieces::appendOfOctree(std::size_t input,
+                       const std::vector<io::PointRange>& ranges,
+                       Fragment& fragment,
+                       ProgressMonitor* monitor) const
+{
+  const PlannedInput& planned = plan_.inputs[input];
+  const std::size_t before = fragment.points.size();
+  io::PointStream stream(planned.path, options_, block_size, nullptr, monitor);
+  io::Cloud cloud;
+  for (const io::PointRange& range : ranges) {
+    std::size_t first = range.first;
+    for (stream.seek(first, first + range.count); stream.next(cloud);
+         first += cloud.points.size()) {
+      forEachRecord(plan_,
+                    planned,
+                    classes_,
+                    cloud,
+                    first,
+                    [&](const Record& record, const Point& world) {
+                      bool near = false;
+                      plan_.tiling.forEachNear(
+                          world.x(), world.y(), plan_.reach(), [&](std::size_t number) {
+                            near = near || number == fragment.number;
+                          });
+                      if (near)
+                        put(record,
+                            plan_.tiling.owner(world.x(), world.y()) == fragment.number,
+                            fragment);
+                    });
+      throwIfCanceled(monitor);
+    }
+  }
+  return fragment.points.size() - before;
 }
 
 void
@@ -219,14 +308,10 @@ Pieces::append(const Section& section, Fragment& fragment) const
          (got = std::fread(block.data(), sizeof(Record), block.size(), file.get())) > 0)
     for (std::size_t i = 0; i < got; ++i) {
       const Record& record = block[i];
-      const Point p(record.x, record.y, record.z);
-      fragment.points.push_back(p);
-      fragment.classes.push_back(record.number_of_class);
-      fragment.returns.push_back(record.number_of_returns);
-      fragment.places.push_back(record.place);
-      const Point world = p + plan_.shift;
-      fragment.core.push_back(plan_.tiling.owner(world.x(), world.y()) ==
-                              fragment.number);
+      const Point world = Point(record.x, record.y, record.z) + plan_.shift;
+      put(record,
+          plan_.tiling.owner(world.x(), world.y()) == fragment.number,
+          fragment);
     }
   if (fragment.points.size() != section.first + section.count)
     throw io::FileError(name + ": cannot be read; check its disk");
@@ -296,20 +381,35 @@ Pieces::load(std::size_t number, ProgressMonitor* monitor) const
 {
   Fragment fragment;
   fragment.number = number;
+  const std::vector<std::size_t> inputs = plan_.inputsOf(number);
+  std::vector<std::uint64_t> counts; // of octrees, no less
+  std::vector<Ranges> octrees;
   std::uint64_t all = 0;
-  for (const std::size_t input : plan_.inputsOf(number)) {
-    const std::uint64_t points = require(input, number, monitor);
-    if (points > 0)
-      fragment.sections.push_back({input, all, points});
-    all += points;
+  for (const std::size_t input : inputs) {
+    octrees.push_back(octreeRanges(input, number));
+    std::uint64_t count = 0;
+    if (octrees.back())
+      for (const io::PointRange& range : *octrees.back())
+        count += range.count;
+    else
+      count = require(input, number, monitor);
+    counts.push_back(count);
+    all += count;
   }
   fragment.points.reserve(all);
   fragment.classes.reserve(all);
   fragment.returns.reserve(all);
   fragment.places.reserve(all);
   fragment.core.reserve(all);
-  for (const Section& section : fragment.sections)
-    append(section, fragment);
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    Section section{inputs[k], fragment.points.size(), counts[k]};
+    if (octrees[k])
+      section.count = appendOfOctree(inputs[k], *octrees[k], fragment, monitor);
+    else if (section.count > 0)
+      append(section, fragment);
+    if (section.count > 0)
+      fragment.sections.push_back(section);
+  }
   // Who cuts an input anew leaves out what is done by then: no points, but no error.
   refuseIfDone(number);
   return fragment;

@@ -120,6 +120,29 @@ Tiling::owner(double x, double y) const
   return static_cast<std::size_t>(-1 - node);
 }
 
+Area
+Tiling::box(std::size_t number) const
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Area area{{-none, -none}, {none, none}};
+  // From the box to the cut that is above all.
+  for (int inside = -1 - static_cast<int>(number); inside != 0 && !cuts_.empty();) {
+    std::size_t k = 0;
+    while (k < cuts_.size() && cuts_[k].below != inside && cuts_[k].above != inside)
+      ++k;
+    if (k == cuts_.size())
+      throw std::out_of_range("no box of this tiling");
+    const Cut& cut = cuts_[k];
+    const auto a = static_cast<std::size_t>(cut.axis);
+    if (cut.below == inside)
+      area.high[a] = std::min(area.high[a], cut.plane);
+    else
+      area.low[a] = std::max(area.low[a], cut.plane);
+    inside = static_cast<int>(k);
+  }
+  return area;
+}
+
 std::vector<std::size_t>
 Tiling::near(const Area& area, double ghost) const
 {

@@ -3,6 +3,7 @@
 
 #include <linelet/io/cloud_stream.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "files.h"
@@ -23,6 +24,14 @@ PointStream::PointStream(std::string path,
       warnings_(warnings),
       monitor_(monitor)
 {
+}
+
+void
+PointStream::seek(std::size_t first, std::size_t behind)
+{
+  first_ = first;
+  behind_ = behind;
+  over_ = false;
 }
 
 bool
@@ -51,7 +60,7 @@ PointStream::nextOfLas(Cloud& cloud)
   source.bytes = file.bytes();
   source.options = options_;
   source.first = first_;
-  source.behind = first_ + block_;
+  source.behind = std::min(first_ + block_, behind_);
   source.passed = &passed;
   Cloud block = readLas(source);
   over_ = passed == 0;

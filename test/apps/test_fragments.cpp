@@ -12,6 +12,7 @@
 
 #include <sys/mount.h>
 
+#include "test_data.h"
 #include "tiles_test.h"
 
 namespace linelet::test {
@@ -101,6 +102,28 @@ TEST_F(FragmentsTest, ATruncatedTileIsNamedAndTheRestIsKept)
   expectOneLineOf(job + path("b") + " --chunk 45 --resume", "--resume");
   runWell(job + path("b") + " --chunk 45");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
+}
+
+// Of a COPC file, each fragment reads the nodes that it touches; nothing is cut before.
+TEST_F(FragmentsTest, OctreesAreReadByWindow)
+{
+  LINELET_NEEDS_DATA("readers/copc");
+  const std::string file =
+      dataPath("readers/copc/silvimetric_test_data_2.copc.laz").string();
+  runWell("info " + file + " --json " + path("copc.json"));
+  const auto bounds = json(path("copc.json"))["bounds"];
+  const double side =
+      bounds["maximum"][0].get<double>() - bounds["minimum"][0].get<double>();
+  for (const double parts : {2.0, 3.7}) {
+    const std::string chunk = " --chunk " + std::to_string(side / parts);
+    runWell("tensor" + options_ + file + " " + path("whole.laz"));
+    runWell("plan tensor" + options_ + file + " " + path("parts.laz") + chunk);
+    runWell("work " + path("parts.laz"));
+    EXPECT_FALSE(fs::exists(path("parts.laz.fragments/cut")));
+    EXPECT_FALSE(fs::exists(path("parts.laz.fragments/pieces")));
+    runWell("merge " + path("parts.laz"));
+    EXPECT_TRUE(contents(path("whole.laz")) == contents(path("parts.laz")));
+  }
 }
 
 TEST_F(FragmentsTest, PartialResultsAreAskedForAndTold)

@@ -104,6 +104,10 @@ TEST(Tiling, EveryPlaceIsOwnedOnceAndNearWhereItShouldBe)
     const Tiling tiling(randomExtents(random),
                         {ghost, chunk, static_cast<double>(random() % 30000)});
     const std::vector<Area> areas = areasOf(tiling);
+    for (std::size_t box = 0; box < areas.size(); ++box) {
+      EXPECT_EQ(tiling.box(box).low, areas[box].low) << "seed " << seed;
+      EXPECT_EQ(tiling.box(box).high, areas[box].high) << "seed " << seed;
+    }
     for (int i = 0; i < 300; ++i) {
       double x = place(random), y = place(random);
       if (random() % 3 == 0) { // on a border

@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <linelet/fragments/ledger.h>
 #include <linelet/fragments/plan.h>
+#include <linelet/io/copc_ranges.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/usable_points.h>
 #include <linelet/support/progress_monitor.h>
@@ -40,7 +42,8 @@ struct Fragment {
 
 /** \brief Cuts inputs into the pieces that fragments are put together from: each input
  * is read once, in blocks, and each usable point written to every fragment that it is
- * in, or in the ghost zone of. */
+ * in, or in the ghost zone of. COPC files are not cut: of them, each fragment reads the
+ * nodes of the octree that it touches. */
 class Pieces {
 public:
   /** \param[in] folder of the run
@@ -62,6 +65,8 @@ public:
   remove(std::size_t number) const;
 
 private:
+  using Ranges = std::optional<std::vector<io::PointRange>>;
+
   void
   cut(std::size_t input, ProgressMonitor* monitor) const;
   void
@@ -70,6 +75,13 @@ private:
   cutOrTellWhyNot(std::size_t input, ProgressMonitor* monitor) const;
   std::uint64_t
   require(std::size_t input, std::size_t fragment, ProgressMonitor* monitor) const;
+  Ranges
+  octreeRanges(std::size_t input, std::size_t number) const;
+  std::size_t
+  appendOfOctree(std::size_t input,
+                 const std::vector<io::PointRange>& ranges,
+                 Fragment& fragment,
+                 ProgressMonitor* monitor) const;
   void
   append(const Section& section, Fragment& fragment) const;
   std::string

@@ -71,6 +71,10 @@ public:
   std::size_t
   owner(double x, double y) const;
 
+  /** \brief Box \a number, with infinite borders where nothing lies beyond. */
+  Area
+  box(std::size_t number) const;
+
   /** \brief Calls \a use with every box that (x, y) is in or within \a ghost of, along
    * each axis. */
   template <class Use>

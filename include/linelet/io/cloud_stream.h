@@ -29,6 +29,11 @@ public:
               std::vector<std::string>* warnings = nullptr,
               ProgressMonitor* monitor = nullptr);
 
+  /** \brief Of LAS and LAZ: goes on with the blocks (chunks) that begin at or behind
+   * point \a first of the file, and before \a behind. */
+  void
+  seek(std::size_t first, std::size_t behind);
+
   /** \brief Reads the next block, as \ref readCloud would the file; it may be empty.
    * \return whether there was one
    * \throws FileError, Canceled */
@@ -41,7 +46,7 @@ private:
 
   std::string path_;
   ReadOptions options_;
-  std::size_t block_, first_ = 0;
+  std::size_t block_, first_ = 0, behind_ = static_cast<std::size_t>(-1);
   bool begun_ = false, over_ = false;
   std::vector<std::string>* warnings_;
   ProgressMonitor* monitor_;

@@ -13,6 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include <linelet/io/cloud_stream.h>
+#include <linelet/io/copc_ranges.h>
 #include <linelet/io/input_list.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/virtual_cloud.h>
@@ -104,6 +106,54 @@ TEST(Windows, HoldThePointsThatTheWholeFileHasThere)
       EXPECT_EQ(part.points.size(), placesIn(whole, options.bounds).size());
     }
   }
+}
+
+// Every point of a window is in one of the ranges, and far ones are not read.
+TEST(Windows, RangesOfCopcFilesHoldWhatIsThere)
+{
+  LINELET_NEEDS_DATA("readers/copc");
+  std::size_t read = 0, all = 0;
+  for (const char* name :
+       {"laspy_simple.copc.laz", "silvimetric_test_data_2.copc.laz"}) {
+    SCOPED_TRACE(name);
+    const std::string path = (dataPath("readers/copc") / name).string();
+    const Cloud whole = readCloud(path);
+    for (std::size_t i = 0; i < whole.points.size();
+         i += 1 + whole.points.size() / 20) {
+      const Point at = whole.shift + whole.points[i];
+      const std::array<double, 4> bounds = {
+          at.x() - 5, at.y() - 5, at.x() + 5, at.y() + 5};
+      const auto ranges = copcRanges(path, bounds);
+      ASSERT_TRUE(ranges);
+      std::vector<bool> held(whole.points.size(), false);
+      PointStream stream(path, {}, 3000);
+      for (const PointRange& range : *ranges) {
+        std::size_t place = range.first;
+        Cloud block;
+        for (stream.seek(range.first, range.first + range.count); stream.next(block);
+             place += block.points.size())
+          for (std::size_t k = 0; k < block.points.size(); ++k) {
+            held.at(place + k) = true;
+            EXPECT_LT(
+                (block.shift + block.points[k] - whole.shift - whole.points[place + k])
+                    .norm(),
+                1e-6);
+          }
+        EXPECT_EQ(place, range.first + range.count);
+      }
+      for (std::size_t k = 0; k < held.size(); ++k) {
+        const Point p = whole.shift + whole.points[k];
+        if (p.x() >= bounds[0] && p.x() <= bounds[2] && p.y() >= bounds[1] &&
+            p.y() <= bounds[3]) {
+          EXPECT_TRUE(held[k]) << k;
+        }
+      }
+      read += static_cast<std::size_t>(std::count(held.begin(), held.end(), true));
+      all += held.size();
+    }
+  }
+  EXPECT_LT(read, all / 2);
+  EXPECT_FALSE(copcRanges(dataPath("lidar/bcts/bcts_1.laz").string(), {0, 0, 1, 1}));
 }
 
 TEST(Windows, OfCopcFilesAreThoseOfCopcReader)
