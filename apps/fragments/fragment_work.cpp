@@ -30,6 +30,15 @@ keepFreedMemory()
 #endif
 }
 
+/** \brief What comes next is of another shape. */
+void
+giveBackFreedMemory()
+{
+#ifdef M_TRIM_THRESHOLD
+  ::malloc_trim(0);
+#endif
+}
+
 } // namespace
 
 void
@@ -102,6 +111,8 @@ FragmentRun::work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool 
       entry.reason = reason;
       ledger_.write(Ledger::task, task, entry);
     }
+    if (i + 1 == left.size())
+      giveBackFreedMemory();
     if (outputs)
       writeReady(job);
     job.frame().monitor.advance(1);

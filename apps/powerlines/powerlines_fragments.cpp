@@ -151,7 +151,10 @@ PowerlinesJob::compute(const fragments::Plan& plan,
                                   hazards_.classes,
                                   frame_.threads,
                                   monitor));
-  part.picture = picturePoints(fragment, cloud, network);
+  // All fragments together keep as many as one may have points.
+  const auto most = static_cast<std::size_t>(
+      std::ceil(plan.most_points / static_cast<double>(plan.tiling.boxes())));
+  part.picture = picturePoints(fragment, cloud, network, most);
   const std::size_t cut_off = wiresCutOff(plan, fragment, cloud, part.network);
   savePart(result, fragment, network, std::move(part));
   return {{"cut_off", static_cast<double>(cut_off)}};

@@ -77,23 +77,24 @@ PowerlinesMerge::PowerlinesMerge(const fragments::Plan& plan,
   pictures_.wkt = wkt;
   const powerline::MetricFrame frame(pictures_);
   std::vector<powerline::NetworkPart> parts(usable_.size());
-  std::vector<std::vector<PicturePoint>> pictures(usable_.size());
-  std::vector<OwnSurroundings> surroundings(usable_.size());
   for (std::size_t f = 0; f < usable_.size(); ++f) {
-    if (usable_[f]) {
-      PowerlinesPart part = loadPart(fragments::resultPath(folder_, f));
-      parts[f] = std::move(part.network);
-      pictures[f] = std::move(part.picture);
-      surroundings[f] = std::move(part.surroundings);
-    }
+    if (usable_[f])
+      parts[f] = loadPart(fragments::resultPath(folder_, f)).network;
     parts[f].owns = [&plan, frame, f](double x, double y) {
       const Point world = frame.world({x, y, 0});
       return plan.tiling.owner(world.x(), world.y()) == f;
     };
   }
   network_ = powerline::mergeParts(parts, ids_);
+  parts.clear();
+  // Once more, so that the pictures of one fragment at a time are twice in memory.
+  std::vector<OwnSurroundings> surroundings(usable_.size());
   for (std::size_t f = 0; f < usable_.size(); ++f)
-    addPictures(f, pictures[f]);
+    if (usable_[f]) {
+      PowerlinesPart part = loadPart(fragments::resultPath(folder_, f));
+      addPictures(f, part.picture);
+      surroundings[f] = std::move(part.surroundings);
+    }
   putSurroundingsInOrder(surroundings);
   joinTerrain();
 }

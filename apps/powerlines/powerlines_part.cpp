@@ -21,8 +21,8 @@ using powerline::Wire;
 
 namespace {
 
-constexpr double around = 8;       // meters, what pictures of spans show
-constexpr std::size_t most = 8000; // such points for a wire, beside its own
+constexpr double around = 8;              // meters, what pictures of spans show
+constexpr std::size_t beside_wire = 8000; // such points for a wire, beside its own
 
 std::string
 partPath(const std::string& result)
@@ -70,6 +70,17 @@ private:
 
   std::set<Cell> cells_;
 };
+
+/** \brief Keeps no more than \a most of \a points, evenly chosen. */
+void
+thin(std::vector<PicturePoint>& points, std::size_t most)
+{
+  if (points.size() <= most)
+    return;
+  for (std::size_t k = 0; k < most; ++k)
+    points[k] = points[k * points.size() / most];
+  points.resize(most);
+}
 
 template <class Archive>
 void
@@ -169,7 +180,8 @@ pass(Archive& archive, powerline::Ground& ground)
 std::vector<PicturePoint>
 picturePoints(const fragments::Fragment& fragment,
               const io::Cloud& cloud,
-              const PowerLineNetwork& network)
+              const PowerLineNetwork& network,
+              std::size_t most)
 {
   const powerline::MetricFrame frame(cloud);
   const WireCells cells(network.wires);
@@ -192,9 +204,12 @@ picturePoints(const fragments::Fragment& fragment,
     else if (cells.hold(frame.meters(p)))
       others.push_back(point);
   }
-  const std::size_t step = 1 + others.size() / (most * (network.wires.size() + 1));
-  for (std::size_t i = 0; i < others.size(); i += step)
-    lines.push_back(others[i]);
+  thin(others, beside_wire * (network.wires.size() + 1));
+  if (most > 0) {
+    thin(lines, most);
+    thin(others, most - lines.size());
+  }
+  lines.insert(lines.end(), others.begin(), others.end());
   return lines;
 }
 

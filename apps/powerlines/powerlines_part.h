@@ -43,11 +43,13 @@ struct PowerlinesPart {
   std::vector<PicturePoint> picture;
 };
 
-/** \brief The points of \a fragment that are or surround the lines. */
+/** \brief The points of \a fragment that are or surround the lines.
+ * \param[in] most so many, evenly chosen; 0: any number */
 std::vector<PicturePoint>
 picturePoints(const fragments::Fragment& fragment,
               const io::Cloud& cloud,
-              const powerline::PowerLineNetwork& network);
+              const powerline::PowerLineNetwork& network,
+              std::size_t most);
 
 /** \brief Those of \a found whose points, of \a cloud, the fragment owns. */
 OwnSurroundings
