@@ -23,7 +23,7 @@ constexpr double overlap = 100, noted = 20;
 constexpr double same_curve = 0.5;
 
 CloudTraits
-traitsIn(const std::map<std::string, double>& measures)
+traitsIn(const Figures& measures)
 {
   return {measures.at("scale_unit"),
           measures.at("linear_share"),
@@ -33,7 +33,7 @@ traitsIn(const std::map<std::string, double>& measures)
 
 } // namespace
 
-std::map<std::string, double>
+Figures
 CurvesJob::measures()
 {
   const CloudTraits traits = traitsOfFiles(input_, frame_.threads, &frame_.monitor);
@@ -45,69 +45,51 @@ CurvesJob::measures()
 }
 
 double
-CurvesJob::ghost(const std::map<std::string, double>& measures)
+CurvesJob::ghost(const Figures& measures)
 {
   return buffer_ > 0
              ? buffer_
              : overlap * traitsIn(measures).scale_unit + settings_.distance_cutoff;
 }
 
-double
-CurvesJob::bytesPerPoint(bool in_fragments) const
-{
-  // Measured: 450 in one piece; the next fragment is loaded beside.
-  return in_fragments ? 500 : 450;
-}
-
-std::map<std::string, double>
-CurvesJob::compute(const fragments::Plan& plan,
-                   const fragments::Fragment& fragment,
-                   const std::string& result,
-                   ProgressMonitor* monitor)
+Figures
+CurvesJob::compute(const FragmentTask& task)
 {
   ReconstructionSettings settings = settings_;
   settings.threads = frame_.threads; // of this worker
-  settings.whole = traitsIn(plan.measures);
+  settings.whole = traitsIn(task.plan.measures);
   const PartOwner owner = [&](const Point& p) {
-    return plan.tiling.owner(p.x() + plan.shift.x(), p.y() + plan.shift.y());
+    return task.plan.tiling.owner(p.x() + task.plan.shift.x(),
+                                  p.y() + task.plan.shift.y());
   };
   CurveNetwork network;
   if (settings.whole.scale_unit > 0)
-    network = reconstructCurves(fragment.points, settings, monitor);
+    network = reconstructCurves(task.fragment.points, settings, task.monitor);
   saveCurvePart(
-      result,
-      ownedBy(network, fragment.number, owner, noted * settings.whole.scale_unit));
+      task.result,
+      ownedBy(network, task.fragment.number, owner, noted * settings.whole.scale_unit));
   return {};
 }
 
-std::map<std::string, double>
-CurvesJob::write(const fragments::Plan& plan,
-                 const std::string& folder,
-                 std::size_t /*number*/,
-                 const std::vector<bool>& usable,
-                 ProgressMonitor* monitor)
+Figures
+CurvesJob::write(const OutputTask& task)
 {
-  std::vector<CurvePart> parts(usable.size());
-  for (std::size_t f = 0; f < usable.size(); ++f)
-    if (usable[f])
-      parts[f] = loadCurvePart(fragments::resultPath(folder, f));
-  const CloudTraits traits = traitsIn(plan.measures);
+  std::vector<CurvePart> parts(task.usable.size());
+  for (std::size_t f = 0; f < task.usable.size(); ++f)
+    if (task.usable[f])
+      parts[f] = loadCurvePart(fragments::resultPath(task.folder, f));
+  const CloudTraits traits = traitsIn(task.plan.measures);
   std::string wkt;
   for (const io::FileSummary& file : input_.summaries())
     if (wkt.empty())
       wkt = file.wkt;
   finish(joinParts(std::move(parts), same_curve * traits.scale_unit),
          traits.points,
-         plan.shift,
+         task.plan.shift,
          wkt,
          nullptr,
-         monitor);
+         task.monitor);
   return {};
-}
-
-void
-CurvesJob::report(const std::map<std::string, double>& /*figures*/)
-{
 }
 
 } // namespace linelet::apps

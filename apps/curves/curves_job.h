@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -28,25 +27,14 @@ public:
   }
   void
   check() override;
-  std::map<std::string, double>
+  Figures
   measures() override;
   double
-  ghost(const std::map<std::string, double>& measures) override;
-  double
-  bytesPerPoint(bool in_fragments) const override;
-  std::map<std::string, double>
-  compute(const fragments::Plan& plan,
-          const fragments::Fragment& fragment,
-          const std::string& result,
-          ProgressMonitor* monitor) override;
-  std::map<std::string, double>
-  write(const fragments::Plan& plan,
-        const std::string& folder,
-        std::size_t number,
-        const std::vector<bool>& usable,
-        ProgressMonitor* monitor) override;
-  void
-  report(const std::map<std::string, double>& figures) override;
+  ghost(const Figures& measures) override;
+  Figures
+  compute(const FragmentTask& task) override;
+  Figures
+  write(const OutputTask& task) override;
   int
   runWhole() override;
 

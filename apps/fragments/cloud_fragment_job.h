@@ -27,8 +27,10 @@ public:
   }
 
 protected:
-  CloudFragmentJob(const std::string& command, const std::string& summary)
-      : FragmentJob(command, summary)
+  CloudFragmentJob(const std::string& command,
+                   const std::string& summary,
+                   const BytesPerPoint& bytes_per_point)
+      : FragmentJob(command, summary, bytes_per_point)
   {
   }
 

@@ -4,19 +4,22 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <linelet/fragments/pieces.h>
-#include <linelet/fragments/plan.h>
-
 #include "cloud_files.h"
 #include "fragment_options.h"
+#include "fragment_tasks.h"
 #include "frame.h"
 
 namespace linelet::apps {
+
+/** \brief The most memory that a command takes, bytes per point. */
+struct BytesPerPoint {
+  double in_fragments; ///< of one fragment, with the next loaded beside it
+  double in_one_piece;
+};
 
 /** \brief A command that can work on a cloud in fragments. */
 class FragmentJob {
@@ -38,6 +41,11 @@ public:
   {
     return fragments_;
   }
+  const BytesPerPoint&
+  bytesPerPoint() const
+  {
+    return bytes_per_point_;
+  }
   /** \brief Where the results go: a file or folder. */
   virtual const std::string&
   place() const = 0;
@@ -47,45 +55,34 @@ public:
   check() = 0;
   /** \brief What must be known of the whole cloud before its fragments are worked on;
    * the plan keeps it. */
-  virtual std::map<std::string, double>
+  virtual Figures
   measures()
   {
     return {};
   }
   /** \brief The width of the ghost zones. */
   virtual double
-  ghost(const std::map<std::string, double>& measures) = 0;
-  /** \brief The memory that a point takes at the most, of a fragment (with the next one
-   * loaded beside it), and of the cloud in one piece. */
-  virtual double
-  bytesPerPoint(bool in_fragments) const = 0;
+  ghost(const Figures& measures) = 0;
 
-  /** \brief Works on \a fragment and writes the file \a result.
-   * \return what is to be added up over the fragments */
-  virtual std::map<std::string, double>
-  compute(const fragments::Plan& plan,
-          const fragments::Fragment& fragment,
-          const std::string& result,
-          ProgressMonitor* monitor) = 0;
+  /** \brief Computes a fragment and writes its result.
+   * \return figures to sum over the fragments */
+  virtual Figures
+  compute(const FragmentTask& task) = 0;
 
   /** \brief The fragments that output \a number is made of; empty for one behind the
    * last. Here, one output of all. */
   virtual std::vector<std::size_t>
   needs(const fragments::Plan& plan, std::size_t number);
 
-  /** \brief Writes output \a number.
-   * \param[in] usable which fragments there are; all but for --partial
-   * \return figures of it */
-  virtual std::map<std::string, double>
-  write(const fragments::Plan& plan,
-        const std::string& folder,
-        std::size_t number,
-        const std::vector<bool>& usable,
-        ProgressMonitor* monitor) = 0;
+  /** \brief Writes an output. \return figures to sum over the outputs */
+  virtual Figures
+  write(const OutputTask& task) = 0;
 
-  /** \brief Says what came of it; \a figures are sums over outputs. */
+  /** \brief Prints and summarizes the sums over fragments and outputs. */
   virtual void
-  report(const std::map<std::string, double>& figures) = 0;
+  report(const Figures& /*figures*/)
+  {
+  }
 
   /** \brief Works on the cloud in one piece. \return the exit code */
   virtual int
@@ -95,14 +92,20 @@ protected:
   template <class... Input>
   FragmentJob(const std::string& command,
               const std::string& summary,
+              const BytesPerPoint& bytes_per_point,
               const Input&... input)
-      : frame_(command, summary), input_(frame_, input...)
+      : frame_(command, summary),
+        input_(frame_, input...),
+        bytes_per_point_(bytes_per_point)
   {
   }
 
   Frame frame_;
   FragmentOptions fragments_;
   CloudInput input_;
+
+private:
+  BytesPerPoint bytes_per_point_;
 };
 
 /** \brief The command \a name with \a arguments, parsed. \throws std::runtime_error

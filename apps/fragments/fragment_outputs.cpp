@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 
 #include <linelet/fragments/records.h>
@@ -26,7 +25,7 @@ FragmentRun::writeOutput(FragmentJob& job,
   QuietMonitor monitor(job.frame().monitor);
   Ledger::Entry entry;
   const WorkMeter meter;
-  entry.figures = job.write(plan_, folder_, number, usable, &monitor);
+  entry.figures = job.write({plan_, folder_, number, usable, &monitor});
   entry.done = true;
   meter.note(entry);
   ledger_.write(Ledger::output, number, entry);
@@ -80,7 +79,7 @@ FragmentRun::merge(FragmentJob& job, bool partial)
         (entry ? " (" + entry->reason + ")" : std::string()) +
         "; work on them, or merge the others with --partial");
   }
-  std::map<std::string, double> figures;
+  Figures figures;
   for (std::size_t i = 0; !job.needs(plan_, i).empty(); ++i) {
     if (!ledger_.done(Ledger::output, i))
       writeOutput(job, i, usable);

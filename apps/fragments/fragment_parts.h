@@ -14,6 +14,7 @@
 #include <linelet/io/cloud_stream.h>
 
 #include "cloud_files.h"
+#include "fragment_tasks.h"
 
 namespace linelet::apps {
 
@@ -31,36 +32,27 @@ pieceOf(const fragments::Plan& plan, const fragments::Fragment& fragment);
 std::vector<std::size_t>
 fragmentsOfInput(const fragments::Plan& plan, std::size_t number);
 
-/** \brief Which of the outputs of a run in fragments, one for each input. */
-struct PartsOutput {
-  const fragments::Plan& plan;
-  const std::string& folder;
-  std::size_t number;
-  const std::vector<bool>& usable;
-};
-
-/** \brief Writes input \a which.number again, with what \a add makes of the records of
+/** \brief Writes input \a task.number again, with what \a add makes of the records of
  * its points: add(cloud, records, how many are left out). Points without one have
  * \a unknown. */
 template <class Record, class Add>
 void
-writeParts(const PartsOutput& which,
+writeParts(const OutputTask& task,
            CloudInput& input,
            CloudOutput& output,
            const Record& unknown,
            Add add,
-           Frame& frame,
-           ProgressMonitor* monitor)
+           Frame& frame)
 {
   constexpr std::size_t block = 400000;
   io::ReadOptions options = input.readOptions();
-  options.shift = which.plan.shift;
+  options.shift = task.plan.shift;
   std::vector<std::string> warnings;
   io::PointStream stream(
-      which.plan.inputs[which.number].path, options, block, &warnings, monitor);
+      task.plan.inputs[task.number].path, options, block, &warnings, task.monitor);
   fragments::RecordStream results(
-      which.plan, which.folder, which.number, sizeof(Record), which.usable);
-  io::CloudSink sink(output.pathFor(input, which.number), &warnings, monitor);
+      task.plan, task.folder, task.number, sizeof(Record), task.usable);
+  io::CloudSink sink(output.pathFor(input, task.number), &warnings, task.monitor);
   io::Cloud cloud;
   while (stream.next(cloud)) {
     std::vector<Record> records(cloud.points.size(), unknown);

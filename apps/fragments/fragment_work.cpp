@@ -48,7 +48,7 @@ FragmentRun::computeOne(FragmentJob& job, const fragments::Fragment& fragment)
   QuietMonitor monitor(job.frame().monitor);
   Ledger::Entry entry;
   entry.figures = job.compute(
-      plan_, fragment, fragments::resultPath(folder_, fragment.number), &monitor);
+      {plan_, fragment, fragments::resultPath(folder_, fragment.number), &monitor});
   entry.done = true;
   entry.points = static_cast<double>(fragment.owned());
   meter.note(entry);

@@ -59,7 +59,7 @@ wantsFragments(FragmentJob& job)
   catch (const io::FileError&) {
     return false; // told when the file is read, after the outputs have been looked at
   }
-  return points * job.bytesPerPoint(false) > options.memory.bytes();
+  return points * job.bytesPerPoint().in_one_piece > options.memory.bytes();
 }
 
 fragments::Plan
@@ -79,7 +79,8 @@ planOf(FragmentJob& job,
   // What the program, the tables and a block of the input take beside the points.
   constexpr double base = 250e6;
   const double memory = job.options().memory.bytes();
-  plan.most_points = std::max(memory - base, memory / 8) / job.bytesPerPoint(true);
+  plan.most_points =
+      std::max(memory - base, memory / 8) / job.bytesPerPoint().in_fragments;
   std::vector<fragments::Extent> extents;
   for (const io::FileSummary& file : job.input().summaries()) {
     plan.inputs.push_back(plannedInput(file));

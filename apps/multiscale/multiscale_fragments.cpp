@@ -29,24 +29,22 @@ MultiscaleJob::check()
   checkPartsOutput(input_, output_);
 }
 
-std::map<std::string, double>
-MultiscaleJob::compute(const fragments::Plan& plan,
-                       const fragments::Fragment& fragment,
-                       const std::string& result,
-                       ProgressMonitor* monitor)
+Figures
+MultiscaleJob::compute(const FragmentTask& task)
 {
-  std::vector<MultiScaleShape> shapes(fragment.points.size());
+  std::vector<MultiScaleShape> shapes(task.fragment.points.size());
   settings_.threads = frame_.threads; // of this worker
-  const CloudPiece piece = pieceOf(plan, fragment);
+  const CloudPiece piece = pieceOf(task.plan, task.fragment);
   const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(piece.begin);
   const auto measured = [&](const MultiScaleSettings& settings) {
-    const auto some = pieceShapes(fragment.points, piece, settings, monitor).shapes;
+    const auto some =
+        pieceShapes(task.fragment.points, piece, settings, task.monitor).shapes;
     std::copy(some.begin(), some.end(), first);
   };
   double sum = 0, count = 0;
   const auto addNoise = [&] {
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      if (fragment.core[i] && !std::isnan(shapes[i].min_sphericity)) {
+      if (task.fragment.core[i] && !std::isnan(shapes[i].min_sphericity)) {
         sum += static_cast<double>(shapes[i].min_sphericity);
         ++count;
       }
@@ -59,16 +57,12 @@ MultiscaleJob::compute(const fragments::Plan& plan,
     measured(settings_);
   if (settings_.centroid == Centroid::QueryPoint)
     addNoise();
-  fragments::writeRecords(result, fragment, shapes.data(), sizeof(shapes[0]));
+  fragments::writeRecords(task.result, task.fragment, shapes.data(), sizeof(shapes[0]));
   return {{"sphericity", sum}, {"spheres", count}};
 }
 
-std::map<std::string, double>
-MultiscaleJob::write(const fragments::Plan& plan,
-                     const std::string& folder,
-                     std::size_t number,
-                     const std::vector<bool>& usable,
-                     ProgressMonitor* monitor)
+Figures
+MultiscaleJob::write(const OutputTask& task)
 {
   double points = 0, unknown = 0, left_out = 0;
   const auto add = [&](io::Cloud& cloud,
@@ -85,18 +79,12 @@ MultiscaleJob::write(const fragments::Plan& plan,
   MultiScaleSettings settings = settings_;
   settings.engine = ScaleEngine::Sweep;
   const auto none = multiScaleShapes(nowhere, nowhere, settings).shapes;
-  writeParts<MultiScaleShape>({plan, folder, number, usable},
-                              input_,
-                              output_,
-                              none.front(),
-                              add,
-                              frame_,
-                              monitor);
+  writeParts<MultiScaleShape>(task, input_, output_, none.front(), add, frame_);
   return {{"points", points}, {"left_out", left_out}, {"unknown", unknown - left_out}};
 }
 
 void
-MultiscaleJob::report(const std::map<std::string, double>& figures)
+MultiscaleJob::report(const Figures& figures)
 {
   const double rate = 3.15 * figures.at("sphericity") / figures.at("spheres");
   std::printf("%s: %.0f points, %zu radii from %.6g to %.6g\nnoise rate %.4f\n",

@@ -27,7 +27,10 @@ MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
           "long it will take. Several inputs take the radii of the first, unless "
           "--radii "
           "or "
-          "--scale-unit say them; neighbors are found across their borders.")
+          "--scale-unit say them; neighbors are found across their borders.",
+          // Two fragments, engine and shapes; or cloud, usable points, engine, shapes
+          // and their columns.
+          {220, 300})
 {
   addOptions(frame_.app, settings_);
   const OptionAdder add(frame_.app);

@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -24,30 +22,16 @@ public:
   void
   check() override;
   double
-  ghost(const std::map<std::string, double>& /*measures*/) override
+  ghost(const Figures& /*measures*/) override
   {
     return multiScaleMargin(settings_.radii);
   }
-  double
-  bytesPerPoint(bool in_fragments) const override
-  {
-    // Two fragments, engine and shapes; or cloud, usable points, engine, shapes, and
-    // these as columns.
-    return in_fragments ? 220 : 300;
-  }
-  std::map<std::string, double>
-  compute(const fragments::Plan& plan,
-          const fragments::Fragment& fragment,
-          const std::string& result,
-          ProgressMonitor* monitor) override;
-  std::map<std::string, double>
-  write(const fragments::Plan& plan,
-        const std::string& folder,
-        std::size_t number,
-        const std::vector<bool>& usable,
-        ProgressMonitor* monitor) override;
+  Figures
+  compute(const FragmentTask& task) override;
+  Figures
+  write(const OutputTask& task) override;
   void
-  report(const std::map<std::string, double>& figures) override;
+  report(const Figures& figures) override;
   int
   runWhole() override;
 

@@ -62,16 +62,9 @@ PowerlinesJob::check()
 }
 
 double
-PowerlinesJob::ghost(const std::map<std::string, double>& /*measures*/)
+PowerlinesJob::ghost(const Figures& /*measures*/)
 {
   return buffer_ / io::unitsOf(reference()).plan;
-}
-
-double
-PowerlinesJob::bytesPerPoint(bool in_fragments) const
-{
-  // Measured: 200 with the next fragment loaded beside, 134 in one piece.
-  return in_fragments ? 220 : 140;
 }
 
 std::size_t
@@ -120,29 +113,26 @@ PowerlinesJob::wiresCutOff(const fragments::Plan& plan,
   return count;
 }
 
-std::map<std::string, double>
-PowerlinesJob::compute(const fragments::Plan& plan,
-                       const fragments::Fragment& fragment,
-                       const std::string& result,
-                       ProgressMonitor* monitor)
+Figures
+PowerlinesJob::compute(const FragmentTask& task)
 {
   io::Cloud cloud;
-  cloud.shift = plan.shift;
+  cloud.shift = task.plan.shift;
   cloud.wkt = reference();
-  cloud.points = fragment.points;
-  cloud.set({"classification", fragment.classes, ""});
-  if (std::any_of(fragment.returns.begin(), fragment.returns.end(), [](auto n) {
-        return n > 0;
-      }))
-    cloud.set({"number_of_returns", fragment.returns, ""});
+  cloud.points = task.fragment.points;
+  cloud.set({"classification", task.fragment.classes, ""});
+  if (std::any_of(task.fragment.returns.begin(),
+                  task.fragment.returns.end(),
+                  [](auto n) { return n > 0; }))
+    cloud.set({"number_of_returns", task.fragment.returns, ""});
   powerline::PowerLineSettings settings = settings_;
   settings.threads = frame_.threads; // of this worker
   PowerlinesPart part;
   const PowerLineNetwork network =
-      powerline::extractPowerLines(cloud, settings, monitor, &part.network);
+      powerline::extractPowerLines(cloud, settings, task.monitor, &part.network);
   const io::UsablePoints usable(cloud, nullptr, settings.points);
   part.surroundings = ownSurroundings(
-      fragment,
+      task.fragment,
       cloud,
       powerline::findSurroundings(network,
                                   cloud,
@@ -150,37 +140,34 @@ PowerlinesJob::compute(const fragments::Plan& plan,
                                   powerline::limitsOf(hazards_, settings_.clearance),
                                   hazards_.classes,
                                   frame_.threads,
-                                  monitor));
+                                  task.monitor));
   // All fragments together keep as many as one may have points.
   const auto most = static_cast<std::size_t>(
-      std::ceil(plan.most_points / static_cast<double>(plan.tiling.boxes())));
-  part.picture = picturePoints(fragment, cloud, network, most);
-  const std::size_t cut_off = wiresCutOff(plan, fragment, cloud, part.network);
-  savePart(result, fragment, network, std::move(part));
+      std::ceil(task.plan.most_points / static_cast<double>(task.plan.tiling.boxes())));
+  part.picture = picturePoints(task.fragment, cloud, network, most);
+  const std::size_t cut_off =
+      wiresCutOff(task.plan, task.fragment, cloud, part.network);
+  savePart(task.result, task.fragment, network, std::move(part));
   return {{"cut_off", static_cast<double>(cut_off)}};
 }
 
-std::map<std::string, double>
-PowerlinesJob::write(const fragments::Plan& plan,
-                     const std::string& folder,
-                     std::size_t /*number*/,
-                     const std::vector<bool>& usable,
-                     ProgressMonitor* monitor)
+Figures
+PowerlinesJob::write(const OutputTask& task)
 {
-  const PowerlinesMerge merge(plan, folder, usable, reference());
+  const PowerlinesMerge merge(task.plan, task.folder, task.usable, reference());
   std::vector<std::string> warnings;
   std::vector<std::string> files = powerline::powerLineFiles(folder_, output_.compress);
-  const CopiedPoints copied =
-      merge.writeClassified(files.front(), input_, output_.classes, &warnings, monitor);
+  const CopiedPoints copied = merge.writeClassified(
+      files.front(), input_, output_.classes, &warnings, task.monitor);
   output_.input = extent();
   output_.hazards = powerline::findHazardsAtStates(merge.network(),
                                                    merge.surroundings(),
                                                    hazards_,
                                                    settings_.clearance,
                                                    frame_.threads,
-                                                   monitor);
+                                                   task.monitor);
   powerline::writeNetworkFiles(
-      folder_, merge.pictures(), merge.network(), output_, &warnings, monitor);
+      folder_, merge.pictures(), merge.network(), output_, &warnings, task.monitor);
   powerline::warnOfDoubts(
       merge.network(), copied.unconfirmed, output_.classes, &warnings);
   std::sort(warnings.begin(), warnings.end());
@@ -191,7 +178,7 @@ PowerlinesJob::write(const fragments::Plan& plan,
 }
 
 void
-PowerlinesJob::report(const std::map<std::string, double>& figures)
+PowerlinesJob::report(const Figures& figures)
 {
   const auto cut_off = figures.find("cut_off");
   if (cut_off != figures.end() && cut_off->second > 0) {

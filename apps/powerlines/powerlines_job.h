@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,22 +31,13 @@ public:
   void
   check() override;
   double
-  ghost(const std::map<std::string, double>& /*measures*/) override;
-  double
-  bytesPerPoint(bool in_fragments) const override;
-  std::map<std::string, double>
-  compute(const fragments::Plan& plan,
-          const fragments::Fragment& fragment,
-          const std::string& result,
-          ProgressMonitor* monitor) override;
-  std::map<std::string, double>
-  write(const fragments::Plan& plan,
-        const std::string& folder,
-        std::size_t number,
-        const std::vector<bool>& usable,
-        ProgressMonitor* monitor) override;
+  ghost(const Figures& /*measures*/) override;
+  Figures
+  compute(const FragmentTask& task) override;
+  Figures
+  write(const OutputTask& task) override;
   void
-  report(const std::map<std::string, double>& figures) override;
+  report(const Figures& figures) override;
   int
   runWhole() override;
 

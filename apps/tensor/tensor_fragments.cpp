@@ -28,51 +28,37 @@ TensorJob::check()
 }
 
 double
-TensorJob::ghost(const std::map<std::string, double>& /*measures*/)
+TensorJob::ghost(const Figures& /*measures*/)
 {
   return tensorMargin(settings_);
 }
 
-double
-TensorJob::bytesPerPoint(bool in_fragments) const
-{
-  // Cloud, usable points, engine, records, and these as columns; or two fragments,
-  // engine and records.
-  return in_fragments ? 200 : 300;
-}
-
-std::map<std::string, double>
-TensorJob::compute(const fragments::Plan& plan,
-                   const fragments::Fragment& fragment,
-                   const std::string& result,
-                   ProgressMonitor* monitor)
+Figures
+TensorJob::compute(const FragmentTask& task)
 {
   TensorSettings settings = settings_;
   settings.threads = frame_.threads; // of this worker
   settings.engine = finder_.onProcessor();
-  const Points& points = fragment.points;
+  const Points& points = task.fragment.points;
   std::vector<PointDistributionTensor> records;
   if (!finder_.takesPieces())
     records = tensorsWith(finder_, points, points, settings, {}, frame_);
   else {
     records.resize(points.size());
-    const CloudPiece piece = pieceOf(plan, fragment);
+    const CloudPiece piece = pieceOf(task.plan, task.fragment);
     const std::vector<PointDistributionTensor> some =
-        pieceTensors(points, piece, settings, {}, monitor);
+        pieceTensors(points, piece, settings, {}, task.monitor);
     std::copy(some.begin(),
               some.end(),
               records.begin() + static_cast<std::ptrdiff_t>(piece.begin));
   }
-  fragments::writeRecords(result, fragment, records.data(), sizeof(records[0]));
+  fragments::writeRecords(
+      task.result, task.fragment, records.data(), sizeof(records[0]));
   return {};
 }
 
-std::map<std::string, double>
-TensorJob::write(const fragments::Plan& plan,
-                 const std::string& folder,
-                 std::size_t number,
-                 const std::vector<bool>& usable,
-                 ProgressMonitor* monitor)
+Figures
+TensorJob::write(const OutputTask& task)
 {
   Tally total;
   const auto add = [&](io::Cloud& cloud,
@@ -81,13 +67,8 @@ TensorJob::write(const fragments::Plan& plan,
     total.add(tallyOf(records, left_out));
     addFeatures(cloud, records, features_);
   };
-  writeParts<PointDistributionTensor>({plan, folder, number, usable},
-                                      input_,
-                                      output_,
-                                      unknownTensor(0),
-                                      add,
-                                      frame_,
-                                      monitor);
+  writeParts<PointDistributionTensor>(
+      task, input_, output_, unknownTensor(0), add, frame_);
   return {{"points", total.points},
           {"left_out", total.left_out},
           {"unknown", total.unknown},
@@ -96,7 +77,7 @@ TensorJob::write(const fragments::Plan& plan,
 }
 
 void
-TensorJob::report(const std::map<std::string, double>& figures)
+TensorJob::report(const Figures& figures)
 {
   Tally total;
   total.points = static_cast<std::size_t>(figures.at("points"));

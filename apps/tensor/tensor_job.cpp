@@ -24,7 +24,10 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
           "neighbors, added to the attributes of the input. Without --radius, --knn "
           "or a field the radius is chosen: three times the scale unit D. Points "
           "flagged "
-          "as withheld take no part and have no shape.")
+          "as withheld take no part and have no shape.",
+          // Two fragments, engine and records; or cloud, usable points, engine, records
+          // and their columns.
+          {200, 300})
 {
   const OptionAdder add(frame_.app);
   // The tool knows one engine more than the settings do.
