@@ -6,98 +6,13 @@
 #include <limits>
 #include <string>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
-#include <gtest/gtest.h>
-
 #include <linelet/opencl/point_distribution_tensor_ocl.h>
-#include <linelet/opencl/tensor_engine.h>
-#include <linelet/search/kd_tree.h>
 
 #include "estimation.h"
+#include "opencl/tensor_engine_fixture.h"
 
 using namespace linelet;
-
-namespace {
-
-Points
-box(std::size_t count, const Point& extent, unsigned seed)
-{
-  boost::random::mt19937 random(seed);
-  boost::random::uniform_real_distribution<double> unit(0, 1);
-  Points points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = unit(random), y = unit(random), z = unit(random);
-    points.emplace_back(extent.cwiseProduct(Point(x, y, z)));
-  }
-  return points;
-}
-
-/** \brief The reference: the kd-tree and double arithmetic. */
-std::vector<PointDistributionTensor>
-reference(const Points& surface,
-          const Points& queries,
-          TensorSettings settings,
-          const NeighborhoodSizes& sizes)
-{
-  settings.engine = Engine::Tree;
-  return estimateTensors(surface, queries, settings, sizes);
-}
-
-void
-expectEqual(const std::vector<PointDistributionTensor>& a,
-            const std::vector<PointDistributionTensor>& b,
-            double tolerance = 1e-4)
-{
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    SCOPED_TRACE("point " + std::to_string(i));
-    ASSERT_EQ(a[i].neighbors, b[i].neighbors);
-    ASSERT_EQ(std::isnan(a[i].linearity), std::isnan(b[i].linearity));
-    if (std::isnan(a[i].linearity))
-      continue;
-    ASSERT_NEAR(a[i].linearity, b[i].linearity, tolerance);
-    ASSERT_NEAR(a[i].planarity, b[i].planarity, tolerance);
-    ASSERT_NEAR(a[i].sphericity, b[i].sphericity, tolerance);
-  }
-}
-
-class OpenCL : public ::testing::Test {
-protected:
-  void
-  SetUp() override
-  {
-    if (opencl::devices().empty())
-      GTEST_SKIP() << "OpenCL has no device here";
-    engine = std::make_unique<opencl::TensorEngine>();
-    ASSERT_TRUE(engine->device().double_precision);
-  }
-
-  void
-  check(const Points& surface,
-        const Points& queries,
-        const TensorSettings& settings,
-        const NeighborhoodSizes& sizes = {})
-  {
-    expectEqual(engine->estimate(surface, queries, settings, sizes),
-                reference(surface, queries, settings, sizes));
-  }
-
-  std::unique_ptr<opencl::TensorEngine> engine;
-};
-
-TensorSettings
-withRadius(double radius, Weighting weighting = Kernel::Const)
-{
-  TensorSettings settings;
-  settings.radius = radius;
-  settings.weighting = weighting;
-  return settings;
-}
-
-const double not_known = std::numeric_limits<double>::quiet_NaN();
-
-} // namespace
+using namespace linelet::test;
 
 // A program is built for every pair of centroid and weighting, so not every pair is
 // tried; Stages.WeightsAreThoseOfWeighting covers each weighting by itself.
@@ -202,97 +117,6 @@ TEST_F(OpenCL, SmallestClouds)
         withRadius(1));
 }
 
-TEST_F(OpenCL, RadiiPointByPoint)
-{
-  const Points points = box(800, Point(5, 5, 5), 9);
-  NeighborhoodSizes sizes;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sizes.radii.push_back(0.2 + 0.002 * static_cast<double>(i % 400));
-  sizes.radii[3] = not_known;
-  sizes.radii[4] = 0;
-  sizes.radii[5] = -1;
-  TensorSettings settings;
-  check(points, points, settings, sizes);
-}
-
-// Where the weight ends in a step, that of a point on the ball must not be left to the
-// rounding of its coordinates.
-TEST_F(OpenCL, PointsOnTheBallAreWeighedAsTheReferenceDoes)
-{
-  const Points points = box(800, Point(5, 2, 0.5), 10);
-  const KdTree tree(points);
-  NeighborhoodSizes sizes;
-  Indices near;
-  for (const Point& point : points)
-    sizes.radii.push_back(tree.nearest(point, 7, near));
-  TensorSettings settings;
-  settings.weighting = Kernel::EaseExponential;
-  check(points, points, settings, sizes);
-}
-
-TEST_F(OpenCL, RadiiOfAllMagnitudesCountExactly)
-{
-  // A fine lattice inside of a coarse one: pairs exactly at the radius everywhere.
-  Points points;
-  NeighborhoodSizes sizes;
-  for (const double step : {1.0, 0.001})
-    for (int i = 0; i < 1000; ++i) {
-      points.emplace_back(step * (i % 10), step * (i / 10 % 10), step * (i / 100));
-      sizes.radii.push_back(step * (1 + i % 3));
-    }
-  check(points, points, TensorSettings(), sizes);
-}
-
-TEST_F(OpenCL, NearestPointsAreThoseOfTheReference)
-{
-  Points points = box(3000, Point(12, 9, 3), 17);
-  points.emplace_back(not_known, 0, 0);
-  Points queries = points;
-  queries.emplace_back(6, 4, 9); // above the cloud
-  for (const unsigned k : {1u, 5u, 30u, 400u}) {
-    SCOPED_TRACE(k);
-    TensorSettings settings;
-    settings.k = k;
-    check(points, queries, settings);
-    if (k == 1)
-      continue; // every point is its own nearest, and no ball is that small
-    EXPECT_LT(engine->queriesOnHost(), queries.size() / 20);
-    EXPECT_GT(engine->stageTimes().nearest, 0);
-  }
-}
-
-TEST_F(OpenCL, NearestPointsWithACountForEveryPoint)
-{
-  const Points points = box(700, Point(5, 5, 1), 18);
-  NeighborhoodSizes sizes;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sizes.counts.push_back(static_cast<unsigned>(i % 50));
-  sizes.counts[7] = 5000; // more than there are
-  check(points, points, TensorSettings(), sizes);
-}
-
-TEST_F(OpenCL, OfPointsEquallyFarTheLowerIndicesAreNearest)
-{
-  Points points;
-  for (int i = 0; i < 1000; ++i)
-    points.emplace_back(0.1 * (i % 10), 0.1 * (i / 10 % 10), 0.1 * (i / 100));
-  points.insert(points.end(), points.begin(), points.begin() + 300);
-  TensorSettings settings;
-  settings.k = 20;
-  check(points, points, settings);
-  EXPECT_GT(engine->queriesOnHost(), 0u);
-}
-
-TEST_F(OpenCL, NearestPointsInAFewSlabs)
-{
-  const Points points = box(4000, Point(20, 5, 5), 19);
-  TensorSettings settings;
-  settings.k = 25;
-  engine->setMemoryLimit(400000);
-  check(points, points, settings);
-  EXPECT_GT(engine->slabs(), 4u);
-}
-
 // As on a device without double precision.
 TEST_F(OpenCL, WithoutDoubleTheHostDecidesAtTheRadius)
 {
@@ -315,44 +139,12 @@ TEST_F(OpenCL, WithoutDoubleTheHostDecidesAtTheRadius)
   }
 }
 
-TEST_F(OpenCL, LittleMemoryOnlyMeansMoreSlabs)
-{
-  const Points points = box(4000, Point(20, 5, 5), 10);
-  const TensorSettings settings = withRadius(0.8, "fermi-dirac-1");
-  const auto whole = engine->estimate(points, points, settings);
-  EXPECT_EQ(engine->slabs(), 1u);
-  engine->setMemoryLimit(400000);
-  const auto pieces = engine->estimate(points, points, settings);
-  EXPECT_GT(engine->slabs(), 4u);
-  expectEqual(whole, pieces, 1e-5);
-}
-
 TEST_F(OpenCL, PointsAtOnePlaceHaveNoShapeInAnyCell)
 {
   Points points = box(2000, Point(4000, 40, 40), 16);
   const Points once = points;
   points.insert(points.end(), once.begin(), once.end());
   check(points, points, withRadius(0.7));
-}
-
-TEST_F(OpenCL, CellsTooManyForAKeyOnlyMeanMoreSlabs)
-{
-  // 2^40 cells along every axis.
-  Points points = box(600, Point(3, 3, 3), 12);
-  for (std::size_t i = 0; i < points.size(); i += 3)
-    points[i] += Point(1e12, -1e12, 1e12);
-  check(points, points, withRadius(0.8));
-  EXPECT_GT(engine->slabs(), 1u);
-}
-
-TEST_F(OpenCL, TheTableOfCellsCountsAsMemory)
-{
-  // One point per cell: 117 places in the table for every point, many times the rest.
-  const Points points = box(3000, Point(900, 900, 900), 13);
-  const TensorSettings settings = withRadius(10);
-  engine->setMemoryLimit(1000000);
-  check(points, points, settings);
-  EXPECT_GT(engine->slabs(), 1u);
 }
 
 TEST_F(OpenCL, RunningTwiceGivesTheSameBits)
