@@ -17,13 +17,13 @@
 #include "powerline/curve_pieces.h"
 #include "powerline/describe.h"
 #include "powerline/false_positives.h"
-#include "powerline/find_ground.h"
 #include "powerline/fittings/fittings.h"
 #include "powerline/loose_wires.h"
 #include "powerline/next_spans.h"
 #include "powerline/place_order.h"
 #include "powerline/service_drops.h"
-#include "powerline/shows_terrain.h"
+#include "powerline/terrain/find_ground.h"
+#include "powerline/terrain/shows_terrain.h"
 #include "powerline/unexplained.h"
 
 namespace linelet::powerline {

@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "powerline/find_ground.h"
 #include "powerline/scene_builder.h"
+#include "powerline/terrain/fill_holes.h"
+#include "powerline/terrain/find_ground.h"
+#include "powerline/terrain/opening.h"
 
 namespace linelet::powerline {
 namespace {

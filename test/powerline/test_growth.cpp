@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "powerline/evidence.h"
-#include "powerline/find_ground.h"
 #include "powerline/joints.h"
 #include "powerline/scene_builder.h"
+#include "powerline/terrain/find_ground.h"
 
 namespace linelet::powerline {
 namespace {

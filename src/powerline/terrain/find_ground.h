@@ -32,31 +32,4 @@ findGround(const Points& points,
            bool on_surfaces = true,
            unsigned threads = 0);
 
-/** \brief How \ref fillHoles looks at larger cells. */
-enum class Fill {
-  Smooth, ///< by the mean of what is known in them
-  Low     ///< by its minimum
-};
-
-/** \brief Fills the cells of a raster that are NaN from those around, by ever larger
- * cells. Leaves a raster without any value as it is.
- * \param[in] first_column, first_row place of the raster in a larger one, which larger
- * cells are counted from */
-void
-fillHoles(std::vector<float>& raster,
-          int columns,
-          int rows,
-          Fill fill = Fill::Smooth,
-          std::int64_t first_column = 0,
-          std::int64_t first_row = 0);
-
-/** \brief Opening (erosion, then dilation) with a square of 2 \a radius + 1 cells.
- * \param[in] threads 0: all */
-std::vector<float>
-openRaster(const std::vector<float>& raster,
-           int columns,
-           int rows,
-           int radius,
-           unsigned threads = 0);
-
 } // namespace linelet::powerline

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "powerline/shows_terrain.h"
+#include "powerline/terrain/shows_terrain.h"
 
 #include <algorithm>
 #include <bitset>
