@@ -10,7 +10,7 @@
 
 #include <linelet/io/point_file.h>
 #include <linelet/powerline/power_line_network.h>
-#include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/class_scheme.h>
 #include <linelet/support/progress_monitor.h>
 
 namespace linelet::apps {

@@ -10,7 +10,7 @@
 #include <linelet/io/cloud.h>
 #include <linelet/powerline/hazards.h>
 #include <linelet/powerline/network_part.h>
-#include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/class_scheme.h>
 
 #include "classified_copy.h"
 #include "cloud_files.h"

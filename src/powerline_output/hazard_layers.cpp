@@ -1,38 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <cmath>
+#include <linelet/powerline_output/hazard_layers.h>
+
 #include <cstdio>
 #include <string>
 #include <utility>
 
 #include <linelet/powerline/metric_frame.h>
-#include <linelet/powerline_output/output_files.h>
+
+#include "layer_values.h"
 
 namespace linelet::powerline {
 
 namespace {
-
-constexpr double text_height = 0.5; // of labels in a drawing, meters
-
-io::Value
-whole(std::size_t value)
-{
-  return static_cast<std::int64_t>(value);
-}
-
-io::Value
-whole(int value)
-{
-  return static_cast<std::int64_t>(value);
-}
-
-template <class E>
-io::Value
-named(E value)
-{
-  return std::string(nameOf(value));
-}
 
 void
 addPlace(io::Attributes& all,
@@ -114,15 +95,6 @@ attributesOf(const FallIn& one, const Hazards& of, const MetricFrame& frame)
   return all;
 }
 
-Points
-world(const Points& vertices, const MetricFrame& frame)
-{
-  Points out;
-  for (const Point& p : vertices)
-    out.push_back(frame.world(p));
-  return out;
-}
-
 std::string
 meters(double value)
 {
@@ -141,7 +113,7 @@ feature(const Hazard& hazard,
         const std::string& kind,
         const std::string& label)
 {
-  return {world(vertices, frame),
+  return {worldPoints(vertices, frame),
           attributesOf(hazard, of, frame),
           "hazard_" + kind + "_" + std::string(nameOf(hazard.severity)),
           label};
@@ -194,8 +166,7 @@ hazardLayers(const io::Cloud& cloud, const std::vector<Hazards>& states)
                                          std::move(areas),
                                          std::move(crossings),
                                          std::move(fall_in)};
-  for (io::VectorLayer& layer : layers)
-    layer.text_height = text_height / frame.units().plan;
+  setTextHeight(layers, frame);
   return layers;
 }
 

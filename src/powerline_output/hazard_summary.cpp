@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/hazard_layers.h>
 
 namespace linelet::powerline {
 

@@ -9,7 +9,7 @@
 
 #include <linelet/io/usable_points.h>
 #include <linelet/powerline/metric_frame.h>
-#include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/output_options.h>
 
 namespace linelet::powerline::report {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <linelet/powerline_output/power_line_layers.h>
+
 #include "report_image.h"
 
 namespace linelet::powerline::report {

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include <linelet/powerline_output/power_line_layers.h>
 #include <linelet/support/threads.h>
 
 #include "report_plan.h"

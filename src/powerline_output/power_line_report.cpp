@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <linelet/powerline_output/power_line_report.h>
+
 #include <string>
 
 #include "render_template.h"

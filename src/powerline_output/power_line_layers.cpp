@@ -1,43 +1,18 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
+#include <linelet/powerline_output/power_line_layers.h>
+
 #include <string>
 #include <utility>
 
 #include <linelet/powerline/metric_frame.h>
-#include <linelet/powerline_output/output_files.h>
+
+#include "layer_values.h"
 
 namespace linelet::powerline {
 
 namespace {
-
-constexpr double text_height = 0.5; // of labels in a drawing, meters
-
-io::Value
-whole(std::size_t value)
-{
-  return static_cast<std::int64_t>(value);
-}
-
-io::Value
-whole(int value)
-{
-  return static_cast<std::int64_t>(value);
-}
-
-/** For reading, not for computing; "-" for what is not known. */
-std::string
-decimals(double value)
-{
-  if (!std::isfinite(value))
-    return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 
 io::Attributes
 wireAttributes(const Wire& wire,
@@ -82,20 +57,16 @@ wireFeature(const Wire& wire,
             const MetricFrame& frame,
             const OutputOptions& options)
 {
-  io::VectorFeature feature;
-  for (const Point& p : polyline(wire))
-    feature.vertices.push_back(frame.world(p));
-  feature.attributes = wireAttributes(wire, span, frame, options);
-  feature.drawing_layer = "wires_circuit_" + std::to_string(wire.circuit) + "_span_" +
-                          std::to_string(span.number) + "_wire_" +
-                          std::to_string(wire.number);
-  feature.label =
-      "wire_id " + std::to_string(wire.id) + ", span_id " + std::to_string(wire.span) +
-      ", length " + decimals(wire.length) + ", sag " + decimals(wire.sag) +
-      ", catenary_a " + decimals(wire.curve.a) + ", ground_clearance " +
-      decimals(wire.ground.distance) + ", vegetation_clearance " +
-      decimals(wire.vegetation.distance) + ", confidence " + decimals(wire.confidence);
-  return feature;
+  return {worldPoints(polyline(wire), frame),
+          wireAttributes(wire, span, frame, options),
+          "wires_circuit_" + std::to_string(wire.circuit) + "_span_" +
+              std::to_string(span.number) + "_wire_" + std::to_string(wire.number),
+          "wire_id " + std::to_string(wire.id) + ", span_id " +
+              std::to_string(wire.span) + ", length " + decimals(wire.length) +
+              ", sag " + decimals(wire.sag) + ", catenary_a " + decimals(wire.curve.a) +
+              ", ground_clearance " + decimals(wire.ground.distance) +
+              ", vegetation_clearance " + decimals(wire.vegetation.distance) +
+              ", confidence " + decimals(wire.confidence)};
 }
 
 const char*
@@ -118,12 +89,11 @@ supportAttributes(const Support& support, const MetricFrame& frame)
 io::VectorFeature
 supportFeature(const Support& support, const MetricFrame& frame)
 {
-  io::VectorFeature feature;
-  feature.vertices = {frame.world(support.base)};
-  feature.attributes = supportAttributes(support, frame);
-  feature.label = std::string(kindOf(support)) + " " + std::to_string(support.id) +
-                  ", height " + decimals(support.height);
-  return feature;
+  return {worldPoints({support.base}, frame),
+          supportAttributes(support, frame),
+          "",
+          std::string(kindOf(support)) + " " + std::to_string(support.id) +
+              ", height " + decimals(support.height)};
 }
 
 io::Attributes
@@ -138,14 +108,11 @@ unexplainedAttributes(const UnexplainedLine& line)
 io::VectorFeature
 unexplainedFeature(const UnexplainedLine& line, const MetricFrame& frame)
 {
-  io::VectorFeature feature;
-  for (const Point& p : line.course)
-    feature.vertices.push_back(frame.world(p));
-  feature.attributes = unexplainedAttributes(line);
-  feature.drawing_layer = "unexplained";
-  feature.label = "unexplained line " + std::to_string(line.id) + ", length " +
-                  decimals(line.length);
-  return feature;
+  return {worldPoints(line.course, frame),
+          unexplainedAttributes(line),
+          "unexplained",
+          "unexplained line " + std::to_string(line.id) + ", length " +
+              decimals(line.length)};
 }
 
 io::Attributes
@@ -165,23 +132,19 @@ jumperAttributes(const Jumper& jumper)
 io::VectorFeature
 jumperFeature(const Jumper& jumper, const MetricFrame& frame)
 {
-  io::VectorFeature feature;
-  for (const Point& p : jumper.course)
-    feature.vertices.push_back(frame.world(p));
-  feature.attributes = jumperAttributes(jumper);
-  feature.drawing_layer = "jumpers";
-  feature.label = "jumper " + std::to_string(jumper.id) + ", wires " +
-                  std::to_string(jumper.from_wire) + " and " +
-                  std::to_string(jumper.to_wire) + ", length " +
-                  decimals(jumper.length);
-  return feature;
+  return {worldPoints(jumper.course, frame),
+          jumperAttributes(jumper),
+          "jumpers",
+          "jumper " + std::to_string(jumper.id) + ", wires " +
+              std::to_string(jumper.from_wire) + " and " +
+              std::to_string(jumper.to_wire) + ", length " + decimals(jumper.length)};
 }
 
 io::Attributes
 insulatorAttributes(const InsulatorString& string)
 {
   return {{"insulator_id", whole(string.id)},
-          {"kind", std::string(nameOf(string.kind))},
+          {"kind", named(string.kind)},
           {"pylon_id", whole(string.support)},
           {"wire_id", whole(string.wire)},
           {"jumper_id", whole(string.jumper)},
@@ -192,14 +155,12 @@ insulatorAttributes(const InsulatorString& string)
 io::VectorFeature
 insulatorFeature(const InsulatorString& string, const MetricFrame& frame)
 {
-  io::VectorFeature feature;
-  feature.vertices = {frame.world(string.structure), frame.world(string.live)};
-  feature.attributes = insulatorAttributes(string);
-  feature.drawing_layer = "insulators";
-  feature.label = "insulator string " + std::to_string(string.id) + " (" +
-                  std::string(nameOf(string.kind)) + "), length " +
-                  decimals(string.length);
-  return feature;
+  return {worldPoints({string.structure, string.live}, frame),
+          insulatorAttributes(string),
+          "insulators",
+          "insulator string " + std::to_string(string.id) + " (" +
+              std::string(nameOf(string.kind)) + "), length " +
+              decimals(string.length)};
 }
 
 } // namespace
@@ -248,8 +209,7 @@ powerLineLayers(const io::Cloud& cloud,
                                          std::move(unexplained),
                                          std::move(jumpers),
                                          std::move(insulators)};
-  for (io::VectorLayer& layer : layers)
-    layer.text_height = text_height / frame.units().plan;
+  setTextHeight(layers, frame);
   return layers;
 }
 

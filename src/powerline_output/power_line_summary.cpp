@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <linelet/powerline_output/power_line_summary.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,6 +17,7 @@
 
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/power_line_layers.h>
 
 #include "hazard_summary.h"
 

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <linelet/io/usable_points.h>
+#include <linelet/io/vector_file.h>
+#include <linelet/powerline/hazards.h>
+#include <linelet/powerline_output/class_scheme.h>
+#include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
+
+/** \brief Where results come from: what a reader needs to get them again. */
+struct Provenance {
+  std::string program;             ///< name and version; may be empty
+  std::string date;                ///< of the run, as it is to be read; may be empty
+  std::vector<std::string> inputs; ///< files
+  std::vector<std::pair<std::string, std::string>> settings; ///< name and value
+};
+
+/** \brief What an input is told by. */
+struct InputExtent {
+  std::size_t points = 0;
+  Point low = Point::Zero(), high = Point::Zero(); ///< world coordinates
+};
+
+/** \brief What the outputs say beside the network itself. */
+struct OutputOptions {
+  std::string source;   ///< name of the input, for headings; may be empty
+  double clearance = 5; ///< a clearance below this is a hazard, meters
+  ClassScheme classes;
+  io::ClassFilter points;    ///< which of the cloud took part
+  io::VectorOptions vectors; ///< of all vector files
+  bool compress = false;     ///< classified.laz instead of classified.las
+  unsigned threads = 0;      ///< to write in; 0: all
+  Provenance provenance;     ///< for the report
+  /// Of all of the input, where the cloud holds but a part of it.
+  std::optional<InputExtent> input;
+  std::vector<Hazards> hazards; ///< at each state of the wires, first as scanned;
+                                ///< empty: not looked for
+};
+
+} // namespace powerline
+} // namespace linelet
