@@ -13,6 +13,8 @@
 #include <bench/runs/benchmark.h>
 #include <bench/runs/benchmark_grid.h>
 #include <bench/runs/benchmark_summary.h>
+#include <CLI/CLI.hpp>
+
 #include <linelet/curves/reconstruct_curves.h>
 #include <linelet/io/output_file.h>
 

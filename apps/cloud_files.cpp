@@ -53,7 +53,7 @@ valuesOf(const io::Cloud& cloud, const std::string& name, const std::string& fil
 CloudInput::CloudInput(Frame& frame, Use use, const std::string& meaning)
     : frame_(frame), use_(use)
 {
-  frame.app.add_option("INPUT", names_, meaning)->required();
+  frame.addArgument("INPUT", names_, meaning);
   frame.reads(names_);
   addOptions(frame.app, options_);
   if (use != Use::Copy)

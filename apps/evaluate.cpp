@@ -8,6 +8,8 @@
 
 #include <bench/measures/measures.h>
 #include <bench/measures/vertex_errors.h>
+#include <CLI/CLI.hpp>
+
 #include <linelet/io/output_file.h>
 #include <linelet/io/vector_file.h>
 
@@ -77,11 +79,9 @@ runEvaluate(const std::vector<std::string>& arguments)
       "relative to the truth. The defaults suit curves of extent 10.");
   bench::MeasureSettings settings;
   std::string curves, truth, vertex_errors;
-  frame.app
-      .add_option(
-          "CURVES", curves, "reconstructed curves, in any format that linelet writes")
-      ->required();
-  frame.app.add_option("TRUTH", truth, "true curves, likewise")->required();
+  frame.addArgument(
+      "CURVES", curves, "reconstructed curves, in any format that linelet writes");
+  frame.addArgument("TRUTH", truth, "true curves, likewise");
   frame.app.add_option("--vertex-errors",
                        vertex_errors,
                        "CSV file of the distance from the truth and the angle between "

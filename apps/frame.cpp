@@ -10,6 +10,8 @@
 
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+
 #include <linelet/io/input_list.h>
 #include <linelet/io/output_check.h>
 #include <linelet/io/output_file.h>
@@ -103,7 +105,8 @@ ProgressBar::erase()
 }
 
 Frame::Frame(const std::string& command, const std::string& description)
-    : app(description, "linelet " + command)
+    : parser_(std::make_unique<CLI::App>(description, "linelet " + command)),
+      app(*parser_)
 {
   app.option_defaults()->always_capture_default();
   app.formatter_fn([](const CLI::App* of, const std::string&, CLI::AppFormatMode) {
@@ -127,6 +130,28 @@ Frame::Frame(const std::string& command, const std::string& description)
   app.add_flag("--print-config", print_config_, "print all options with their values")
       ->configurable(false)
       ->group(common_options);
+}
+
+Frame::~Frame() = default;
+
+const std::string&
+Frame::name() const
+{
+  return app.get_name();
+}
+
+void
+Frame::addArgument(const char* name, std::string& value, const std::string& meaning)
+{
+  app.add_option(name, value, meaning)->required();
+}
+
+void
+Frame::addArgument(const char* name,
+                   std::vector<std::string>& values,
+                   const std::string& meaning)
+{
+  app.add_option(name, values, meaning)->required();
 }
 
 void

@@ -6,16 +6,20 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <linelet/support/progress_monitor.h>
+
+namespace CLI {
+class App;
+}
 
 namespace linelet::apps {
 
@@ -57,10 +61,13 @@ struct Exit {
  * A command makes a frame, adds its options to \ref app, calls \ref parse, works, fills
  * \ref summary, and returns \ref finish. */
 class Frame {
+  std::unique_ptr<CLI::App> parser_;
+
 public:
   Frame(const std::string& command, const std::string& summary);
+  ~Frame();
 
-  CLI::App app;
+  CLI::App& app;
   unsigned threads = 0; ///< 0: all
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   ProgressBar monitor;
@@ -74,6 +81,18 @@ public:
    * there is one. */
   void
   reads(std::vector<std::string>& paths);
+
+  /** \brief "linelet COMMAND". */
+  const std::string&
+  name() const;
+
+  /** \brief Adds the argument \a name, which must be given. */
+  void
+  addArgument(const char* name, std::string& value, const std::string& meaning);
+  void
+  addArgument(const char* name,
+              std::vector<std::string>& values,
+              const std::string& meaning);
 
   /** \brief Adds the argument \a name, which must be given behind those to read and
    * names what is written to \a path. */

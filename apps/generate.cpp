@@ -9,6 +9,8 @@
 
 #include <bench/geometries/geometries.h>
 #include <bench/geometries/test_cloud.h>
+#include <CLI/CLI.hpp>
+
 #include <linelet/io/output_check.h>
 #include <linelet/io/vector_file.h>
 

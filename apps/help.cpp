@@ -8,6 +8,8 @@
 #include <numeric>
 #include <sstream>
 
+#include <CLI/CLI.hpp>
+
 namespace linelet::apps {
 
 namespace {

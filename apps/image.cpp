@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include <linelet/io/output_file.h>
 
 #include "cloud_files.h"

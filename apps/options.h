@@ -4,27 +4,25 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include <linelet/io/usable_points.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 
+namespace CLI {
+class App;
+}
+
 namespace linelet::apps {
 
 /** \brief What is wrong with a count \a text; CLI11 takes -1 for the largest number. */
-inline std::string
-notNegative(const std::string& text)
-{
-  return text.find('-') == std::string::npos ? "" : "must not be negative";
-}
+std::string
+notNegative(const std::string& text);
 
 /** \brief Turns the description of a settings struct into command line options.
  *
@@ -38,52 +36,52 @@ notNegative(const std::string& text)
  * which is the only place that says its options' names and meaning; the defaults are
  * those of the struct. Enumerations are spoken of by their Names, a type with a
  * constructor from std::string_view and a name() by that name. A meaning that begins
- * with one word and a colon puts the option under that heading of the help. */
+ * with one word and a colon puts the option under that heading of the help.
+ *
+ * CLI11 is included by the sources that call it alone: its header takes 3 s to compile.
+ */
 class OptionAdder {
 public:
   explicit OptionAdder(CLI::App& app) : app_(app) {}
+
+  void
+  operator()(const char* name, bool& value, const char* help) const;
+  void
+  operator()(const char* name, unsigned& value, const char* help) const;
+  void
+  operator()(const char* name, std::size_t& value, const char* help) const;
+  void
+  operator()(const char* name, double& value, const char* help) const;
+  void
+  operator()(const char* name, std::string& value, const char* help) const;
+  void
+  operator()(const char* name, std::vector<double>& value, const char* help) const;
+  void
+  operator()(const char* name, std::vector<std::string>& value, const char* help) const;
+  void
+  operator()(const char* name, Indices& value, const char* help) const;
+  void
+  operator()(const char* name, io::ClassList& value, const char* help) const;
 
   template <class T>
   void
   operator()(const char* name, T& value, const char* help) const
   {
-    const std::string option = std::string("--") + name;
-    if constexpr (std::is_same_v<T, bool>)
-      add(app_.add_flag(value ? option + ",!--no-" + name : option, value), "", help);
-    else if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_enum_v<T>) {
       std::string choices;
       for (const auto& entry : Names<T>::table)
         choices += (choices.empty() ? "" : ", ") + std::string(entry.second);
-      addNamed(option, byName(value), std::string(help) + " (" + choices + ")")
-          ->default_str(std::string(nameOf(value)));
+      named(name,
+            byName(value),
+            std::string(nameOf(value)),
+            std::string(help) + " (" + choices + ")");
     }
-    else if constexpr (std::is_unsigned_v<T>)
-      add(app_.add_option(option, value)->check(notNegative), "N", help);
-    else if constexpr (std::is_floating_point_v<T>)
-      add(app_.add_option(option, value), "X", help);
-    else if constexpr (std::is_same_v<T, std::string>)
-      add(app_.add_option(option, value), "TEXT", help);
-    else if constexpr (std::is_same_v<T, std::vector<double>>)
-      add(app_.add_option(option, value)->delimiter(',')->allow_extra_args(false),
-          "X,...",
+    else
+      named(
+          name,
+          [&value](const std::string& text) { value = T(text); },
+          value.name(),
           help);
-    else if constexpr (std::is_same_v<T, std::vector<std::string>>)
-      add(app_.add_option(option, value)->allow_extra_args(false), "TEXT", help);
-    else if constexpr (std::is_same_v<T, Indices>)
-      add(app_.add_option(option, value)
-              ->delimiter(',')
-              ->allow_extra_args(false)
-              ->check(notNegative),
-          "N,...",
-          help);
-    else if constexpr (std::is_same_v<T, io::ClassList>) {
-      const auto set = [&value](const std::string& text) { value = T(text); };
-      addNamed(option, set, help)->default_str(value.name())->type_name("N,...");
-    }
-    else {
-      const auto set = [&value](const std::string& text) { value = T(text); };
-      addNamed(option, set, help)->default_str(value.name());
-    }
   }
 
   /** \brief Adds an argument \a name, which must be given, for an enumeration. */
@@ -91,43 +89,27 @@ public:
   void
   argument(const char* name, E& value, const std::string& help) const
   {
-    addNamed(name, byName(value), help)->required();
+    namedArgument(name, byName(value), help);
   }
+
+  /** \brief Takes the text of an option. \throws std::invalid_argument */
+  using Set = std::function<void(const std::string&)>;
 
 private:
   template <class E>
-  static auto
+  static Set
   byName(E& value)
   {
     return [&value](const std::string& text) { value = fromName<E>(text); };
   }
 
-  static CLI::Option*
-  add(CLI::Option* option, const char* type, const std::string& help)
-  {
-    const std::size_t word = help.find_first_of(": ");
-    const bool headed = word != std::string::npos && help[word] == ':';
-    option->group(headed ? help.substr(0, word) : "Options");
-    option->description(headed ? help.substr(help.find_first_not_of(": ", word))
-                               : help);
-    return option->type_name(type)->capture_default_str();
-  }
-
-  /** \brief An option whose text \a set understands or refuses. */
-  template <class Set>
-  CLI::Option*
-  addNamed(const std::string& option, Set set, const std::string& help) const
-  {
-    const auto reader = [set](const std::string& text) {
-      try {
-        set(text);
-      }
-      catch (const std::invalid_argument& error) {
-        throw CLI::ValidationError(error.what());
-      }
-    };
-    return add(app_.add_option_function<std::string>(option, reader), "NAME", help);
-  }
+  void
+  named(const char* name,
+        const Set& set,
+        const std::string& value,
+        const std::string& help) const;
+  void
+  namedArgument(const char* name, const Set& set, const std::string& help) const;
 
   CLI::App& app_;
 };

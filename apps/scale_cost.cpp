@@ -85,9 +85,9 @@ announce(const ScaleCost& cost,
 {
   if (cost.seconds > long_work)
     std::fprintf(stderr,
-                 "%s: %.0f neighbors a point (%s); about %.0f s for %zu points, "
+                 "%s: %.0f neighbors per point (%s); about %.0f s for %zu points, "
                  "less with a smaller %s\n",
-                 frame.app.get_name().c_str(),
+                 frame.name().c_str(),
                  cost.neighbors,
                  size.c_str(),
                  cost.seconds,

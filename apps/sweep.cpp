@@ -8,6 +8,8 @@
 
 #include <bench/runs/benchmark.h>
 
+#include <CLI/CLI.hpp>
+
 #include "options.h"
 
 namespace linelet::apps {

@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "fragment_run.h"
+#include "options.h"
 
 namespace linelet::apps {
 
@@ -14,8 +15,8 @@ runMerge(const std::vector<std::string>& arguments)
               "also where some are not; the exit code is 1 then.");
   std::string place;
   bool partial = false;
-  frame.app.add_option("OUTPUT", place, "what was planned as the output")->required();
-  frame.app.add_flag("--partial", partial, "leave out fragments that are not done");
+  frame.addArgument("OUTPUT", place, "what was planned as the output");
+  OptionAdder(frame.app)("partial", partial, "leave out fragments that are not done");
   frame.parse(arguments);
   std::unique_ptr<FragmentJob> job;
   FragmentRun run = FragmentRun::open(place, job);

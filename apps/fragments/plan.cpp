@@ -21,9 +21,7 @@ runPlan(const std::vector<std::string>& arguments)
         "plan tensor --radius 1 --memory 4G tiles/ out/. The plan is kept in "
         "OUTPUT.fragments; linelet work OUTPUT works on it, linelet merge "
         "OUTPUT writes the results, linelet status OUTPUT tells how far it is.");
-    frame.app
-        .add_option("COMMAND", command, "tensor, multiscale, curves or powerlines")
-        ->required();
+    frame.addArgument("COMMAND", command, "tensor, multiscale, curves or powerlines");
     frame.parse(arguments);
     return 2;
   }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include <linelet/fragments/dispatcher.h>
 #include <linelet/fragments/gantt.h>
 #include <linelet/io/file_error.h>

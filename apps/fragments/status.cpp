@@ -17,7 +17,7 @@ runStatus(const std::vector<std::string>& arguments)
       "Tells how far a plan is: fragments done, failed and left, their time and "
       "memory, and why some failed. The exit code is 0 once all are done.");
   std::string place;
-  frame.app.add_option("OUTPUT", place, "what was planned as the output")->required();
+  frame.addArgument("OUTPUT", place, "what was planned as the output");
   frame.parse(arguments);
   using fragments::Ledger;
   const std::string folder = FragmentRun::folderOf(place);

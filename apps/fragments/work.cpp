@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.h"
 #include "fragment_run.h"
 
@@ -37,7 +39,7 @@ runWork(const std::vector<std::string>& arguments)
       "Fragments have numbers from 0 on.");
   std::string place, range, every;
   std::size_t task = 0;
-  frame.app.add_option("OUTPUT", place, "what was planned as the output")->required();
+  frame.addArgument("OUTPUT", place, "what was planned as the output");
   auto* one =
       frame.app.add_option("--task", task, "only this fragment")->type_name("N");
   frame.app.add_option("--tasks", range, "only fragments A to B")

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.h"
 #include "fragments/run_job.h"
 #include "options.h"
