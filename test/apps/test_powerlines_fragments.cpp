@@ -99,7 +99,7 @@ TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
 TEST_F(PowerlinesFragmentsTest, AreCutForMemory)
 {
   runWell(job_ + path("tiles") + " " + path("a"));
-  runWell(job_ + path("tiles") + " " + path("b") + " --memory 9M --buffer 60 --json " +
+  runWell(job_ + path("tiles") + " " + path("b") + " --memory 8M --buffer 60 --json " +
           path("b.json"));
   EXPECT_GT(json(path("b.json"))["fragments"], 1);
   EXPECT_EQ(json(path("a/summary.json"))["points"],
