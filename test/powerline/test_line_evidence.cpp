@@ -57,9 +57,7 @@ TEST(KinkOfALine, TellsOfAllWiresTogetherWhereThePoleStands)
     for (const Wire& wire :
          extractPowerLines(lineWithoutPoles(seed, 0.9, 0.05).points).wires)
       off.push_back(std::min(std::abs(wire.front.x()), std::abs(wire.back.x())));
-  // Now and then one of 48 is carried across the pole.
-  EXPECT_GE(off.size(), 6 * 8 - 1u);
-  EXPECT_LE(off.size(), 6 * 8u);
+  EXPECT_EQ(off.size(), 6 * 8u);
   std::sort(off.begin(), off.end());
   EXPECT_LT(off[off.size() / 2], 0.2);
   EXPECT_LT(off[off.size() - 2], 0.5);
