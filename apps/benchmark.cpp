@@ -50,7 +50,7 @@ describe(BenchmarkOptions& s, const OptionAdder& visit)
   visit("all", s.all, "the whole grid");
   visit("seed", s.seed, "which runs are drawn");
   visit("clean", s.clean, "only noise-free runs with 128, 256 and 512 points");
-  visit("out", s.out, "file of rows (.csv), one a run");
+  visit("out", s.out, "file of rows (.csv), one per run");
   visit("plot",
         s.plot,
         "picture (.png) of the success by geometry and noise; other methods whose rows "
@@ -218,8 +218,8 @@ plot(const std::string& path,
   drawBenchmark(methods, view, width, height).save(path);
 }
 
-/** \brief Rows of \a wanted runs by \a method among \a old ones, one a run; those that
- * are not there stay in \a wanted. */
+/** \brief Rows of \a wanted runs by \a method among \a old ones, one per run; those
+ * that are not there stay in \a wanted. */
 std::vector<BenchmarkRow>
 takeDone(const std::string& method,
          const std::vector<BenchmarkRow>& old,

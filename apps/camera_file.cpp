@@ -36,7 +36,7 @@ readCamera(const std::string& path, const Point& shift)
       const std::string& key = item.key();
       if (key != "eye" && key != "target" && key != "up" && key != "field_of_view" &&
           key != "width" && key != "height" && key != "near" && key != "far")
-        throw std::runtime_error("there is no '" + key + "' in a camera");
+        throw std::runtime_error("a camera has no '" + key + "'");
     }
     const Point eye = place(json, "eye"), target = place(json, "target");
     if (!((target - eye).norm() > 0))

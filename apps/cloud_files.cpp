@@ -345,8 +345,9 @@ CloudOutput::check(CloudInput& input)
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (!std::filesystem::is_directory(path_))
-    throw io::FileError(path_ + ": is no folder, which the outputs of several inputs "
-                                "need; name a folder");
+    throw io::FileError(path_ +
+                        ": is not a folder, which the outputs of several inputs "
+                        "need; name a folder");
   std::vector<std::string> outputs;
   for (std::size_t i = 0; i < input.files().size(); ++i)
     outputs.push_back(pathFor(input, i));

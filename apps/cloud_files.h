@@ -111,7 +111,7 @@ public:
   struct Surroundings {
     Points points;
     CloudPiece piece;           ///< which of them are those of the file
-    std::vector<double> values; ///< of the field that was asked for, one a point
+    std::vector<double> values; ///< of the field that was asked for, one per point
   };
 
   /** \brief The usable points of file \a number, and those of the other files that are
@@ -193,7 +193,7 @@ private:
   io::WriteOptions options_;
 };
 
-/** \brief Makes \a member of \a records, one a point, an attribute of \a cloud. */
+/** \brief Makes \a member of \a records, one per point, an attribute of \a cloud. */
 template <class Record, class T>
 void
 addColumn(io::Cloud& cloud,

@@ -25,8 +25,8 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Whether \a option was set to no avail, unless the preset is the published
- * one; an option file has all of them, most as they are anyway. */
+/** \brief Whether \a option was set although only the published preset uses it; an
+ * option file has all of them, most with their defaults. */
 bool
 isOfPublishedPreset(const CLI::Option* option)
 {
@@ -64,7 +64,7 @@ CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
           "outlines. Written by ending: .obj .ply .vtk .csv in the coordinates of "
           "the input, .h5 with the points beside them, and .geojson (WGS 84) .gpkg "
           ".dxf .kml .fgb .shz or what else GDAL writes. Points flagged as withheld "
-          "take no part.",
+          "are ignored.",
           {500, 450}) // measured: 450 in one piece
 {
   frame_.addOutput("OUTPUT", output_, "file for the curves");

@@ -99,7 +99,7 @@ SimplifyTolerance::SimplifyTolerance(std::string_view text) : text_(text)
   if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
       !(length_ >= 0) || !std::isfinite(length_))
     throw std::invalid_argument("'" + text_ +
-                                "' is no tolerance: give a length, 0 or auto");
+                                "' is not a tolerance: give a length, 0 or auto");
 }
 
 double

@@ -12,7 +12,7 @@
 
 namespace linelet::apps {
 
-/** \brief A command that makes a cloud of every cloud that it reads. */
+/** \brief A command that writes one cloud per input cloud. */
 class CloudFragmentJob : public FragmentJob {
 public:
   const std::string&

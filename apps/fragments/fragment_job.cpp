@@ -27,9 +27,10 @@ makeFragmentJob(const std::string& name, const std::vector<std::string>& argumen
     return makePowerlinesJob(arguments);
   if (name == "curves")
     return makeCurvesJob(arguments);
-  throw std::runtime_error("'" + name +
-                           "' is no command that works in fragments; those are tensor, "
-                           "multiscale, curves and powerlines");
+  throw std::runtime_error(
+      "'" + name +
+      "' is not a command that works in fragments; those are tensor, "
+      "multiscale, curves and powerlines");
 }
 
 } // namespace linelet::apps

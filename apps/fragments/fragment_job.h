@@ -50,11 +50,11 @@ public:
   virtual const std::string&
   place() const = 0;
 
-  /** \brief Fails where the command cannot work so, or could not write its results. */
+  /** \brief Fails if the command cannot run in fragments or write its results. */
   virtual void
   check() = 0;
-  /** \brief What must be known of the whole cloud before its fragments are worked on;
-   * the plan keeps it. */
+  /** \brief Properties of the whole cloud that its fragments need; kept in the
+   * plan. */
   virtual Figures
   measures()
   {
@@ -69,8 +69,8 @@ public:
   virtual Figures
   compute(const FragmentTask& task) = 0;
 
-  /** \brief The fragments that output \a number is made of; empty for one behind the
-   * last. Here, one output of all. */
+  /** \brief The fragments that output \a number needs; empty beyond the last output.
+   * By default one output needs all. */
   virtual std::vector<std::size_t>
   needs(const fragments::Plan& plan, std::size_t number);
 
@@ -84,7 +84,7 @@ public:
   {
   }
 
-  /** \brief Works on the cloud in one piece. \return the exit code */
+  /** \brief Processes the cloud in one piece. \return the exit code */
   virtual int
   runWhole() = 0;
 

@@ -48,7 +48,7 @@ parsed(const std::string& text)
   bytes *= unit;
   if (used != text.size() || !(bytes > 0) || !std::isfinite(bytes))
     throw std::invalid_argument("'" + text +
-                                "' is no amount of memory; give 8G, 500M or auto");
+                                "' is not an amount of memory; give 8G, 500M or auto");
   return bytes;
 }
 

@@ -14,21 +14,21 @@
 
 namespace linelet::apps {
 
-/** \brief A run in fragments: its plan, and what is done of it. */
+/** \brief A run in fragments: its plan and progress. */
 class FragmentRun {
 public:
   /** \brief The folder of the run whose results go to \a place. */
   static std::string
   folderOf(const std::string& place);
 
-  /** \brief What becomes of a plan that is there already. */
+  /** \brief What to do with an existing plan. */
   enum class Existing {
-    Remove,       ///< it is begun anew
-    Resume,       ///< it is gone on with; where it is another one, that is an error
-    KeepOrReplace ///< it is gone on with; where it is another one, that is removed
+    Remove,       ///< it is removed and the run starts over
+    Resume,       ///< the run continues; a different plan is an error
+    KeepOrReplace ///< the run continues; a different plan is removed
   };
 
-  /** \brief Plans \a job, out of headers, into its folder. */
+  /** \brief Plans \a job, from headers, into its folder. */
   static FragmentRun
   make(FragmentJob& job,
        const std::string& name,
@@ -63,9 +63,9 @@ public:
   std::vector<std::size_t>
   work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool outputs);
 
-  /** \brief Writes all outputs that are not written, and says what came of it.
+  /** \brief Writes all missing outputs, and reports the results.
    * \throws std::runtime_error where a fragment is missing, unless \a partial
-   * \return how many fragments are missing */
+   * \return number of missing fragments */
   std::size_t
   merge(FragmentJob& job, bool partial);
 

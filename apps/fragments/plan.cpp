@@ -13,14 +13,14 @@ runPlan(const std::vector<std::string>& arguments)
 {
   if (arguments.empty() || arguments.front().rfind('-', 0) == 0) {
     std::string command;
-    Frame frame(
-        "plan",
-        "Plans a command in fragments, out of headers (curves reads the points once): "
-        "linelet plan "
-        "COMMAND, and behind it what the command itself is given, as in linelet "
-        "plan tensor --radius 1 --memory 4G tiles/ out/. The plan is kept in "
-        "OUTPUT.fragments; linelet work OUTPUT works on it, linelet merge "
-        "OUTPUT writes the results, linelet status OUTPUT tells how far it is.");
+    Frame frame("plan",
+                "Plans a command in fragments from headers alone (curves reads the "
+                "points once): "
+                "linelet plan "
+                "COMMAND, followed by the arguments of that command, as in linelet "
+                "plan tensor --radius 1 --memory 4G tiles/ out/. The plan is kept in "
+                "OUTPUT.fragments; linelet work OUTPUT works on it, linelet merge "
+                "OUTPUT writes the results, linelet status OUTPUT shows the progress.");
     frame.addArgument("COMMAND", command, "tensor, multiscale, curves or powerlines");
     frame.parse(arguments);
     return 2;

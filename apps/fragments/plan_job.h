@@ -12,12 +12,12 @@
 
 namespace linelet::apps {
 
-/** \brief Whether the input of \a job is cut: it is asked for, or the cloud in one
- * piece would take more than its memory. */
+/** \brief Whether \a job runs in fragments: on request, or because the cloud in one
+ * piece would exceed its memory. */
 bool
 wantsFragments(FragmentJob& job);
 
-/** \brief The plan of \a job, out of headers. \param[in] arguments those it was made
+/** \brief The plan of \a job, from headers. \param[in] arguments those it was made
  * of */
 fragments::Plan
 planOf(FragmentJob& job,

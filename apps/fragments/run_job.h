@@ -10,7 +10,7 @@
 
 namespace linelet::apps {
 
-/** \brief Runs \a job: in one piece where that fits its memory, else in fragments, all
+/** \brief Runs \a job: in one piece if that fits its memory, otherwise in fragments,
  * in this process. \param[in] arguments those it was made of
  * \return the exit code */
 int

@@ -68,7 +68,7 @@ readTimes(const std::string& path)
   std::string line;
   if (!file || !std::getline(file, line))
     throw io::FileError(path + ": cannot be read, or is empty; name a CSV file of a "
-                               "column points and one a device");
+                               "column points and one per device");
   const std::vector<std::string> names = cellsOf(line);
   TimeTable table;
   for (const std::string& name : names)
@@ -108,12 +108,13 @@ int
 runSchedule(const std::vector<std::string>& arguments)
 {
   Frame frame("schedule",
-              "Simulates how fragments are given to devices by each of the five "
+              "Simulates how fragments are assigned to devices by each of the five "
               "heuristics of Grasso et al. (2015): the time until all is done, beside "
               "that of Sufferage, and time and number of fragments of every device. "
-              "The table has a line a fragment, with a column of seconds for every "
-              "device, named in the first line; a column points tells sizes, a column "
-              "fragment is passed over.");
+              "The table has one line per fragment, with a column of seconds for every "
+              "device, named in the first line; an optional column points has the "
+              "sizes, a column "
+              "fragment is ignored.");
   std::string etc, gantt;
   frame.app.add_option("--etc", etc, "CSV file of expected times to compute, seconds")
       ->type_name("FILE")

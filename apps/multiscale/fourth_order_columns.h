@@ -36,7 +36,7 @@ struct Names<apps::FourthOrderOption> {
 
 namespace linelet::apps {
 
-/** \brief Gives \a cloud the fourth-order tensors of \a points, one a point of it, as
+/** \brief Gives \a cloud the fourth-order tensors of \a points, one per point of it, as
  * attributes: 21 components in Mandel's notation, t4_xx_xx to t4_xy_xy, and the major
  * eigentensor, major_xx to major_zz; NaN where there is none. */
 void

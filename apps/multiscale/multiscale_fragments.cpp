@@ -21,8 +21,9 @@ MultiscaleJob::check()
                              "--stop-change look at one cloud; leave them out, or give "
                              "more --memory");
   if (settings_.radii.empty() && !(settings_.scale_unit > 0))
-    throw std::runtime_error("fragments do not tell the scale unit of the whole cloud; "
-                             "give --radii or --scale-unit, or more --memory");
+    throw std::runtime_error(
+        "the scale unit of the whole cloud is unknown in fragments; "
+        "give --radii or --scale-unit, or more --memory");
   settings_.radii = multiScaleRadii(Points(), settings_).radii;
   if (settings_.engine == ScaleEngine::Auto)
     settings_.engine = ScaleEngine::Grid; // what it is for large clouds

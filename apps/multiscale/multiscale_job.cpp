@@ -20,14 +20,13 @@ MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
           "chooses the one that shows a curve best. Adds the shape, direction and "
           "radius of the optimal scale and what the graphs of linearity and "
           "sphericity come to; prints the noise rate. All attributes of the input "
-          "are kept; points flagged as withheld take no part and have no shape.\n"
+          "are kept; points flagged as withheld are ignored and have no shape.\n"
           "Time grows with the number of points within the largest radius: on wires "
           "in proportion to it, on surfaces to its square. A job of more than a few "
           "seconds says before it starts how many neighbors a point has and how "
           "long it will take. Several inputs take the radii of the first, unless "
-          "--radii "
-          "or "
-          "--scale-unit say them; neighbors are found across their borders.",
+          "--radii or --scale-unit sets them; neighbors are found across their "
+          "borders.",
           // Two fragments, engine and shapes; or cloud, usable points, engine, shapes
           // and their columns.
           {220, 300})

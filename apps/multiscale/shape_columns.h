@@ -10,7 +10,7 @@
 
 namespace linelet::apps {
 
-/** \brief Makes \a shapes, one a point, attributes of \a cloud. */
+/** \brief Makes \a shapes, one per point, attributes of \a cloud. */
 void
 addColumns(io::Cloud& cloud, const std::vector<MultiScaleShape>& shapes);
 

@@ -41,7 +41,7 @@ axisLabel(const std::string& title)
   if (title == "S_J")
     return "jitter S_J";
   if (title == "M / N")
-    return "outliers a point M / N";
+    return "outliers per point M / N";
   return title == "n_R" ? "noise rate n_R" : title;
 }
 

@@ -15,7 +15,7 @@ namespace linelet::apps {
 
 /** \brief Colors of points by an attribute whose values are names, not quantities. */
 struct Categories {
-  std::vector<Color> colors;                         ///< one a point
+  std::vector<Color> colors;                         ///< one per point
   std::vector<std::pair<Color, std::string>> legend; ///< the most frequent first
 };
 

@@ -26,7 +26,7 @@ enum class PixelColor {
 /** \brief A cloud as it is to be shown. */
 struct CloudView {
   Points points;             ///< those that are not finite are left out
-  std::vector<Color> colors; ///< one a point
+  std::vector<Color> colors; ///< one per point
   PixelColor pixels = PixelColor::OfPoints;
   ScreenNormalSettings normals; ///< for the other two
   CurveNetwork curves;          ///< drawn over the points

@@ -99,7 +99,7 @@ describe(PictureSettings& s, Visit&& visit)
   visit("length", s.length, "profile along the direction of a point; 0: 30 D");
   visit("columns", s.columns, "profile: positions along the line");
   visit("rows", s.rows, "profile: radii, unless --radii are given");
-  visit("title", s.title, "of the picture; empty: says what it shows");
+  visit("title", s.title, "of the picture; empty: chosen by its content");
 }
 
 /** \brief The points of \a cloud, colored as \a settings say.

@@ -15,8 +15,8 @@ namespace linelet::apps {
 /** \brief Tensors to be drawn as ellipses, the shadows of ellipsoids whose axes are the
  * roots of their eigenvalues. */
 struct SvgTensors {
-  std::vector<Eigen::Matrix3d> tensors; ///< one a point of the view; NaN: none
-  std::vector<Color> colors;            ///< one a point
+  std::vector<Eigen::Matrix3d> tensors; ///< one per point of the view; NaN: none
+  std::vector<Color> colors;            ///< one per point
   double size = 0; ///< length of a root of 1, in the unit of the points
 };
 

@@ -35,7 +35,7 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
     : FragmentJob(
           "powerlines",
           "Finds every wire of an airborne or UAV scan: classified cloud, vectors, "
-          "report. Points flagged as withheld take no part and stay in the "
+          "report. Points flagged as withheld are ignored and stay in the "
           "classified cloud as they are; overlap, synthetic and key points are "
           "used like others.",
           // Measured: beyond what the program takes anyway, 120 to 160 with the next
@@ -94,11 +94,11 @@ PowerlinesJob::warnOfUnits(const std::string& wkt)
 {
   const io::Units units = io::unitsOf(wkt);
   if (!units.height_stated && !units.areMeters())
-    frame_.warn("the reference system tells no unit of heights; they count as " +
+    frame_.warn("the reference system has no unit of heights; they count as " +
                 units.height_name + ", like x and y");
   if (wkt.empty())
     frame_.warn(input_.path() +
-                " tells no reference system: its coordinates count as meters");
+                " has no reference system: its coordinates count as meters");
 }
 
 void

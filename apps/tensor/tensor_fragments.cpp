@@ -20,7 +20,7 @@ TensorJob::check()
   if (!isRadius(settings_.radius) || settings_.k > 0 || !fields_.radius.empty() ||
       !fields_.knn.empty())
     throw std::runtime_error(
-        "fragments know the neighbors within --radius; give that, or more --memory");
+        "fragments need --radius to know all neighbors; give it, or more --memory");
   validate(settings_, {}, 0);
   if (finder_.engine == EngineOption::Auto)
     finder_.engine = EngineOption::Grid; // what it is for clouds of any size

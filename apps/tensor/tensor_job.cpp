@@ -24,7 +24,7 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
           "neighbors, added to the attributes of the input. Without --radius, --knn "
           "or a field the radius is chosen: three times the scale unit D. Points "
           "flagged "
-          "as withheld take no part and have no shape.",
+          "as withheld are ignored and have no shape.",
           // Two fragments, engine and records; or cloud, usable points, engine, records
           // and their columns.
           {200, 300})

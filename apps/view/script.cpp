@@ -299,7 +299,7 @@ runScript(Window& window, const std::string& path)
 std::string
 scriptHelp()
 {
-  std::string help = "Steps of a script, one a line:\n";
+  std::string help = "Steps of a script, one per line:\n";
   for (const auto& [name, step] : steps())
     help += "  " + name + " " + step.meaning + "\n";
   return help;

@@ -9,7 +9,7 @@ namespace linelet::view {
 
 class Window;
 
-/** \brief Runs the steps of the file \a path, one a line, with the functions that
+/** \brief Runs the steps of the file \a path, one per line, with the functions that
  * buttons and clicks call, and after each of them waits for what it began. Empty lines
  * and lines that begin with # say nothing.
  * \throws std::runtime_error with file and line, where a step is not known or fails */

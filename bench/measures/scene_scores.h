@@ -76,7 +76,7 @@ struct CalibrationBin {
 
 /** \brief Sorts found wires by what was said of them.
  * \param[in] found a wire each, in the frame of \a truth
- * \param[in] confidence one a wire, [0, 1]
+ * \param[in] confidence one per wire, [0, 1]
  * \param[in,out] bins adds to them
  * \throws std::invalid_argument for vectors of different lengths */
 void

@@ -29,7 +29,7 @@ struct WireScores {
   double covered_length = 0; ///< of the true wires, within WireScoreSettings::near
   double found_length = 0;
   double false_length = 0;        ///< of the found wires, far from every true one
-  std::size_t spans = 0;          ///< true wires, one a span
+  std::size_t spans = 0;          ///< true wires, one per span
   std::size_t spans_found = 0;    ///< covered by one vector
   std::vector<double> end_errors; ///< from each attachment of a span that was found to
                                   ///< the nearer end of its vector, ascending

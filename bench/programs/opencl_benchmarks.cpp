@@ -17,7 +17,7 @@ namespace linelet::benchmarking {
 
 namespace {
 
-/** \brief CPU seconds a query of the kd-tree engine at some of the points, and of
+/** \brief CPU seconds per query of the kd-tree engine at some of the points, and of
  * building the tree, a point. */
 double
 treeSeconds(const Points& points, const TensorSettings& settings)

@@ -5,7 +5,8 @@
 //   benchmark_screen [POINTS]
 //
 // Organized clouds of 640 x 480 with noise along the rays; a picture of 1600 x 1200
-// with 8 samples a pixel; POINTS splats (1e6). Of three repetitions the fastest counts.
+// with 8 samples per pixel; POINTS splats (1e6). Of three repetitions the fastest
+// counts.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -34,8 +34,8 @@ struct Case {
   Order order = Order::Shuffled;
 };
 
-/** \brief Pairs a second of the inner loop on a list that stays in the cache: what the
- * arithmetic alone allows. */
+/** \brief Pairs per second of the inner loop on a list that stays in the cache: what
+ * the arithmetic alone allows. */
 double
 peak(const Weighting& weighting)
 {

@@ -17,9 +17,9 @@ validate(const ClusterSettings& settings)
       !settings.cells.empty() + (settings.leaf != 0) + (settings.count > 0);
   if (said != 1)
     throw std::invalid_argument(
-        said == 0 ? "no grid is given: say the number of cells along each axis, the "
+        said == 0 ? "no grid is given: set the number of cells along each axis, the "
                     "edge of a cell (leaf), or how many representatives are wanted"
-                  : "more than one grid is given: say either cells, or leaf, or count");
+                  : "more than one grid is given: set either cells, or leaf, or count");
   if (!settings.cells.empty()) {
     if (settings.cells.size() != 3)
       throw std::invalid_argument("cells must be three numbers X,Y,Z, not " +

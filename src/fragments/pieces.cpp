@@ -153,7 +153,7 @@ forEachRecord(const Plan& plan,
       if (value < area.low[a] || value > area.high[a])
         throw io::FileError(input.path +
                             ": has points outside of the bounds that its header "
-                            "names; write it anew with linelet convert");
+                            "names; rewrite it with linelet convert");
     }
     use(Record{p.x(),
                p.y(),

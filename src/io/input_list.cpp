@@ -63,7 +63,7 @@ filesOfList(const std::string& path)
       if (files.empty())
         return {}; // points as text
       throw FileError(path + ": line " + std::to_string(number) + " names " +
-                      file.string() + ", which is no file");
+                      file.string() + ", which is not a file");
     }
     files.push_back(file.string());
   }

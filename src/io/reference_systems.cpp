@@ -29,7 +29,7 @@ declaredReference(const std::string& text, const std::string& option)
   std::string wkt = known->wktOfText(text);
   if (wkt.empty())
     throw FileError(option + " " + text +
-                    " is no reference system; give EPSG:n or a file of WKT");
+                    " is not a reference system; give EPSG:n or a file of WKT");
   return wkt;
 }
 

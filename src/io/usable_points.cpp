@@ -46,8 +46,9 @@ ClassList::ClassList(std::string_view text) : text_(text)
     const std::string_view word = rest.substr(0, rest.find(','));
     int number = 0;
     if (!parseNumber(word, number) || number < 0 || number > 255)
-      throw std::invalid_argument("'" + std::string(text) +
-                                  "' is no list of classes, such as 7,18 (0 to 255)");
+      throw std::invalid_argument(
+          "'" + std::string(text) +
+          "' is not a list of classes, such as 7,18 (0 to 255)");
     numbers_.push_back(number);
     rest.remove_prefix(std::min(rest.size(), word.size() + 1));
   }

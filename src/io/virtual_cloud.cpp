@@ -57,7 +57,7 @@ filesOfVirtualCloud(const std::string& path)
   const auto features = all.is_object() ? all.find("features") : all.end();
   if (all.is_discarded() || !all.is_object() || features == all.end() ||
       !features->is_array())
-    throw FileError(path + ": is no virtual point cloud: there are no 'features' of "
+    throw FileError(path + ": is not a virtual point cloud: there are no 'features' of "
                            "GeoJSON in it");
   std::vector<std::string> files;
   for (const ordered_json& feature : *features) {

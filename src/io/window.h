@@ -36,7 +36,7 @@ Window
 windowOf(const ReadOptions& options);
 
 /** \brief What is said about --resolution where there are no levels to choose from. */
-constexpr const char* no_copc = "it is no COPC file; --resolution has no effect";
+constexpr const char* no_copc = "it is not a COPC file; --resolution has no effect";
 
 /** \brief Keeps the points of \a cloud that are in \a window; all, whatever they are,
  * where that is everything. */

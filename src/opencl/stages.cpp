@@ -18,9 +18,9 @@ constexpr double margin = 2;            // empty cells beyond the points
 
 /** \brief The chosen points as the device takes them. */
 struct Staging {
-  std::vector<cl_int> cells;     // 4 a point
-  std::vector<float> offsets;    // 3 a point
-  std::vector<double> positions; // 3 a point
+  std::vector<cl_int> cells;     // 4 per point
+  std::vector<float> offsets;    // 3 per point
+  std::vector<double> positions; // 3 per point
 
   Staging(const Points& points,
           const Indices& chosen,

@@ -22,14 +22,14 @@ tensorDefinitions(Centroid centroid,
 
 /** \brief Tensors on the device, by place of the query in sorted order. */
 struct DeviceTensors {
-  cl::Buffer radii;      // one a query, by index
+  cl::Buffer radii;      // one per query, by index
   cl_uint stride = 0;    // between components
   cl::Buffer components; // xx xy xz yy yz zz
   cl::Buffer counts;     // neighbors
 };
 
 /** \brief Runs the tensor kernel, specialized by \a definitions.
- * \param[in] radii one a query */
+ * \param[in] radii one per query */
 DeviceTensors
 computeTensors(Context& context,
                const std::string& definitions,

@@ -17,7 +17,7 @@ namespace {
 constexpr double largest_rms = 0.16;      // meters
 constexpr double bundle_rms = 0.35;       // meters
 constexpr double bundle_tolerance = 0.15; // meters; what fits closer is one wire
-// Points a meter of a bundle, else its guard ring says nothing: beside single wires
+// Points per meter of a bundle, else its guard ring says nothing: beside single wires
 // that may be told apart, and where these have been found.
 constexpr double bundle_density = 6, last_density = 3;
 // Slope of a wire at its ends, against its chord, and of the chord: that of terrain.

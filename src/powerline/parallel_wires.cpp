@@ -22,7 +22,7 @@ constexpr double stretch = 4;        // meters along
 constexpr double least_cover = 0.25; // of the stretches
 constexpr int least_stretches = 4;
 constexpr std::size_t most_tries = 16;
-constexpr std::size_t crowded = 200; // free points a meter, a wood
+constexpr std::size_t crowded = 200; // free points per meter, a wood
 constexpr double off_middle = 0.1; // of its length, the lowest point of a wire cut off
 constexpr double sag_spread = 0.3; // sags of one line differ by this part, at most
 

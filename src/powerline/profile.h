@@ -10,7 +10,7 @@
 
 namespace linelet::powerline {
 
-constexpr double independent = 2;       ///< points a meter that tell something new
+constexpr double independent = 2;       ///< points per meter that tell something new
 constexpr double least_residual = 0.02; ///< meters, finer differences are noise
 constexpr double profile_step = 0.25;   ///< meters between the places tried for a kink
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double same_line = 3;      // meters between wires that share their poles
 constexpr double side_by_side = 0.6; // of the shorter one
-constexpr double thin_part = 0.3;    // of the points a meter of the whole, a part has
+constexpr double thin_part = 0.3;    // of the points per meter of the whole, a part has
 
 // Low wires that run side by side: their poles carry all of them.
 std::vector<std::vector<std::size_t>>

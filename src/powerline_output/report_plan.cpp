@@ -20,7 +20,7 @@ constexpr double widest = 1060, highest = 760; ///< pixels
 struct Frame {
   Point u = Point::UnitX(), v = Point::UnitY(); ///< right and up on the page
   Point low = Point::Constant(1e300), high = Point::Constant(-1e300); ///< along u, v
-  double scale = 1; ///< pixels a meter
+  double scale = 1; ///< pixels per meter
 
   Point
   turned(const Point& p) const

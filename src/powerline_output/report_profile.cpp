@@ -19,7 +19,7 @@ constexpr double narrow_chart = 420; ///< pixels, its caption stands beside it
 /** From meters along and up to pixels. */
 struct View {
   double from, to, low, high; ///< meters
-  double x_scale, y_scale;    ///< pixels a meter
+  double x_scale, y_scale;    ///< pixels per meter
   double world;               ///< added to heights where they are written
 
   double

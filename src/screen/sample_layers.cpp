@@ -35,7 +35,7 @@ placesOf(int layers)
   case 8:
     return {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
   default:
-    throw std::invalid_argument("samples a pixel must be 1, 2, 4 or 8, not " +
+    throw std::invalid_argument("samples per pixel must be 1, 2, 4 or 8, not " +
                                 std::to_string(layers));
   }
 }

@@ -20,7 +20,7 @@ namespace {
 struct Splat {
   float x, y;           // middle, pixels
   float xx, xy, yy;     // inverse of the ellipse: d' M d = 1 at the border
-  float wave_x, wave_y; // phase of the stripes a pixel
+  float wave_x, wave_y; // phase of the stripes per pixel
   float width, height;  // half of the box around it
   float alpha, striped; // in the middle; part of the stripes
   std::array<float, 3> color;

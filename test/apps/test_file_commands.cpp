@@ -127,7 +127,7 @@ TEST_F(FileCommands, AFileThatEndsTooEarlyIsReadOnlyOnRequest)
   const Outcome lenient = runWell("convert " + cut + " " + output + " --lenient");
   EXPECT_EQ(lines(lenient.error), 1);
   EXPECT_THAT(lenient.error, HasSubstr("warning: " + cut));
-  // 20 bytes a point: the last two are damaged.
+  // 20 bytes per point: the last two are damaged.
   EXPECT_EQ(io::readCloud(output).points.size(), 62u);
 }
 

@@ -99,7 +99,7 @@ TEST_F(WindowsOfCommands, HoldForEveryFormat)
     EXPECT_EQ(pointsOf("info " + file + bounds + above), wires);
     EXPECT_EQ(pointsOf("info " + file + " --bounds 0,0,1,1"), 0U);
     const Outcome outcome = runWell("info " + file + " --resolution 5");
-    EXPECT_NE(outcome.error.find("it is no COPC file; --resolution has no effect"),
+    EXPECT_NE(outcome.error.find("it is not a COPC file; --resolution has no effect"),
               std::string::npos)
         << outcome.error;
   }

@@ -103,8 +103,8 @@ TEST(FalsePositives, ABranchLineAtAPoleIsNoCrossarm)
   EXPECT_EQ(along_y, 2U);
 }
 
-// Two conductors of 0.8 points a meter, 3 m apart, make no line around their points: it
-// is the shape of the wire beside them that finds them.
+// Two conductors of 0.8 points per meter, 3 m apart, make no line around their points:
+// it is the shape of the wire beside them that finds them.
 TEST(ParallelWires, OfAThinScanAreFoundByTheirNeighbor)
 {
   SceneBuilder scene(6);

@@ -150,7 +150,7 @@ TEST(Fittings, ThereAreNoneWithoutAPylon)
   EXPECT_TRUE(n.insulators.empty());
 }
 
-// Three points a meter show wires, but not what hangs at their ends.
+// Three points per meter show wires, but not what hangs at their ends.
 TEST(Fittings, ACoarseScanShowsNone)
 {
   const TensionPylon truth(true, 3);

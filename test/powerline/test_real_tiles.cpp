@@ -131,7 +131,7 @@ TEST_P(HighVoltage, IsFoundAsWellAsPeopleLabelIt)
   ASSERT_EQ(n.supports.size(), 1u);
   ASSERT_EQ(n.circuits.size(), 1u);
   ASSERT_EQ(n.spans.size(), 2u);
-  // Eight wires a span: two earth wires, six twin bundles of one or two vectors each.
+  // Eight wires per span: two earth wires, six twin bundles of one or two vectors each.
   for (const Span& span : n.spans) {
     EXPECT_GE(span.wires.size(), 8u);
     EXPECT_LE(span.wires.size(), 14u);

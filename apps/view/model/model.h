@@ -263,7 +263,7 @@ private:
   };
   std::shared_ptr<const KnownRadii> known_radii_;
   int wire_ = 0;
-  std::vector<powerline::Review> reviews_; // one a wire of lines()
+  std::vector<powerline::Review> reviews_; // one per wire of lines()
   Changes changes_;
   Worker analysis_, probe_, imager_; // joined before all that they use goes
 };

@@ -52,7 +52,7 @@ struct Names<NormalRule> {
 
 /** \brief The grid that points are clustered in, and how its cells adapt to them.
  *
- * Exactly one of \ref cells, \ref leaf and \ref count says how fine the grid is. */
+ * Exactly one of \ref cells, \ref leaf and \ref count sets how fine the grid is. */
 struct ClusterSettings {
   std::vector<double> cells; ///< number of cells along x, y and z; of a camera: across
                              ///< the picture, down, and in depth
@@ -87,7 +87,7 @@ describe(ClusterSettings& s, Visit&& visit)
         "empty cells around");
 }
 
-/** \brief Checks that the grid is said once and makes sense.
+/** \brief Checks that the grid is given once and is valid.
  * \throws std::invalid_argument with the value and what is expected */
 void
 validate(const ClusterSettings& settings);

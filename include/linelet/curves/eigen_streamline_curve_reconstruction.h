@@ -123,7 +123,7 @@ public:
   }
 
   /** \brief Hears of the progress of reconstruct, which throws \ref Canceled where it
-   * asks for that. Null (default): nobody listens. It must outlive reconstruct. */
+   * asks for that. Null (default): no reports. It must outlive reconstruct. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {

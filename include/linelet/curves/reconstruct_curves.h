@@ -60,7 +60,7 @@ describe(ReconstructionSettings& settings, Visit&& visit)
 
 /** \brief Curves that run through \a points.
  * \param[in] points any points; those with a coordinate that is not finite are left out
- * \return the curves; none where there is no curve to be found
+ * \return the curves; may be none
  * \throws std::invalid_argument for a parameter out of range, Canceled */
 CurveNetwork
 reconstructCurves(const Points& points,

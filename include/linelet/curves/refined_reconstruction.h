@@ -53,7 +53,7 @@ struct RefinedSettings {
  * \return curves with the number of points that each vertex explains; none where the
  * cloud holds no curve
  * \throws std::invalid_argument for a negative or NaN cutoff
- * \throws Canceled when \a monitor says so */
+ * \throws Canceled if \a monitor is canceled */
 CurveNetwork
 reconstructRefined(const Points& points,
                    const RefinedSettings& settings = {},

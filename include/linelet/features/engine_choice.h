@@ -20,8 +20,8 @@ struct EngineWork {
 };
 
 /** \brief The work that settings mean for a cloud. The number of neighbors is counted
- * around a few queries among every m-th point, so that it takes no time worth speaking
- * of: it is good to a factor of two. */
+ * around a few queries among every m-th point, which takes negligible time and is good
+ * to a factor of two. */
 EngineWork
 engineWork(const Points& surface,
            const Points& queries,
@@ -30,9 +30,9 @@ engineWork(const Points& surface,
 
 /** \brief Seconds that an engine needs for \a work, by a model of a few terms:
  *
- * - tree: 8e-9 n log2 n to build; a query 3e-7 and 4.5e-8 a neighbor
- * - grid: 3e-5, and 1e-7 a point; a query 3e-7 and 2e-9 a neighbor; k nearest points
- *   are none of its strengths: as the tree, and the grid to build
+ * - tree: 8e-9 n log2 n to build; 3e-7 per query and 4.5e-8 per neighbor
+ * - grid: 3e-5, 1e-7 per point, 3e-7 per query and 2e-9 per neighbor; for k nearest
+ *   points it falls back to the tree, which costs the grid on top
  *
  * The constants were measured with one thread of an EPYC (Genoa) on rolling ground of
  * 100 to 200,000 points with 10 to 5,000 neighbors. They hold to a factor of two,

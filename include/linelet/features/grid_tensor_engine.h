@@ -25,7 +25,7 @@ namespace LINELET_PUBLIC linelet {
  * point, and for every thread some 20 bytes per candidate: much only where a ball holds
  * a large part of the cloud.
  *
- * Settings and sizes are those of \ref estimateTensors with a radius, or one a query.
+ * Settings and sizes are those of \ref estimateTensors with a radius, or one per query.
  * \throws std::invalid_argument, Canceled as there */
 std::vector<PointDistributionTensor>
 estimateTensorsOnGrid(const Points& surface,

@@ -106,7 +106,7 @@ struct GraphMaximum {
   double score;         ///< O_m
 };
 
-/** \brief What the linearity graph of one point tells (Ritter, Schiffner and
+/** \brief Results of the linearity graph of one point (Ritter, Schiffner and
  * Harders 2021, section 5). */
 struct LinearityGraph {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -88,7 +88,7 @@ describe(MultiScaleSettings& s, Visit&& visit)
 struct MultiScaleShapes {
   double scale_unit = 0;     ///< D; NaN where the points have none (see scaleUnit)
   std::vector<double> radii; ///< of the scales, rising
-  std::vector<MultiScaleShape> shapes; ///< one a query
+  std::vector<MultiScaleShape> shapes; ///< one per query
 };
 
 /** \brief Receives the graphs of every query, in the order of the queries and never

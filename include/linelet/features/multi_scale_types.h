@@ -11,7 +11,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief What the shapes of a point's neighborhood over many scales come to.
+/** \brief Summary of the shapes of a point's neighborhood over many scales.
  *
  * Everything that cannot be known is NaN (scale: -1): all of it where no scale has two
  * neighbors beside the point; the shape at the optimal scale, its radius, blend and

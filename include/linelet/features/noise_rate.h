@@ -23,7 +23,7 @@ namespace LINELET_PUBLIC linelet {
  *
  * \param[in] shapes made with Centroid::QueryPoint, for which the measure is defined;
  * points without a smallest sphericity are left out
- * \return NaN where there are no others */
+ * \return NaN if there are no others */
 double
 noiseRate(const std::vector<MultiScaleShape>& shapes);
 
@@ -41,7 +41,7 @@ noiseRate(const std::vector<MultiScaleShape>& shapes);
  *
  * \param[in] shapes made with Centroid::QueryPoint; points without optimal scale are
  * left out
- * \return NaN where there are no others */
+ * \return NaN if there are no others */
 double
 noiseWidth(const std::vector<MultiScaleShape>& shapes);
 

@@ -79,7 +79,7 @@ public:
   }
 
   /** \brief Hears of the progress of compute, which throws linelet::Canceled where it
-   * asks for that. Null (default): nobody listens. It must outlive compute. */
+   * asks for that. Null (default): no reports. It must outlive compute. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {
@@ -107,7 +107,7 @@ protected:
   Points
   queryPoints() const;
 
-  /** \brief Hands \a records over, and tells whether all of them are known. */
+  /** \brief Copies \a records to the output; whether all are known. */
   static void
   setOutput(PointCloudOut& output, const std::vector<RecordT>& records);
 

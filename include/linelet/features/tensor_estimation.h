@@ -16,7 +16,7 @@ namespace LINELET_PUBLIC linelet {
  * \param[in] surface the points that neighborhoods are made of
  * \param[in] queries points around which they are made; a query that is not finite gets
  * NaN
- * \param[in] settings with a radius or k, or neither if \a sizes says them point by
+ * \param[in] settings with a radius or k, or neither if \a sizes gives them point by
  * point
  * \return one record a query, in order
  * \throws std::invalid_argument see \ref validate

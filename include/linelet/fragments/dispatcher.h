@@ -15,17 +15,17 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief Fragments that wait, by number of points, the smallest first. */
+/** \brief Waiting fragments by number of points, smallest first. */
 using Waiting = std::deque<std::size_t>;
 
 /** \brief SimpleH: what a free device takes of those that \a waiting: the slow one the
- * smallest, others the largest. Nothing where nothing waits. */
+ * smallest, others the largest. Empty if none is waiting. */
 std::optional<std::size_t>
 simpleH(const Waiting& waiting, bool slow);
 
 /** \brief SimpleHS: the same, but the slow device takes a fragment only if it is
- * expected to be done with it before the fastest one would be with all that wait; as
- * long as one of the two predictions knows nothing, it takes it. */
+ * expected to finish it before the fastest one would finish all that wait; as
+ * long as one of the two predictions is unknown, it takes it. */
 std::optional<std::size_t>
 simpleHS(const Waiting& waiting,
          bool slow,
@@ -33,8 +33,8 @@ simpleHS(const Waiting& waiting,
          const TimePrediction& on_slow,
          const TimePrediction& on_fastest);
 
-/** \brief Answers the devices of an executor, or of a simulation: which fragment next?
- * Gives out every fragment once. Not for several threads at once. */
+/** \brief Assigns fragments to the devices of an executor or a simulation.
+ * Every fragment is assigned once. Not thread-safe. */
 class Dispatcher {
 public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -51,11 +51,11 @@ public:
   /** \brief Of a static schedule. */
   Dispatcher(const Schedule& schedule, std::size_t devices);
 
-  /** \brief What \a device is to compute next; nothing: it is not needed any more. */
+  /** \brief The next fragment of \a device; empty once none is left for it. */
   std::optional<std::size_t>
   next(std::size_t device);
 
-  /** \brief Hears that \a device took \a seconds for \a fragment. */
+  /** \brief Records that \a device took \a seconds for \a fragment. */
   void
   finished(std::size_t fragment, std::size_t device, double seconds);
 
@@ -64,13 +64,13 @@ private:
   std::vector<double> points_;
   std::size_t slow_ = none;
   Waiting waiting_;
-  std::vector<Waiting> queues_;    ///< of a static schedule, one a device
-  std::vector<TimePrediction> on_; ///< one a device
+  std::vector<Waiting> queues_;    ///< of a static schedule, one per device
+  std::vector<TimePrediction> on_; ///< one per device
 };
 
-/** \brief What happens where devices ask one after the other as they become free, and
- * fragments take the times that \a times says. Which device is slow, \a times says as
- * well: the one with the largest sum, unless all are alike.
+/** \brief Simulates devices that take fragments as they become free, where
+ * fragments take the times in \a times. These also determine the slow device:
+ * the one with the largest sum, unless all are equal.
  * \param[in] points of every fragment, for the dynamic heuristics
  * \throws std::invalid_argument as \ref minMin, or unless there are as many points */
 Schedule

@@ -12,14 +12,14 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief A schedule to draw, and what it is called. */
+/** \brief A schedule to draw, with its name. */
 struct NamedSchedule {
   std::string name;
   Schedule schedule;
 };
 
 /** \brief Gantt charts of \a schedules on one axis of time, as the text of an SVG
- * picture: a row a device, a bar a fragment, darker the longer it takes, and the
+ * picture: a row per device, a bar per fragment, darker the longer it takes, and the
  * makespan. */
 std::string
 ganttChart(const std::vector<NamedSchedule>& schedules,

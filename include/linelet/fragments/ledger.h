@@ -14,9 +14,9 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief What is done, in one small file each, written beside and renamed: whoever is
- * killed leaves an entry or none. Any number of workers may write, and those that do
- * the same write the same but for times. */
+/** \brief A record of finished work, one small file per entry, replaced atomically: a
+ * killed worker leaves an entry or none. Any number of workers may write; those that
+ * do the same work write the same except for times. */
 class Ledger {
 public:
   /** \brief Kinds of work; names of folders. */
@@ -30,13 +30,13 @@ public:
     double points = 0, seconds = 0, peak_bytes = 0;
     std::string device;                          ///< that computed it, or empty
     std::map<std::size_t, std::uint64_t> pieces; ///< cut: points by fragment
-    std::map<std::string, double> figures;       ///< what a command has to add up
+    std::map<std::string, double> figures;       ///< sums for the command
   };
 
-  /** \param[in] fingerprint of the plan; entries with another one do not count */
+  /** \param[in] fingerprint of the plan; entries with another one are ignored */
   Ledger(std::string folder, std::string fingerprint);
 
-  /** \brief The entry of \a number; nothing where there is none that counts. */
+  /** \brief The entry of \a number; empty if there is no valid one. */
   std::optional<Entry>
   find(const char* kind, std::size_t number) const;
 
@@ -47,15 +47,15 @@ public:
   void
   write(const char* kind, std::size_t number, const Entry& entry) const;
 
-  /** \brief Forgets that something failed, so that it is tried again. */
+  /** \brief Removes failures, so that they are tried again. */
   void
   forgetFailures() const;
 
-  /** \brief Removes what workers waited for each other with, once all is done. */
+  /** \brief Removes the lock files once all is done. */
   void
   removeLocks() const;
 
-  /** \brief The file of an entry; beside it, workers wait for each other. */
+  /** \brief The file of an entry, with its lock file beside it. */
   std::string
   path(const char* kind, std::size_t number) const;
 
@@ -64,7 +64,7 @@ private:
 };
 
 /** \brief Holds \a path locked among the processes of all workers that share the file
- * system, as far as that knows locks; a process that dies lets go. */
+ * system, if it supports locks; released when the process ends. */
 class WorkLock {
 public:
   explicit WorkLock(const std::string& path);

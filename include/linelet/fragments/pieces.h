@@ -20,7 +20,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief The points of one input in a fragment; they follow one another. */
+/** \brief The points of one input in a fragment; they are contiguous. */
 struct Section {
   std::size_t input = 0, first = 0, count = 0;
 };
@@ -30,33 +30,33 @@ struct Fragment {
   std::size_t number = 0;
   Points points;                     ///< relative to the plan's shift
   std::vector<std::uint8_t> classes; ///< of all points; 0 where they have none
-  std::vector<std::uint8_t> returns; ///< of their pulses; 0 where that is not known
+  std::vector<std::uint8_t> returns; ///< of their pulses; 0 if unknown
   std::vector<std::uint32_t> places; ///< in their inputs
   std::vector<bool> core;            ///< whether it owns them
   std::vector<Section> sections;     ///< by input
 
-  /** \brief How many it owns. */
+  /** \brief Number of points it owns. */
   std::size_t
   owned() const;
 };
 
-/** \brief Cuts inputs into the pieces that fragments are put together from: each input
- * is read once, in blocks, and each usable point written to every fragment that it is
- * in, or in the ghost zone of. COPC files are not cut: of them, each fragment reads the
- * nodes of the octree that it touches. */
+/** \brief Cuts inputs into pieces, from which fragments are assembled: each input is
+ * read once, in blocks, and each usable point is written to every fragment whose box or
+ * ghost zone contains it. COPC files are not cut: each fragment reads the nodes of the
+ * octree that it touches. */
 class Pieces {
 public:
   /** \param[in] folder of the run
-   * \param[in] options how to read, the plan's shift apart */
+   * \param[in] options how to read, except for the shift, which is the plan's */
   Pieces(const Plan& plan,
          std::string folder,
          io::ReadOptions options,
          io::ClassFilter classes);
 
   /** \brief Cuts the inputs of fragment \a number that are not cut yet, one worker at a
-   * time, and puts it together.
+   * time, and assembles it.
    * \throws io::FileError where an input cannot be read, or has points where its header
-   * says there are none, or another worker is done with the fragment; Canceled */
+   * has none, or another worker has finished the fragment; Canceled */
   Fragment
   load(std::size_t number, ProgressMonitor* monitor = nullptr) const;
 

@@ -15,7 +15,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief A file to read, and how to tell that it is still the same. */
+/** \brief A file to read, and the state in which it must still be. */
 struct PlannedInput {
   std::string path;
   std::uint64_t bytes = 0;
@@ -24,7 +24,7 @@ struct PlannedInput {
   double low_z = 0, high_z = 0; ///< likewise
 };
 
-/** \brief What is to be done, made from headers alone: which command, on which files,
+/** \brief What to do, planned from headers alone: which command, on which files,
  * in which boxes. Kept as `plan.json` in the folder of the run. */
 struct Plan {
   std::string version;                    ///< of linelet
@@ -35,18 +35,18 @@ struct Plan {
   Point shift = Point::Zero();            ///< of all points
   std::map<std::string, double> measures; ///< of the whole cloud, by name
   double ghost = 0;                       ///< width of the ghost zones
-  double most_points = 0; ///< a fragment may have, by the memory; 0: any
-  Tiling tiling;          ///< in world coordinates
+  double most_points = 0;                 ///< in a fragment, as memory allows; 0: any
+  Tiling tiling;                          ///< in world coordinates
 
-  /** \brief A hash of all of it. */
+  /** \brief A hash of the whole plan. */
   std::string
   fingerprint() const;
 
-  /** \brief How far points are copied: \ref ghost, and what rounding may add. */
+  /** \brief How far points are copied: \ref ghost, plus a margin for rounding. */
   double
   reach() const;
 
-  /** \brief The inputs that fragment \a number may have points of. */
+  /** \brief The inputs that may have points in fragment \a number. */
   std::vector<std::size_t>
   inputsOf(std::size_t number) const;
 };
@@ -55,16 +55,16 @@ struct Plan {
 PlannedInput
 stateOf(const std::string& path);
 
-/** \brief Fails where an input is not what it was when the plan was made.
+/** \brief Fails if an input has changed since the plan was made.
  * \throws io::FileError */
 void
 checkInputs(const Plan& plan);
 
-/** \brief Writes `plan.json` in \a folder, which is made. \throws io::FileError */
+/** \brief Writes `plan.json` into \a folder, which is created. \throws io::FileError */
 void
 savePlan(const Plan& plan, const std::string& folder);
 
-/** \brief Reads it. \throws io::FileError where there is none, or it is damaged */
+/** \brief Reads it. \throws io::FileError if it is missing or damaged */
 Plan
 loadPlan(const std::string& folder);
 

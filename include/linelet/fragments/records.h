@@ -15,7 +15,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief The file of what a fragment gave for the points it owns. */
+/** \brief The file with the results of the points that a fragment owns. */
 std::string
 resultPath(const std::string& folder, std::size_t number);
 
@@ -31,7 +31,7 @@ writeRecords(const std::string& path,
 /** \brief The records of the points of one input, from all fragments, in its order. */
 class RecordStream {
 public:
-  /** \param[in] usable fragments; of others there are no records
+  /** \param[in] usable fragments; others have no records
    * \throws io::FileError where a result is missing or damaged */
   RecordStream(const Plan& plan,
                const std::string& folder,
@@ -39,8 +39,8 @@ public:
                std::size_t bytes,
                const std::vector<bool>& usable);
 
-  /** \brief Puts the records of the next \a count points to \a records, where those of
-   * points that no fragment owns (without coordinates, or left out) stay as they are.
+  /** \brief Copies the records of the next \a count points to \a records; those of
+   * points that no fragment owns (without coordinates, or left out) are unchanged.
    * \throws io::FileError */
   void
   next(std::size_t count, void* records);
@@ -50,7 +50,7 @@ private:
     std::string path;
     std::uint64_t places_at, records_at; ///< bytes in the file
     std::uint64_t count, taken = 0;
-    std::vector<std::uint32_t> places; ///< some that come next
+    std::vector<std::uint32_t> places; ///< of the next ones
     std::size_t used = 0;              ///< of these
   };
 

@@ -15,7 +15,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief How fragments are given to devices (Grasso et al. 2015, section 4). */
+/** \brief How fragments are assigned to devices (Grasso et al. 2015, section 4). */
 enum class Heuristic {
   MinMin,    ///< static: the fragment that can be finished first
   MaxMin,    ///< static: the fragment that can be finished last
@@ -81,20 +81,20 @@ struct Assignment {
   double begin = 0, end = 0; ///< seconds
 };
 
-/** \brief Who computes what and when, in the order in which it was decided; on each
+/** \brief The fragments of every device in the order of decision; on each
  * device, without a pause. */
 using Schedule = std::vector<Assignment>;
 
-/** \brief The time at which all is done, seconds; 0 of nothing. */
+/** \brief The time at which all is done, seconds; 0 if empty. */
 double
 makespan(const Schedule& schedule);
 
 /// \name Static heuristics: pure functions of the expected times
 /// Completion time of a fragment on a device is the load of the device so far and the
-/// expected time. Of equals, the first fragment and the first device are
-/// taken; of fragments that suffer alike, the longest. All end
-/// within as many times the optimum as there are devices (Ibarra and Kim 1977).
-/// \throws std::invalid_argument where there are fragments but no device, or a time is
+/// expected time. Ties go to the first fragment and the first device;
+/// of equal sufferage, to the longest fragment. All end
+/// within n times the optimum for n devices (Ibarra and Kim 1977).
+/// \throws std::invalid_argument if there are fragments but no device, or a time is
 /// negative or not finite
 /// @{
 Schedule

@@ -18,7 +18,7 @@ struct Area {
   std::array<double, 2> low{}, high{};
 };
 
-/** \brief An input, as its header tells: where its points are, and how many. */
+/** \brief Extent and number of points of an input, from its header. */
 struct Extent {
   Area area; ///< here with its upper borders
   double points = 0;
@@ -32,11 +32,11 @@ struct TilingSettings {
       0; ///< with the ghost zone, as far as headers tell; 0: any number
 };
 
-/** \brief Boxes that tile the plane: every place is in one of them, and those along the
- * outside reach to infinity. Crowded boxes are cut further. */
+/** \brief Boxes that tile the plane: every place is in exactly one, and those along the
+ * outside reach to infinity. Boxes with too many points are split. */
 class Tiling {
 public:
-  /** \brief A cut: what is below \ref plane is on one side, what is not, on the other.
+  /** \brief A cut: places below \ref plane are on one side, all others on the other.
    * Sides are numbers of cuts, or -1 - number of a box. */
   struct Cut {
     int axis = 0;
@@ -47,9 +47,9 @@ public:
   /** \brief One box, of everything. */
   Tiling() = default;
 
-  /** \brief Cuts so that every box holds as few points as asked for; one that is
-   * narrower than four ghost zones is not cut, for the ghosts would be all.
-   * \throws std::invalid_argument for a length or number that is none */
+  /** \brief Cuts until no box holds more points than asked for; one that is
+   * narrower than four ghost zones is not cut: it would be mostly ghosts.
+   * \throws std::invalid_argument for an invalid length or number */
   Tiling(const std::vector<Extent>& inputs, const TilingSettings& settings);
 
   /** \brief Of cuts, as \ref cuts gives them. */

@@ -11,24 +11,24 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief Time of a fragment by its number of points n, as the finished ones tell:
+/** \brief Time of a fragment by its number of points n, learned from finished ones:
  * t = a + b n + c n^2 by least squares (Grasso et al. 2015, section 4). As long as
- * fewer than three different sizes are known, the highest terms are left out; never
+ * fewer than three different sizes are known, the highest terms are omitted; never
  * negative. */
 class TimePrediction {
 public:
-  /** \brief Notes a finished fragment, \a seconds long. */
+  /** \brief Adds a finished fragment that took \a seconds. */
   void
   add(double points, double seconds);
 
-  /** \brief Whether anything is known. */
+  /** \brief Whether any fragment is known. */
   bool
   known() const
   {
     return !points_.empty();
   }
 
-  /** \brief Expected seconds of a fragment; 0 as long as nothing is known. */
+  /** \brief Expected seconds of a fragment; 0 while none is known. */
   double
   operator()(double points) const;
 

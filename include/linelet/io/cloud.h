@@ -18,7 +18,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief The values of one attribute, one a point, in the type they had in the file.
+/** \brief The values of one attribute, one per point, in the type they had in the file.
  */
 using Values = std::variant<std::vector<std::int8_t>,
                             std::vector<std::uint8_t>,
@@ -49,21 +49,21 @@ typeName(const Values& values);
 struct Column {
   std::string name;
   Values values;
-  std::string description; ///< what LAS extra bytes say of it; may be empty
+  std::string description; ///< from LAS extra bytes; may be empty
 };
 
 struct LasOrigin; // what a LAS to LAS trip must keep beside points and columns
 
-/** \brief A point cloud with everything its file said.
+/** \brief A point cloud with all attributes of its file.
  *
  * World coordinates are `shift + points[i]`. The shift is chosen by the reader so that
- * points are small; nothing is ever stored as a large float. */
+ * points are small and keep their precision. */
 struct Cloud {
   Point shift = Point::Zero(); ///< in the units of the file, added on output
   Points points;               ///< relative to shift; NaN where the file has NaN
   std::vector<Column> columns; ///< each as long as points
   std::string wkt;             ///< coordinate reference system (WKT), empty: unknown
-  std::string format; ///< what the file was, in words: "LAS 1.4, point format 7"
+  std::string format;          ///< format of the file: "LAS 1.4, point format 7"
   std::shared_ptr<const LasOrigin> las; ///< set where the cloud came from LAS
 
   /** \brief The column called \a name, or null. */

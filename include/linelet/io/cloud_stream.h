@@ -19,7 +19,7 @@ namespace LINELET_PUBLIC io {
 
 /** \brief Reads a point file a block of points at a time, in its order. Of LAS and LAZ
  * no more than a block is in memory, each chunk is decoded once, and all that the
- * options leave out is passed over; other formats are one block. */
+ * options leave out is skipped; other formats are one block. */
 class PointStream {
 public:
   /** \param[in] block about how many points to read at a time */
@@ -76,11 +76,11 @@ public:
   ~CloudSink();
 
   /** \brief Adds the points of \a cloud, which has the columns of those before.
-   * \throws PartsDiffer where it does not fit to them */
+   * \throws PartsDiffer if it does not match them */
   void
   add(const Cloud& cloud);
 
-  /** \brief The file is whole: put it in its place. \throws FileError also where
+  /** \brief Completes the file and moves it into place. \throws FileError also if
    * nothing was added */
   void
   commit();

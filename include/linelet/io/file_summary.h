@@ -12,7 +12,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief What the header of a point file says. */
+/** \brief The header of a point file. */
 struct FileSummary {
   std::string path, format;
   std::size_t points = 0;

@@ -40,7 +40,7 @@ namespace LINELET_PUBLIC io {
 // All datasets are chunked, shuffled and deflated. Where linelet was built without HDF5
 // these functions throw FileError.
 
-/** \brief Whether this linelet reads and writes HDF5. */
+/** \brief Whether linelet was built with HDF5. */
 bool
 hasHdf5();
 
@@ -84,7 +84,7 @@ struct Hdf5Fragment {
   Point low = Point::Zero(), high = Point::Zero(); ///< of its finite points, world
 };
 
-/** \brief The fragments of a file, in order; one where it tells of none.
+/** \brief The fragments of a file, in order; one if it lists none.
  * \throws FileError */
 std::vector<Hdf5Fragment>
 hdf5Fragments(const std::string& path);

@@ -13,7 +13,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief What a LAS or LAZ file said beside its points. */
+/** \brief Everything in a LAS or LAZ file except its points. */
 struct LasSummary {
   Point scale, offset;              ///< world = scale * integer + offset
   int copc_levels = 0;              ///< of the octree of a COPC file; 0: it is none

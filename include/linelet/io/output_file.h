@@ -27,7 +27,7 @@ public:
   OutputFile&
   operator=(const OutputFile&) = delete;
 
-  /** \throws FileError where there is no room */
+  /** \throws FileError if the disk is full */
   void
   write(std::string_view bytes);
 

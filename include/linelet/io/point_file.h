@@ -43,7 +43,7 @@ describe(ReadOptions& s, Visit&& visit)
   visit(
       "crs",
       s.crs,
-      "reference system of the input: EPSG:n or a file of WKT; overrides what it says");
+      "reference system of the input, in place of its own: EPSG:n or a file with WKT");
 }
 
 /** \brief How to write a point file. */

@@ -43,7 +43,7 @@ private:
 /** \brief Which points of a classified cloud an analysis may use. Says nothing of
  * clouds without classes. */
 struct ClassFilter {
-  /// Points of these classes take no part: by default noise, low and high (ASPRS).
+  /// Points of these classes are ignored: by default noise, low and high (ASPRS).
   ClassList ignored{"7,18"};
   /// If it names any, only points of these take part, ignored or not.
   ClassList kept{"all"};

@@ -38,7 +38,7 @@ struct VectorLayer {
   std::string name;
   Kind kind = Kind::Lines;
   std::vector<VectorFeature> features; ///< all with the same attribute names and types
-  Attributes columns; ///< those names, with any values, for a layer without features
+  Attributes columns;       ///< those names and types, for a layer without features
   double text_height = 0.5; ///< of labels in a DXF drawing, in the unit of coordinates
 };
 
@@ -57,8 +57,8 @@ describe(VectorOptions& s, Visit&& visit)
         "reference system of vector outputs: EPSG:n or a file of WKT (heights stay)");
   visit("keep-crs",
         s.keep_crs,
-        "GeoJSON in the reference system of the input, named in the crs member of old, "
-        "instead of WGS 84 as RFC 7946 has it");
+        "GeoJSON in the reference system of the input, named in the former crs member, "
+        "instead of WGS 84 (RFC 7946)");
 }
 
 /** \brief Writes layers as .geojson, .gpkg, .dxf, a single one as .csv, or what else
@@ -109,7 +109,7 @@ readLayers(const std::string& path);
 /** \brief Reads polylines back from any file of \ref writeCurves or \ref writeLayers,
  * by ending (.ply and .vtk in ASCII); a line whose last vertex is its first is closed.
  * \param[in] shift subtracted from every vertex
- * \param[out] wkt reference system, empty where the file tells none; null: not wanted
+ * \param[out] wkt reference system, empty where the file has none; may be null
  * \throws FileError */
 CurveNetwork
 readCurves(const std::string& path,

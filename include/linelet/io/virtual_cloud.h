@@ -14,7 +14,7 @@ namespace LINELET_PUBLIC io {
 
 /** \brief Writes a virtual point cloud (.vpc, a STAC item collection in GeoJSON) of
  * \a files, which it names relative to its own folder.
- * \param[out] warnings one sentence for files of which no place on Earth is known
+ * \param[out] warnings one sentence for files without a reference system
  * \throws FileError */
 void
 writeVirtualCloud(const std::string& path,

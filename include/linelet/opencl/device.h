@@ -36,7 +36,7 @@ private:
 struct Device {
   std::string name;
   std::string platform;
-  std::string version;      ///< what the device says of its OpenCL version
+  std::string version;      ///< OpenCL version as the device reports it
   std::string type;         ///< "cpu", "gpu" or "accelerator"
   std::uint64_t memory = 0; ///< global memory, bytes
   unsigned compute_units = 0;

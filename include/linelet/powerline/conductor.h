@@ -47,7 +47,7 @@ struct ConductorState {
 };
 
 /** \brief "75C", "0C,ice=10mm,wind=400Pa".
- * \throws std::invalid_argument that says what a state is */
+ * \throws std::invalid_argument that explains the format */
 ConductorState
 parseState(const std::string& text);
 

@@ -21,7 +21,7 @@ namespace LINELET_PUBLIC powerline {
  * evidence, joined with its continuation, and fitted as a catenary. Finding nothing is
  * a normal result.
  *
- * \param[in] points meters, z up; points that are not finite take no part
+ * \param[in] points meters, z up; points that are not finite are ignored
  * \param[in] classes class of every point, or empty; read for the ground (2) with
  * PowerLineSettings::use_classes, and passed on to the output for all other points
  * \param[in] settings see there
@@ -40,7 +40,7 @@ extractPowerLines(const Points& points,
                   NetworkPart* part = nullptr);
 
 /** \brief The same for a cloud, whose column `classification` gives the classes.
- * Withheld points take no part (io::UsablePoints). The network is in meters also where
+ * Withheld points are ignored (io::UsablePoints). The network is in meters also where
  * the cloud is not: see MetricFrame.
  * \throws std::invalid_argument also where the cloud's units are no lengths */
 PowerLineNetwork

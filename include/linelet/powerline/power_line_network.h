@@ -74,10 +74,10 @@ struct Clearance {
   }
 };
 
-/** \brief What a person says of a wire that was found. */
+/** \brief The judgment of a reviewer about a wire. */
 struct Review {
   enum class Verdict {
-    None,     ///< nobody has looked
+    None,     ///< not reviewed
     Accepted, ///< it is a wire
     Rejected  ///< it is none
   };

@@ -13,7 +13,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A wire as somebody looked at it, and what was said of it. */
+/** \brief A wire as it was reviewed, with the judgment. */
 struct ReviewedWire {
   Points vertices; ///< from end to end, in the coordinates of the network
   Review review;

@@ -37,8 +37,8 @@ describe(ClassScheme& s, Visit&& visit)
   visit("tower-class", s.tower, "class of towers and poles there (ASPRS: 15)");
   visit("existing-classes",
         s.existing,
-        "what becomes of points that came with one of these classes and are none of "
-        "those found; reset: unclassified (1)");
+        "points that come with one of these classes but belong to nothing that was "
+        "found: keep the class, or reset it to unclassified (1)");
 }
 
 /** \throws std::invalid_argument where a class is above 255 or both are the same */

@@ -19,15 +19,15 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Where results come from: what a reader needs to get them again. */
+/** \brief Where results come from: what a reader needs to reproduce them. */
 struct Provenance {
   std::string program;             ///< name and version; may be empty
-  std::string date;                ///< of the run, as it is to be read; may be empty
+  std::string date;                ///< of the run, in words; may be empty
   std::vector<std::string> inputs; ///< files
   std::vector<std::pair<std::string, std::string>> settings; ///< name and value
 };
 
-/** \brief What an input is told by. */
+/** \brief Size and bounds that identify an input. */
 struct InputExtent {
   std::size_t points = 0;
   Point low = Point::Zero(), high = Point::Zero(); ///< world coordinates

@@ -15,7 +15,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Reads what was said of wires: the lines of a file like `wires.gpkg` whose
+/** \brief Reads reviews of wires: the lines of a file like `wires.gpkg` whose
  * columns `review` (accepted, rejected or empty), `review_class` (-1: none) and
  * `review_note` the viewer, or a GIS, filled in. Lines of which nothing was said are
  * read too.
@@ -24,7 +24,7 @@ namespace LINELET_PUBLIC powerline {
 std::vector<ReviewedWire>
 readReview(const std::string& path, const io::Cloud& cloud);
 
-/** \brief Writes the layers of \a network, with what was said of its wires, to \a path
+/** \brief Writes the layers of \a network, with the reviews of its wires, to \a path
  * (.gpkg): all of it, or nothing. \throws io::FileError */
 void
 writeReview(const std::string& path,

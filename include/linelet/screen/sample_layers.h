@@ -40,7 +40,7 @@ struct SampleLayers {
  * pixel: what pass one of Schiffner et al. 2013 leaves in a multi-sample buffer.
  * \param[in] point_size diameter of the discs, pixels
  * \param[in] diameter the same in units of the cloud, nearer discs look larger; 0: none
- * \param[in] layers samples a pixel: 1, 2, 4 or 8, at the places usual for
+ * \param[in] layers samples per pixel: 1, 2, 4 or 8, at the places usual for
  * multi-sampling
  * \param[in] threads 0: all; the result is the same for any number
  * \throws std::invalid_argument */

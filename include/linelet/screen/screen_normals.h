@@ -59,7 +59,7 @@ describe(ScreenNormalSettings& s, Visit&& visit)
   visit("normal-samples", s.samples, "normals: pixels that take part, 5, 9, 17 or 25");
   visit("normal-distance",
         s.max_distance,
-        "normals: samples farther than this take no part, in the unit of the cloud");
+        "normals: samples farther than this are ignored, in the unit of the cloud");
   visit("normal-smoothing", s.smoothing, "normals: passes of smoothing");
 }
 

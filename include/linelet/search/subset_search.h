@@ -13,8 +13,8 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief A search over all points as one over some of them: what it finds besides is
- * left out, the others are named by their place among the chosen. */
+/** \brief Restricts a search over all points to some of them: other points are
+ * left out, and results are places among the chosen. */
 class SubsetSearch : public NeighborSearch {
 public:
   /** \param[in] whole over \a points; kept by reference

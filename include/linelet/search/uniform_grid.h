@@ -26,7 +26,7 @@ namespace LINELET_PUBLIC linelet {
  * left out. Queries are thread-safe. */
 class UniformGrid {
 public:
-  /** \brief Returned where there is no such point. */
+  /** \brief Returned if there is no such point. */
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   /** \brief Sorts \a points (copied; at most 2^32 - 2).

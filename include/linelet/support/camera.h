@@ -23,8 +23,8 @@ struct Camera {
   double field_of_view = 60; ///< vertical, degrees in (0, 180); 0: parallel projection
   double view_height = 1;    ///< parallel projection: height of what is seen
   int width = 640, height = 480; ///< pixels
-  double near = 0;               ///< depth from which on things are seen, units
-  double far = std::numeric_limits<double>::infinity(); ///< and up to which
+  double near = 0;               ///< nearest visible depth, units
+  double far = std::numeric_limits<double>::infinity(); ///< farthest
 
   /** \brief Turns the camera from \a eye towards \a target, \a up being upwards as far
    * as that is possible. */

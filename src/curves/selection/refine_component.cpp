@@ -161,7 +161,7 @@ refineComponent(const Points& points,
   if (size == 0)
     return {};
 
-  // What costs many fits, or integrals of every pair, is no work for millions.
+  // What costs many fits, or integrals of every pair, is too slow for millions.
   const bool sampled = points.size() > sampled_component;
   if (sampled) {
     const std::size_t chosen = bandwidthOfSamples(points, component.grid(), user, stop);

@@ -12,7 +12,7 @@
 namespace linelet {
 
 /** \brief Reads one linearity graph after the other, as \ref readLinearityGraph does.
- * Holds buffers: make one a thread and use it for many points. */
+ * Holds buffers: make one per thread and use it for many points. */
 class GraphReader {
 public:
   GraphReader(const std::vector<double>& radii, const LinearityGraphSettings& settings);

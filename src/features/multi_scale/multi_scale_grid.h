@@ -32,7 +32,7 @@ multiScaleShapesOnGrid(const Points& surface,
                        MultiScaleShapes& result);
 
 /** \brief Fourth-order tensors of all queries, by the same sweep.
- * \param[in,out] tensors one a query
+ * \param[in,out] tensors one per query
  * \return as \ref multiScaleShapesOnGrid */
 bool
 fourthOrderTensorsOnGrid(const Points& surface,

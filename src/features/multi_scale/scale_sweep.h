@@ -14,7 +14,7 @@
 namespace linelet {
 
 /** \brief Tensors and shape factors of one neighborhood at every radius, from one list
- * of neighbors. Holds buffers: make one a thread and use it for many points. */
+ * of neighbors. Holds buffers: make one per thread and use it for many points. */
 class ScaleSweep {
 public:
   /** \param[in] radii rising

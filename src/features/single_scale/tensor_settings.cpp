@@ -21,10 +21,10 @@ validate(const TensorSettings& settings,
                    !sizes.counts.empty();
   if (said == 0 && queries > 0)
     throw std::invalid_argument(
-        "no size of neighborhood is given: say a radius, or the "
+        "no size of neighborhood is given: set a radius, or the "
         "number k of nearest points");
   if (said > 1)
-    throw std::invalid_argument("more than one size of neighborhood is given: say "
+    throw std::invalid_argument("more than one size of neighborhood is given: set "
                                 "either one radius, or one k, or sizes point by point");
   if (settings.radius != 0 && !isRadius(settings.radius))
     throw std::invalid_argument("radius " + textOf(settings.radius) +

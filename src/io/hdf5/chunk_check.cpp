@@ -73,7 +73,7 @@ ChunkCheck::ChunkCheck(const Handle& dataset,
       deflate_ = k;
     else if (filter != H5Z_FILTER_SHUFFLE)
       throw Error("cannot read " + name +
-                  ": it went through a filter that is not known here; write it anew "
+                  ": it uses an unsupported filter; rewrite it "
                   "with no other than shuffle and deflate (gzip)");
   }
 }

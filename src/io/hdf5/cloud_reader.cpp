@@ -44,7 +44,7 @@ public:
     const auto isNumber = [](const Member& m) { return m.type == ValueType::Float64; };
     if (places_->members().size() != 3 || places_->width() != 1 ||
         !std::all_of(places_->members().begin(), places_->members().end(), isNumber))
-      throw Error("cannot read Positions: they are no x, y, z of doubles");
+      throw Error("cannot read Positions: they are not x, y, z in double");
     findFields();
   }
 
@@ -117,7 +117,7 @@ private:
       StoredColumn data(group_, name);
       if (data.members().empty() || data.rows() != count() || data.width() != 1) {
         source_.warn("dataset '" + name +
-                     "' is no number for each point and is left out");
+                     "' is not a number for each point and is left out");
         continue;
       }
       const std::int64_t order =

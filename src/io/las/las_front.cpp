@@ -36,11 +36,11 @@ LasFront::LasFront(const FileWork& target, const Cloud& cloud, bool compress)
 {
   if (layout_.record_length > 65535)
     throw FileError(target.name + ": " + std::to_string(layout_.record_length) +
-                    " bytes a point are more than the 65535 of a LAS record; write "
+                    " bytes per point are more than the 65535 of a LAS record; write "
                     "fewer attributes");
   if (steps_.replaced())
     target.warn("the points have left the integer grid of the file they came from; "
-                "scale and offset are chosen anew");
+                "new scale and offset are chosen");
   if (cloud.las != nullptr && !layout_.as_origin)
     target.warn("point format " + std::to_string(cloud.las->format) +
                 " cannot hold the attributes; written as LAS 1.4 point format " +

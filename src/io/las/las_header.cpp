@@ -57,7 +57,7 @@ checkScale(const Source& source, LasGrid& grid)
                   "; coordinates cannot be computed");
     if (!std::isfinite(grid.offset[axis]) ||
         !std::isfinite(grid.offset[axis] + extreme))
-      source.fail("offset" + name + " is no usable number" +
+      source.fail("offset" + name + " is not a usable number" +
                   at(las_at::offset + 8 * static_cast<std::size_t>(axis)));
   }
 }

@@ -74,7 +74,7 @@ private:
   {
     std::size_t value = 0;
     if (!parseNumber(word, value))
-      failHere("'" + cleanName(word.substr(0, 40)) + "' is no count");
+      failHere("'" + cleanName(word.substr(0, 40)) + "' is not a count");
     return value;
   }
 
@@ -115,7 +115,7 @@ private:
         data_ = words.front();
       else
         failHere("'" + cleanName(key.substr(0, 40)) +
-                 "' is no word of a PCD header; there is no DATA line before it");
+                 "' is not a word of a PCD header; there is no DATA line before it");
     }
   }
 
@@ -156,7 +156,7 @@ private:
       field.type = *type;
       field.count = counts_.empty() ? 1 : count(counts_[i]);
       if (field.count > 65536 || (values += field.count) > 65536)
-        source_.fail("COUNT says more than 65536 values a point");
+        source_.fail("COUNT says more than 65536 values per point");
       row_bytes_ += field.count * sizeOf(field.type);
       fields_.push_back(field);
     }

@@ -134,7 +134,8 @@ private:
       else if (whole.rfind("comment crs ", 0) == 0)
         wkt_ = cleanName(whole.substr(12));
       else if (!key.empty() && key != "comment" && key != "obj_info")
-        failHere("'" + cleanName(key.substr(0, 40)) + "' is no word of a PLY header");
+        failHere("'" + cleanName(key.substr(0, 40)) +
+                 "' is not a word of a PLY header");
     }
     if (format_ != "ascii" && format_ != "binary_little_endian" &&
         format_ != "binary_big_endian")
@@ -178,7 +179,7 @@ private:
     const auto known = [&] {
       const auto value = typeOf(type);
       if (!value)
-        failHere("'" + cleanName(type.substr(0, 40)) + "' is no type of PLY");
+        failHere("'" + cleanName(type.substr(0, 40)) + "' is not a type of PLY");
       return *value;
     };
     if (type == "list") {

@@ -274,7 +274,7 @@ private:
       if (!dropped_[i] && !numbers_[i].add(words_[i])) {
         if (hasDecimalComma(words_[i]))
           failForCommas();
-        fail("'" + cleanName(words_[i].substr(0, 40)) + "' is no number for '" +
+        fail("'" + cleanName(words_[i].substr(0, 40)) + "' is not a number for '" +
              names_[i] + "'");
       }
     if (++rows_ % block_points == 0)

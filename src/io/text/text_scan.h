@@ -102,9 +102,9 @@ parseValue(std::string_view word, T& value)
 inline std::string
 noValue(std::string_view word, const std::string& name)
 {
-  return word.empty()
-             ? "there is no value for '" + name + "'"
-             : "'" + cleanName(word.substr(0, 40)) + "' is no value for '" + name + "'";
+  return word.empty() ? "there is no value for '" + name + "'"
+                      : "'" + cleanName(word.substr(0, 40)) + "' is not a value for '" +
+                            name + "'";
 }
 
 /** \brief Appends the shortest text that reads back as the same value. */

@@ -101,7 +101,7 @@ public:
     if (!parseNumber(word, value))
       source_.fail(word.empty() ? std::string("it ends before its ") + of
                                 : "'" + cleanName(word.substr(0, 40)) +
-                                      "' is no number of its " + of);
+                                      "' is not a number of its " + of);
     return value;
   }
 
@@ -131,7 +131,7 @@ std::vector<PlyElement>
 plyElements(const Source& source, Words& words)
 {
   if (words.next() != "ply" || words.next() != "format" || words.next() != "ascii")
-    source.fail("is no ASCII PLY file, of which alone curves are read");
+    source.fail("is not an ASCII PLY file, the only kind from which curves are read");
   std::vector<PlyElement> elements;
   Lines lines(source.bytes);
   for (std::string_view line; lines.next(line);) {
@@ -246,7 +246,7 @@ curvesFromVtk(const Source& source)
   CurveNetwork network;
   if (source.bytes.substr(0, source.bytes.find("DATASET")).find("ASCII") ==
       std::string_view::npos)
-    source.fail("is no ASCII VTK file, of which alone curves are read");
+    source.fail("is not an ASCII VTK file, the only kind from which curves are read");
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (word == "POINTS") {
       const auto count = words.number<std::size_t>("POINTS");

@@ -240,14 +240,14 @@ writeLayers(const std::string& path,
     done.output_crs.clear();
     if (!isSystem(wkt) && !isEmpty(layers))
       throw FileError(path + ": --output-crs needs to know the reference system of the "
-                             "input, which tells none; declare it with --crs");
+                             "input, which has none; declare it with --crs");
     const auto there = reprojected(path, layers, wkt, target);
     return writeLayers(path, there, target, warnings, monitor, done);
   }
   const bool unknown = !isSystem(wkt);
   if (unknown && (ending == ".geojson" || ending == ".kml") && warnings != nullptr &&
       !isEmpty(layers))
-    warnings->push_back(path + ": the input tells no reference system, so readers of " +
+    warnings->push_back(path + ": the input has no reference system, so readers of " +
                         (ending == ".kml" ? "KML" : "GeoJSON") +
                         " take the coordinates for degrees; .gpkg says it is unknown");
   if (ending == ".geojson" && (options.keep_crs || unknown)) {

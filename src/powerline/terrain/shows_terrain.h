@@ -13,7 +13,7 @@ namespace linelet::powerline {
 /** \brief Whether a cloud has any terrain: not so where somebody kept only the power
  * line. Then all classes are those of its parts, or what lies lowest, place by place,
  * is a line and no surface.
- * \param[in] classes empty, or one a point */
+ * \param[in] classes empty, or one per point */
 bool
 showsTerrain(const Points& points, const std::vector<std::uint8_t>& classes);
 

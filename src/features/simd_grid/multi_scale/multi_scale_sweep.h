@@ -75,7 +75,7 @@ struct MultiScalePiece {
   std::size_t block, begin, end;
 };
 
-/** \brief Shapes at all radii of the queries of a piece; one a thread.
+/** \brief Shapes at all radii of the queries of a piece; one per thread.
  *
  * The queries are split into parts, down to leaves of 16 queries that lie together, one
  * a lane of a vector of floats. What a part can reach is known by the groups of points

@@ -30,13 +30,13 @@ struct SweepJob {
   const SweepWeight& weight;
   double radius; ///< within which is searched: of all queries, or the largest of
   double reach;  ///< no two points are farther apart: larger radii search no farther
-  const std::vector<double>* radii; ///< one a query of the input, or null
-  PointDistributionTensor* records; ///< one a query of the input
+  const std::vector<double>* radii; ///< one per query of the input, or null
+  PointDistributionTensor* records; ///< one per query of the input
   const ProgressMonitor* monitor;   ///< may be null
   std::atomic<bool>& stop;          ///< once true, nothing is computed any more
 };
 
-/** \brief Computes the records of all queries of a block; one a thread.
+/** \brief Computes the records of all queries of a block; one per thread.
  *
  * The queries of a block are split into parts as BlockOrder has cut them, and these
  * again, down to a few queries; for each part the list of candidates shrinks to what
