@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include <bench/scenes/lattice.h>
+
 namespace linelet::bench::corridor {
 
 void
@@ -65,31 +67,10 @@ addLattice(Scene& scene,
            double radius,
            std::uint8_t classification)
 {
-  const auto corner = [&](int leg, int level) -> Point {
-    const double t = static_cast<double>(level) / bays;
-    return bottom[leg] + t * (top[leg] - bottom[leg]);
-  };
-  for (int level = 0; level < bays; ++level)
-    for (int leg = 0; leg < 4; ++leg) {
-      const int next = (leg + 1) % 4;
-      scene.beam(
-          corner(leg, level), corner(leg, level + 1), radius, classification, 0.5);
-      scene.beam(corner(leg, level),
-                 corner(next, level + 1),
-                 0.5 * radius,
-                 classification,
-                 0.5);
-      scene.beam(corner(next, level),
-                 corner(leg, level + 1),
-                 0.5 * radius,
-                 classification,
-                 0.5);
-      scene.beam(corner(leg, level + 1),
-                 corner(next, level + 1),
-                 0.6 * radius,
-                 classification,
-                 0.5);
-    }
+  forEachLatticeBar(
+      bottom, top, bays, [&](const Point& from, const Point& to, double share) {
+        scene.beam(from, to, share * radius, classification, 0.5);
+      });
 }
 
 void

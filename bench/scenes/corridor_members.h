@@ -25,7 +25,7 @@ addWire(Scene& scene,
         const Point& to,
         const WireParameters& parameters);
 
-/** \brief Lattice of \a panels bays between two squares (four corners each). */
+/** \brief A lattice of \a bays between two squares (four corners each). */
 void
 addLattice(Scene& scene,
            const Point (&bottom)[4],

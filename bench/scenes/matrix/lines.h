@@ -5,34 +5,11 @@
 
 #include <vector>
 
+#include "wires.h"
 #include "world.h"
+#include "world_lattice.h"
 
 namespace linelet::bench::scenes {
-
-/** \brief A wire or bundle between two attachments. */
-struct Strung {
-  WireKind kind = WireKind::Conductor;
-  int line = 0, span = 0, number = 0;
-  int conductors = 1;
-  double spacing = 0.4;    ///< of neighboring conductors of a bundle, meters
-  double a = 1000;         ///< catenary constant, meters
-  double share = 1;        ///< of the scene's points per meter
-  double front_string = 0; ///< insulators in line with the wire, meters
-  double back_string = 0;
-  double hidden = 0; ///< share of its length that returns nothing
-};
-
-/** \brief Hangs a wire or bundle from \a from to \a to. */
-void
-addWire(World& world,
-        const Strung& wire,
-        const Point& from,
-        const Point& to,
-        Random& random);
-
-/** \brief The lowest point of a catenary over a span, below its chord's level. */
-Point
-hangingPoint(const Point& from, const Point& to, double a, double share);
 
 /** \brief A place on a cross-arm where a conductor hangs. */
 struct Arm {
@@ -69,14 +46,5 @@ drawTower(LinePlan& plan, double voltage, Random& random);
  * \return tops of the supports (where the lowest arm is) */
 std::vector<Point>
 addLine(World& world, const LinePlan& plan, Random& random);
-
-/** \brief A lattice of \a bays between two squares (four corners each). */
-void
-addLattice(World& world,
-           StructureKind kind,
-           const Point (&bottom)[4],
-           const Point (&top)[4],
-           int bays,
-           double radius);
 
 } // namespace linelet::bench::scenes

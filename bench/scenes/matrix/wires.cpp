@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "wires.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>
-
-#include "lines.h"
 
 namespace linelet::bench::scenes {
 
@@ -127,28 +127,6 @@ addWire(World& world,
       }
   }
   world.wires.push_back(std::move(wire));
-}
-
-void
-addLattice(World& world,
-           StructureKind kind,
-           const Point (&bottom)[4],
-           const Point (&top)[4],
-           int bays,
-           double radius)
-{
-  const auto corner = [&](int leg, int level) -> Point {
-    const double t = static_cast<double>(level) / bays;
-    return bottom[leg] + t * (top[leg] - bottom[leg]);
-  };
-  for (int level = 0; level < bays; ++level)
-    for (int leg = 0; leg < 4; ++leg) {
-      const int next = (leg + 1) % 4;
-      world.add(kind, corner(leg, level), corner(leg, level + 1), radius);
-      world.add(kind, corner(leg, level), corner(next, level + 1), 0.5 * radius);
-      world.add(kind, corner(next, level), corner(leg, level + 1), 0.5 * radius);
-      world.add(kind, corner(leg, level + 1), corner(next, level + 1), 0.6 * radius);
-    }
 }
 
 } // namespace linelet::bench::scenes
