@@ -165,7 +165,8 @@ private:
   {
     std::vector<Track> tracks(group.size());
     std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threadCount(settings_.threads))
+#pragma omp parallel for schedule(dynamic)                                             \
+    num_threads(threadCount(settings_.threads)) if (group.size() > 1)
     for (std::size_t k = 0; k < group.size(); ++k)
       try {
         for (const double width : {1.0, narrower}) {
