@@ -31,6 +31,13 @@ struct LinePriors {
 
   double hidden = 0.3; ///< of the length of a wire, by crowns, supports and dropouts
 
+  /// \name What hides a wire hides those right beside it
+  /// @{
+  double rack = 1;           ///< reach of such a pair: wires of a rack or bundle
+  double hardly_seen = 0.25; ///< of the length of a wire
+  double well_seen = 0.75;   ///< of the same stretch of the other
+  /// @}
+
   double open = 0.25;       ///< of the length of a line, with nothing but deep below
   double open_itself = 0.5; ///< of every wire: crowns let pulses through, roofs do not
 

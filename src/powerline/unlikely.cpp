@@ -143,6 +143,34 @@ isStray(const SpanModel& m, const Evidence& evidence, const Surroundings& beyond
          !beyond.joined && !beyond.border;
 }
 
+// Whether \a other hangs right beside the whole of \a m.
+bool
+accompanies(const SpanModel& other, const SpanModel& m)
+{
+  for (const double part : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    const Point p = m.at(m.begin + part * m.length());
+    const double s = other.along(p);
+    if (s < other.begin || s > other.end || other.residual(p, s).norm() > priors.rack)
+      return false;
+  }
+  return true;
+}
+
+// Drops wires that are hardly seen where one beside them is: scattered points of that
+// one. \param[in] seen share of the length of every wire
+void
+dropScatter(const std::vector<WireWithEnds>& wires,
+            const std::vector<double>& seen,
+            std::vector<char>& keep)
+{
+  for (std::size_t w = 0; w < wires.size(); ++w)
+    for (std::size_t other = 0; seen[w] < priors.hardly_seen && other < wires.size();
+         ++other)
+      if (seen[other] > priors.well_seen &&
+          accompanies(wires[other].model(), wires[w].model()))
+        keep[w] = 0;
+}
+
 // Keeps the wires marked in \a keep, and frees the points of the others.
 void
 keepOnly(const std::vector<char>& keep,
@@ -205,6 +233,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   PowerLineSettings any_length = settings; // the border of the data leaves short ones
   any_length.min_length = 0;
   std::vector<LineWire> lines;
+  std::vector<double> seen(wires.size(), 1);
   for (std::size_t w = 0; w < wires.size(); ++w) {
     ++families[family_of.root(w)].wires;
     if (chainLength(wires, w) >= long_line)
@@ -231,6 +260,8 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     family.open += m.length() * openBelow(m, underside);
     family.length += m.length();
     const Evidence evidence = weighAnew(growth, wires[w].strand.piece, any_length);
+    if (evidence.bins > 0)
+      seen[w] = static_cast<double>(evidence.occupied) / evidence.bins;
     const bool company = beyond.joined || family.wires >= many;
     if (evidence.bins > 0 &&
         evidence.likelihood < (company ? priors.in_company : priors.alone))
@@ -249,6 +280,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     keep[w] =
         keep[w] != 0 && plausible(families[family_of.root(w)], terrain) &&
         (!terrain || openBelow(wires[w].model(), underside) >= priors.open_itself);
+  dropScatter(wires, seen, keep);
   keepOnly(keep, wires, growth);
 }
 

@@ -81,7 +81,7 @@ TEST_F(Classes, ListsAreChecked)
   EXPECT_EQ(run("info " + cloud + " --ignore-classes 7,x").code, 2);
   EXPECT_EQ(run("info " + cloud + " --keep-classes 256").code, 2);
   EXPECT_THAT(run("info " + cloud + " --keep-classes -1").error,
-              HasSubstr("no list of classes"));
+              HasSubstr("is not a list of classes"));
   const std::string bare = write("bare.xyz", "0 0 0\n1 0 0\n");
   expectOneLineOf("info " + bare + " --keep-classes 2", "have no classes");
   runWell("info " + bare + " --ignore-classes 2");
