@@ -33,7 +33,8 @@ struct LinePriors {
 
   /// \name What hides a wire hides those right beside it
   /// @{
-  double rack = 1;           ///< reach of such a pair: wires of a rack or bundle
+  double rack = 1;           ///< between wires of a rack or bundle, which share their
+                             ///< supports and what hides them; at most
   double hardly_seen = 0.25; ///< of the length of a wire
   double well_seen = 0.75;   ///< of the same stretch of the other
   /// @}

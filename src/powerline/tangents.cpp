@@ -15,6 +15,7 @@ namespace linelet::powerline {
 namespace {
 
 constexpr TangentSettings settings;
+constexpr LinePriors priors;
 constexpr double stride = 4; // meters of a wire that are looked at at once
 
 /** A downward break of the slope at a place. */
@@ -43,7 +44,6 @@ dropAt(const std::vector<Tangents::Sample>& samples, double s)
   if (before < settings.least_seeds || behind < settings.least_seeds)
     return 0;
   // A prior of the bend alone keeps a one-sided spread of seeds from telling.
-  constexpr LinePriors priors;
   const double n = static_cast<double>(before + behind);
   const double weight = std::pow(settings.least_noise / (2 * priors.bend_spread), 2);
   normal(1, 1) += weight;
@@ -76,13 +76,13 @@ Tangents::along(const SpanModel& model) const
   for (double from = model.begin; from < model.end; from += stride)
     candidates_.grid.forEachWithin(
         model.at(from + stride / 2),
-        std::hypot(stride, settings.reach),
+        std::hypot(stride, priors.rack),
         [&](Index i, double) {
           if (known_[i] < 0)
             return;
           const double s = model.along(candidates_.points[i]);
           if (s < from || s >= std::min(from + stride, model.end) ||
-              model.residual(candidates_.points[i], s).norm() > settings.reach)
+              model.residual(candidates_.points[i], s).norm() > priors.rack)
             return;
           const Point& seen = directions_[static_cast<std::size_t>(known_[i])];
           const double on = seen.head<2>().dot(model.direction);
@@ -121,7 +121,6 @@ hangAlong(SpanModel& model,
           double low,
           double high)
 {
-  constexpr LinePriors priors;
   const double weight = std::pow(settings.least_noise / (2 * priors.bend_spread), 2);
   Eigen::Matrix2d normal = Eigen::Vector2d(0, weight).asDiagonal();
   Eigen::Vector2d right(0, weight * 2 * priors.usual_bend);

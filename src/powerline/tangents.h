@@ -12,7 +12,6 @@ namespace linelet::powerline {
 
 /** \brief How the directions of seeds tell of supports. Lengths in meters. */
 struct TangentSettings {
-  double reach = 1;            ///< of a wire, to those that share its supports
   double least_radius = 2;     ///< of a seed: smaller ones know no slope to a hundredth
   double least_cosine = 0.99;  ///< in plan, of a seed and the wire
   double window = 15;          ///< on both sides of a support: half of a short span
