@@ -117,7 +117,8 @@ readCloud(const std::string& path,
   const Format& format = formatOf(path);
   if (format.read == nullptr)
     throw FileError(path + ": " + endingOf(path) +
-                    " is for other programs to read; read the cloud it was made of");
+                    " files are written for ParaView and not read; read the cloud it "
+                    "was made from");
   const Window window = windowOf(options);
   const MappedFile file(path, monitor);
   if (monitor != nullptr)

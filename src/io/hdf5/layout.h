@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -54,6 +55,15 @@ fragmentMembers()
                                               {"high_y", ValueType::Float64},
                                               {"high_z", ValueType::Float64}};
   return members;
+}
+
+/** \brief \a name as that of a link, in which a slash and a lone dot mean more. */
+inline std::string
+linkName(const std::string& name)
+{
+  std::string link = name;
+  std::replace(link.begin(), link.end(), '/', '_');
+  return link.empty() || link == "." ? "_" : link;
 }
 
 /** \brief A dataset of positions to write. */

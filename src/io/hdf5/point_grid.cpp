@@ -29,15 +29,6 @@ isTensor(const Cloud& cloud, std::size_t first)
   return true;
 }
 
-/** \brief \a name as that of a link, in which a slash and a lone dot mean more. */
-std::string
-linkName(const std::string& name)
-{
-  std::string link = name;
-  std::replace(link.begin(), link.end(), '/', '_');
-  return link.empty() || link == "." ? "_" : link;
-}
-
 } // namespace
 
 PointGrid::PointGrid(const Handle& file, const Cloud& like) : shift_(like.shift)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,8 +10,10 @@
 #include <linelet/io/file_error.h>
 
 #include "dataset.h"
+#include "io/source.h"
 #include "io/staged_file.h"
 #include "io/writers.h"
+#include "layout.h"
 
 namespace linelet::io {
 
@@ -91,16 +92,11 @@ void
 writeAttributes(const Handle& group, const Cloud& cloud)
 {
   const Handle data = createGroup(group, "PointData");
-  std::set<std::string> taken;
+  UniqueNames names;
   for (const Column& column : cloud.columns) {
-    std::string name = column.name;
-    std::replace(name.begin(), name.end(), '/', '_'); // would be a group
-    if (name.empty() || name == ".")
-      name = "_";
-    while (!taken.insert(name).second)
-      name += "_";
     const ValueType type = typeOf(column);
-    Column1D values(data, name, fileType(type), memoryType(type));
+    Column1D values(
+        data, names.take(linkName(column.name)), fileType(type), memoryType(type));
     std::visit([&](const auto& typed) { values.append(typed.data(), typed.size()); },
                column.values);
   }

@@ -28,9 +28,10 @@ struct Vertices {
   std::size_t without_geometry = 0; ///< features
 
   void
-  add(OGRLayer& layer)
+  add(OGRLayer& layer, const ProgressMonitor* monitor)
   {
     for (const OGRFeatureUniquePtr& feature : layer) {
+      throwIfCanceled(monitor);
       const std::size_t first = x.size();
       if (const OGRGeometry* geometry = feature->GetGeometryRef())
         // Arcs become chords as fine as GDAL has them by itself.
@@ -135,7 +136,7 @@ readVertices(const Source& source)
     else if (!of_layer.empty() && of_layer != wkt)
       source.fail("its layers have several reference systems; convert one layer at a "
                   "time (ogr2ogr)");
-    vertices.add(*layer);
+    vertices.add(*layer, source.monitor);
   }
   if (vertices.x.empty())
     source.fail("there are no vertices" +
