@@ -153,6 +153,17 @@ addPoints(Markup& page,
        << "<path class=\"dots onwire\" d=\"" << wires.text() << "\"/>\n";
 }
 
+/** The vertices of a line, as the d of a path. */
+void
+addCourse(Markup& page, const SpanFrame& frame, const View& view, const Points& line)
+{
+  const char* lead = "M";
+  for (const Point& p : line) {
+    page << lead << view.x(frame.along(p)) << " " << view.y(p.z());
+    lead = " L";
+  }
+}
+
 void
 addWireCurves(Markup& page,
               const Content& content,
@@ -164,11 +175,7 @@ addWireCurves(Markup& page,
     const Wire& wire = content.wire(id);
     page << "<path class=\"curve" << (wire.reason.empty() ? "" : " doubtful")
          << "\" stroke=\"" << wireColor(wire.number) << "\" d=\"";
-    bool first = true;
-    for (const Point& p : polyline(wire)) {
-      page << (first ? "M" : " L") << view.x(frame.along(p)) << " " << view.y(p.z());
-      first = false;
-    }
+    addCourse(page, frame, view, polyline(wire));
     page << "\"><title>wire " << wire.number << "</title></path>\n";
     for (const Point& end : {wire.front, wire.back})
       page << "<circle fill=\"" << wireColor(wire.number) << "\" cx=\""
@@ -190,13 +197,12 @@ addJumpers(Markup& page,
     if (jumper.support == 0 ||
         (jumper.support != span.from_support && jumper.support != span.to_support))
       continue;
+    Points shown; // it goes on into the next span
+    for (const Point& p : jumper.course)
+      if (const double s = frame.along(p); s >= view.from && s <= view.to)
+        shown.push_back(p);
     page << "<path class=\"jumper\" d=\"";
-    bool first = true;
-    for (const Point& p : jumper.course) {
-      const double s = std::clamp(frame.along(p), view.from, view.to);
-      page << (first ? "M" : " L") << view.x(s) << " " << view.y(p.z());
-      first = false;
-    }
+    addCourse(page, frame, view, shown);
     page << "\"><title>jumper " << jumper.id << "</title></path>\n";
   }
 }
@@ -216,11 +222,7 @@ addStretches(Markup& page,
       continue;
     page << "<a href=\"#hazard" << one.id << "\"><path class=\"stretch "
          << std::string(nameOf(one.severity)) << "\" d=\"";
-    bool first = true;
-    for (const Point& p : one.line) {
-      page << (first ? "M" : " L") << view.x(frame.along(p)) << " " << view.y(p.z());
-      first = false;
-    }
+    addCourse(page, frame, view, one.line);
     page << "\"><title>hazard " << one.id << ", " << std::string(nameOf(one.kind))
          << " " << content.length(one.nearest.distance, 2) << " m</title></path></a>\n";
   }

@@ -182,14 +182,14 @@ standOut(const ModelCurves& mixed, const ModelCurves& alone, double points)
   return !sure.empty() && blurred * thicknessOf(sure) < thicknessOf(alone);
 }
 
-/** \brief Diagonal of the box around \a points. */
+/** \brief Diagonal of the box around \a points, 0 of none. */
 double
 extentOf(const Points& points)
 {
   Eigen::AlignedBox3d box;
   for (const Point& p : points)
     box.extend(p);
-  return box.diagonal().norm();
+  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 /** \brief Curves of a cloud of hardly anything else, each connected component by
