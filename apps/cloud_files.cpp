@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <limits>
 
-#include <linelet/io/cloud_stream.h>
 #include <linelet/io/merge.h>
 #include <linelet/io/output_check.h>
+#include <linelet/io/point_stream.h>
 #include <linelet/io/whole_shift.h>
 
 #include "options.h"

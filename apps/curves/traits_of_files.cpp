@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/point_stream.h>
 
 namespace linelet::apps {
 

@@ -11,7 +11,8 @@
 #include <linelet/features/cloud_piece.h>
 #include <linelet/fragments/plan.h>
 #include <linelet/fragments/records.h>
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/cloud_sink.h>
+#include <linelet/io/point_stream.h>
 
 #include "cloud_files.h"
 #include "fragment_tasks.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/cloud_sink.h>
 
 #include "version.h"
 

@@ -7,8 +7,9 @@
 #include <set>
 #include <utility>
 
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/cloud_sink.h>
 #include <linelet/io/merge.h>
+#include <linelet/io/point_stream.h>
 
 namespace linelet::apps {
 

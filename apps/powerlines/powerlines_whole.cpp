@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/cloud_sink.h>
 #include <linelet/io/merge.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline_output/review_file.h>

@@ -14,8 +14,8 @@
 
 #include <unistd.h>
 
-#include <linelet/io/cloud_stream.h>
 #include <linelet/io/file_error.h>
+#include <linelet/io/point_stream.h>
 
 namespace linelet::fragments {
 

@@ -4,6 +4,7 @@
 #include <linelet/io/file_summary.h>
 
 #include "io/las/las_header.h"
+#include "io/las/las_reference.h"
 
 #include "files.h"
 #include "reference_systems.h"

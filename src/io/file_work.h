@@ -37,4 +37,7 @@ struct FileWork {
   }
 };
 
+/** \brief A point file to write. */
+using Target = FileWork;
+
 } // namespace linelet::io

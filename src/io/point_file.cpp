@@ -10,13 +10,23 @@
 #include <linelet/io/output_check.h>
 
 #include "files.h"
-#include "readers.h"
+#include "hdf5/cloud_reader.h"
+#include "hdf5/vtk_hdf.h"
+#include "hdf5/whole_files.h"
+#include "las/las_reader.h"
+#include "las/las_writer.h"
+#include "pcd/pcd_reader.h"
+#include "pcd/pcd_writer.h"
+#include "ply/ply_reader.h"
+#include "ply/ply_writer.h"
 #include "reference_systems.h"
 #include "shift_file.h"
+#include "text/obj_vertices.h"
+#include "text/text_reader.h"
+#include "text/text_writer.h"
 #include "vector_points.h"
 #include "wanted_attributes.h"
 #include "window.h"
-#include "writers.h"
 
 namespace linelet::io {
 

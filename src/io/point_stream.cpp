@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/point_stream.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "files.h"
-#include "readers.h"
+#include "las/las_reader.h"
 #include "reference_systems.h"
 #include "source.h"
 

@@ -11,8 +11,17 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "io/readers.h"
-#include "io/writers.h"
+#include "io/hdf5/cloud_reader.h"
+#include "io/hdf5/whole_files.h"
+#include "io/las/las_reader.h"
+#include "io/las/las_writer.h"
+#include "io/pcd/pcd_reader.h"
+#include "io/pcd/pcd_writer.h"
+#include "io/ply/ply_reader.h"
+#include "io/ply/ply_writer.h"
+#include "io/text/obj_vertices.h"
+#include "io/text/text_reader.h"
+#include "io/text/text_writer.h"
 
 using namespace linelet::io;
 

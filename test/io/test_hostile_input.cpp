@@ -6,7 +6,12 @@
 #include <functional>
 #include <map>
 
-#include "io/readers.h"
+#include "io/hdf5/cloud_reader.h"
+#include "io/las/las_reader.h"
+#include "io/pcd/pcd_reader.h"
+#include "io/ply/ply_reader.h"
+#include "io/text/obj_vertices.h"
+#include "io/text/text_reader.h"
 
 #include "file_helpers.h"
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "cloud_reader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,7 +14,6 @@
 
 #include "curve_grid.h"
 #include "io/las/las_format.h"
-#include "io/readers.h"
 #include "las_store.h"
 #include "layout.h"
 

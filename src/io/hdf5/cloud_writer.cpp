@@ -7,9 +7,9 @@
 #include <linelet/io/hdf5_file.h>
 
 #include "curve_grid.h"
-#include "io/staged_file.h"
 #include "layout.h"
 #include "point_grid.h"
+#include "staged_hdf5.h"
 
 namespace linelet::io {
 
@@ -19,14 +19,10 @@ struct Hdf5CloudWriter::File {
   File(const std::string& file_path, const Cloud& like)
       : path(file_path), staged(file_path)
   {
-    if (staged.direct())
-      throw FileError(path +
-                      ": HDF5 is written to files only, not to devices or pipes");
-    file = createFile(staged.place());
-    Handle slice = createGroup(file, time_slice);
+    Handle slice = createGroup(staged.file(), time_slice);
     setAttribute(slice, "Time", std::vector<double>{0});
     if (!like.points.empty() || !like.columns.empty() || like.las != nullptr)
-      points.emplace(file, like);
+      points.emplace(staged.file(), like);
   }
 
   void
@@ -39,34 +35,15 @@ struct Hdf5CloudWriter::File {
       points->append(cloud, first, count);
   }
 
-  /** \brief Calls \a work; errors of HDF5 name the file. */
-  template <class Work>
-  void
-  guarded(Work&& work)
-  {
-    const Session session;
-    try {
-      work();
-    }
-    catch (const Error& error) {
-      throw FileError(path + ": " + error.what() +
-                      "; check that there is room on the disk");
-    }
-  }
-
   void
   commit()
   {
-    check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write it");
     points.reset();
-    if (!file.reset())
-      throw Error("cannot write it");
     staged.publish();
   }
 
   std::string path;
-  StagedFile staged;
-  Handle file;
+  StagedHdf5 staged;
   std::optional<PointGrid> points;
 };
 
@@ -78,14 +55,7 @@ hasHdf5()
 
 Hdf5CloudWriter::Hdf5CloudWriter(const std::string& path, const Cloud& like)
 {
-  const Session session;
-  try {
-    file_ = std::make_unique<File>(path, like);
-  }
-  catch (const Error& error) {
-    throw FileError(path + ": " + error.what() +
-                    "; check that the folder exists, may be written and has room");
-  }
+  writing(path, [&] { file_ = std::make_unique<File>(path, like); });
 }
 
 Hdf5CloudWriter::~Hdf5CloudWriter()
@@ -103,19 +73,20 @@ Hdf5CloudWriter::append(const Cloud& block)
 void
 Hdf5CloudWriter::append(const Cloud& cloud, std::size_t first, std::size_t count)
 {
-  file_->guarded([&] { file_->append(cloud, first, count); });
+  writing(file_->path, [&] { file_->append(cloud, first, count); });
 }
 
 void
 Hdf5CloudWriter::add(const CurveNetwork& network, const Point& shift)
 {
-  file_->guarded([&] { writeCurveGrid(file_->file, network, shift, {}); });
+  writing(file_->path,
+          [&] { writeCurveGrid(file_->staged.file(), network, shift, {}); });
 }
 
 void
 Hdf5CloudWriter::commit()
 {
-  file_->guarded([&] { file_->commit(); });
+  writing(file_->path, [&] { file_->commit(); });
 }
 
 } // namespace linelet::io

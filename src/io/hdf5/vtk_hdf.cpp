@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "vtk_hdf.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include <linelet/io/file_error.h>
-
 #include "dataset.h"
 #include "io/source.h"
-#include "io/staged_file.h"
-#include "io/writers.h"
 #include "layout.h"
+#include "staged_hdf5.h"
 
 namespace linelet::io {
 
@@ -102,52 +101,42 @@ writeAttributes(const Handle& group, const Cloud& cloud)
   }
 }
 
+/** \brief All points as one cell. */
+void
+writeGrid(const Handle& file, const Cloud& cloud, const FileWork& work)
+{
+  const Handle group = createGroup(file, "VTKHDF");
+  setType(group);
+  setAttribute(group, "Version", std::vector<std::int64_t>{1, 0});
+  if (!cloud.wkt.empty())
+    setAttribute(group, "wkt", cloud.wkt);
+  const auto count = static_cast<std::int64_t>(cloud.points.size());
+  std::vector<std::int64_t> numbers(cloud.points.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = static_cast<std::int64_t>(i);
+  const auto integers = [&](const char* name, const std::vector<std::int64_t>& values) {
+    writeValues(group, name, ValueType::Int64, values);
+  };
+  integers("NumberOfPoints", {count});
+  integers("NumberOfCells", {1});
+  integers("NumberOfConnectivityIds", {count});
+  integers("Connectivity", numbers);
+  integers("Offsets", {0, count});
+  writeValues(group, "Types", ValueType::UInt8, std::vector<std::uint8_t>{poly_vertex});
+  writePlaces(group, cloud, work);
+  writeAttributes(group, cloud);
+}
+
 } // namespace
 
 void
 writeVtkHdf(const Target& target, const Cloud& cloud)
 {
-  const Session session;
-  try {
-    StagedFile staged(target.name);
-    if (staged.direct())
-      throw FileError(target.name +
-                      ": HDF5 is written to files only, not to devices or pipes");
-    Handle file = createFile(staged.place());
-    {
-      const Handle group = createGroup(file, "VTKHDF");
-      setType(group);
-      setAttribute(group, "Version", std::vector<std::int64_t>{1, 0});
-      if (!cloud.wkt.empty())
-        setAttribute(group, "wkt", cloud.wkt);
-      const auto count = static_cast<std::int64_t>(cloud.points.size());
-      std::vector<std::int64_t> numbers(cloud.points.size());
-      for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = static_cast<std::int64_t>(i);
-      // One cell of all points.
-      const auto integers = [&](const char* name,
-                                const std::vector<std::int64_t>& values) {
-        writeValues(group, name, ValueType::Int64, values);
-      };
-      integers("NumberOfPoints", {count});
-      integers("NumberOfCells", {1});
-      integers("NumberOfConnectivityIds", {count});
-      integers("Connectivity", numbers);
-      integers("Offsets", {0, count});
-      writeValues(
-          group, "Types", ValueType::UInt8, std::vector<std::uint8_t>{poly_vertex});
-      writePlaces(group, cloud, target);
-      writeAttributes(group, cloud);
-    }
-    check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write it");
-    if (!file.reset())
-      throw Error("cannot write it");
+  writing(target.name, [&] {
+    StagedHdf5 staged(target.name);
+    writeGrid(staged.file(), cloud, target);
     staged.publish();
-  }
-  catch (const Error& error) {
-    throw FileError(target.name + ": " + error.what() +
-                    "; check that the folder exists, may be written and has room");
-  }
+  });
 }
 
 } // namespace linelet::io

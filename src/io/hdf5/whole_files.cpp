@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "whole_files.h"
+
 #include <algorithm>
 #include <string>
 
-#include <linelet/io/file_error.h>
 #include <linelet/io/hdf5_file.h>
 
 #include "curve_grid.h"
-#include "io/staged_file.h"
-#include "io/writers.h"
 #include "layout.h"
+#include "staged_hdf5.h"
 
 namespace linelet::io {
 
@@ -60,24 +60,13 @@ writeHdf5Curves(const std::string& path,
                 const Point& shift,
                 const std::string& wkt)
 {
-  const Session session;
-  try {
-    StagedFile staged(path);
-    if (staged.direct())
-      throw FileError(path +
-                      ": HDF5 is written to files only, not to devices or pipes");
-    Handle file = createFile(staged.place());
-    setAttribute(createGroup(file, time_slice), "Time", std::vector<double>{0});
-    writeCurveGrid(file, network, shift, wkt);
-    check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write it");
-    if (!file.reset())
-      throw Error("cannot write it");
+  writing(path, [&] {
+    StagedHdf5 staged(path);
+    setAttribute(
+        createGroup(staged.file(), time_slice), "Time", std::vector<double>{0});
+    writeCurveGrid(staged.file(), network, shift, wkt);
     staged.publish();
-  }
-  catch (const Error& error) {
-    throw FileError(path + ": " + error.what() +
-                    "; check that the folder exists, may be written and has room");
-  }
+  });
 }
 
 } // namespace linelet::io

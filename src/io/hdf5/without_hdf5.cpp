@@ -4,8 +4,9 @@
 #include <linelet/io/file_error.h>
 #include <linelet/io/hdf5_file.h>
 
-#include "io/readers.h"
-#include "io/writers.h"
+#include "cloud_reader.h"
+#include "vtk_hdf.h"
+#include "whole_files.h"
 
 namespace linelet::io {
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "las_extra.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "io/source.h"
-#include "las_format.h"
 
 namespace linelet::io {
 

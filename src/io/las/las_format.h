@@ -15,6 +15,7 @@
 
 #include "io/laz/layout.h"
 #include "io/values.h"
+#include "las_extra.h"
 
 namespace linelet::io {
 
@@ -75,34 +76,6 @@ makeLasRecord(std::string_view user,
               std::string_view description,
               std::string data);
 
-constexpr std::size_t las_descriptor_size = 192;
-
-/** \brief One entry of the extra bytes record, or bytes that no entry describes. */
-struct LasExtra {
-  std::string descriptor; ///< 192 bytes
-  ValueType type = ValueType::UInt8;
-  std::size_t bytes = 0;            ///< in each point record
-  std::vector<std::string> columns; ///< one a component; none: opaque bytes
-  std::array<bool, 3> scaled{};     ///< whether the column holds scale * raw + offset
-  std::array<double, 3> scale{1, 1, 1};
-  std::array<double, 3> offset{};
-  std::string raw; ///< what the columns cannot tell, `bytes` a point, or empty
-};
-
-/** \brief Entries for \a bytes extra bytes by the descriptors in \a text; what they
- * leave undescribed becomes opaque. \a complete tells whether all descriptors were
- * used. */
-std::vector<LasExtra>
-parseLasExtras(std::string_view text, std::size_t bytes, bool& complete);
-
-/** \brief The entry that describes \a column. */
-LasExtra
-describeLasExtra(const Column& column);
-
-/** \brief An undocumented entry of \a bytes bytes (at most 255). */
-LasExtra
-opaqueLasExtra(std::size_t bytes);
-
 /** \brief The integer grid of the coordinates: world = scale * integer + offset. */
 struct LasGrid {
   Point scale = Point::Constant(0.001);
@@ -125,10 +98,5 @@ struct LasOrigin {
   Point shift;                            ///< Cloud::shift as the reader set it
   std::string wkt;                        ///< Cloud::wkt as the reader set it
 };
-
-/** \brief The reference system that the records of \a origin state, as WKT; empty where
- * there is none. \a problem says why one cannot be used. */
-std::string
-lasReferenceSystem(const LasOrigin& origin, std::string& problem);
 
 } // namespace linelet::io

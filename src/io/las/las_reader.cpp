@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "las_reader.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -9,12 +11,12 @@
 #include <linelet/io/whole_shift.h>
 
 #include "io/copc/copc_index.h"
-#include "io/readers.h"
 #include "io/wanted_attributes.h"
 #include "io/window.h"
 #include "las_blocks.h"
 #include "las_compatible.h"
 #include "las_layers.h"
+#include "las_reference.h"
 
 namespace linelet::io {
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "las_reference.h"
+
 #include <map>
 
 #include "io/reference_systems.h"

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "las_writer.h"
+
 #include <algorithm>
 
 #include <linelet/io/output_file.h>
 
 #include "io/source.h"
-#include "io/writers.h"
 #include "las_front.h"
 #include "las_records.h"
 #include "laz_points.h"

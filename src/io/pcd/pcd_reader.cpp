@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "pcd_reader.h"
+
 #include <algorithm>
 #include <optional>
 
 #include <lzf.h>
 
 #include "io/columns.h"
-#include "io/readers.h"
 #include "io/text/text_scan.h"
 
 namespace linelet::io {

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "ply_reader.h"
+
 #include <algorithm>
 #include <map>
 #include <optional>
 
 #include "io/columns.h"
-#include "io/readers.h"
 #include "io/text/text_scan.h"
 
 namespace linelet::io {

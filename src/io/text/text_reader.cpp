@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "text_reader.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "io/columns.h"
 #include "io/las/las_format.h"
-#include "io/readers.h"
 #include "text_scan.h"
 
 namespace linelet::io {
@@ -333,32 +334,6 @@ Cloud
 readText(const Source& source)
 {
   return Reader(source).read();
-}
-
-Cloud
-readObjVertices(const Source& source)
-{
-  std::array<std::vector<double>, 3> places;
-  Lines lines(source.bytes);
-  for (std::string_view line; lines.next(line);) {
-    if (takeWord(line) != "v")
-      continue;
-    for (std::vector<double>& values : places) {
-      double value = 0;
-      if (!parseNumber(takeWord(line), value))
-        source.fail("line " + std::to_string(lines.number()) +
-                    ": a vertex needs three numbers");
-      values.push_back(value);
-    }
-  }
-  if (places[0].empty())
-    source.fail("there are no vertices (lines that begin with 'v')");
-  Cloud cloud = cloudFromColumns(source,
-                                 {{"x", std::move(places[0]), {}},
-                                  {"y", std::move(places[1]), {}},
-                                  {"z", std::move(places[2]), {}}});
-  cloud.format = "OBJ";
-  return cloud;
 }
 
 } // namespace linelet::io

@@ -3,10 +3,9 @@
 
 #include <limits>
 #include <map>
-#include <memory>
 #include <set>
 
-#include "dataset.h"
+#include "geometry_walk.h"
 #include "io/columns.h"
 #include "io/vector_points.h"
 #include "layer_formats.h"
@@ -33,9 +32,7 @@ struct Vertices {
     for (const OGRFeatureUniquePtr& feature : layer) {
       throwIfCanceled(monitor);
       const std::size_t first = x.size();
-      if (const OGRGeometry* geometry = feature->GetGeometryRef())
-        // Arcs become chords as fine as GDAL has them by itself.
-        addGeometry(*std::unique_ptr<const OGRGeometry>(geometry->getLinearGeometry()));
+      forEachPart(feature->GetGeometryRef(), *this);
       if (x.size() == first)
         ++without_geometry;
       else
@@ -43,33 +40,17 @@ struct Vertices {
     }
   }
 
-private:
   void
-  addGeometry(const OGRGeometry& geometry)
+  operator()(const OGRPoint& point)
   {
-    const auto type = wkbFlatten(geometry.getGeometryType());
-    if (type == wkbPoint) {
-      const OGRPoint& point = *geometry.toPoint();
-      if (point.IsEmpty() == 0)
-        addVertex(point.getX(), point.getY(), point.getZ());
-      ++lines;
-    }
-    else if (OGR_GT_IsSubClassOf(type, wkbLineString) != 0)
-      addLine(*geometry.toLineString());
-    else if (OGR_GT_IsSubClassOf(type, wkbPolygon) != 0)
-      for (const OGRLinearRing* ring : *geometry.toPolygon())
-        addLine(*ring);
-    else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != 0)
-      for (const OGRPolygon* face : *geometry.toPolyhedralSurface())
-        addGeometry(*face);
-    else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0)
-      for (const OGRGeometry* part : *geometry.toGeometryCollection())
-        addGeometry(*part);
+    if (point.IsEmpty() == 0)
+      addVertex(point.getX(), point.getY(), point.getZ());
+    ++lines;
   }
 
   /** \brief A ring ends with its first vertex, which is no other point. */
   void
-  addLine(const OGRLineString& vertices)
+  operator()(const OGRLineString& vertices)
   {
     const int count = vertices.getNumPoints();
     const bool closed = count > 2 && vertices.get_IsClosed() != 0;
@@ -78,6 +59,7 @@ private:
     ++lines;
   }
 
+private:
   void
   addVertex(double vx, double vy, double vz)
   {

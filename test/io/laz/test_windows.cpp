@@ -13,10 +13,10 @@
 #include <tuple>
 #include <vector>
 
-#include <linelet/io/cloud_stream.h>
 #include <linelet/io/copc_ranges.h>
 #include <linelet/io/input_list.h>
 #include <linelet/io/point_file.h>
+#include <linelet/io/point_stream.h>
 #include <linelet/io/virtual_cloud.h>
 
 #include "io/file_helpers.h"

@@ -63,6 +63,42 @@ TEST(CurveFiles, LayersAreReadForTheirLines)
   }
 }
 
+// What others draw: outlines of areas and arcs are curves, too.
+TEST(CurveFiles, RingsAreClosedCurvesAndArcsAreChords)
+{
+  const Folder folder;
+  const std::string area = folder.file("area.geojson");
+  std::ofstream(area) << R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPolygon",
+      "coordinates": [[[[0, 0], [9, 0], [9, 9], [0, 0]],
+                       [[3, 1], [8, 1], [8, 6], [3, 1]]]]}}]})";
+  const CurveNetwork rings = readCurves(area);
+  ASSERT_EQ(rings.curves.size(), 2U); // the outline and its hole
+  for (const Curve& ring : rings.curves) {
+    EXPECT_TRUE(ring.closed);
+    EXPECT_EQ(ring.points.size(), 3U);
+  }
+  const std::string gpkg = folder.file("arc.gpkg");
+  {
+    GDALAllRegister();
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    const std::unique_ptr<GDALDataset> file(
+        driver->Create(gpkg.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    OGRLayer* layer = file->CreateLayer("arc", nullptr, wkbCircularString, nullptr);
+    OGRCircularString half;
+    for (const auto& [x, y] : {std::pair{-1., 0.}, {0., 1.}, {1., 0.}})
+      half.addPoint(x, y);
+    const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+    feature->SetGeometry(&half);
+    ASSERT_EQ(layer->CreateFeature(feature.get()), OGRERR_NONE);
+  }
+  const CurveNetwork chords = readCurves(gpkg);
+  ASSERT_EQ(chords.curves.size(), 1U);
+  EXPECT_NEAR(length(chords.curves[0]), std::acos(-1), 1e-2);
+  for (const Point& p : chords.curves[0].points)
+    EXPECT_NEAR(p.norm(), 1, 1e-9);
+}
+
 TEST(CurveFiles, BrokenOnesAreSaidToBeSo)
 {
   const Folder folder;

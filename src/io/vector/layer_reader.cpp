@@ -1,36 +1,45 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "layer_reader.h"
+
+#include <utility>
+
 #include <linelet/io/vector_file.h>
 
-#include "curve_readers.h"
-#include "dataset.h"
+#include "geometry_walk.h"
 #include "io/files.h"
+#include "io/vector/curves/curve_lines.h"
 
 namespace linelet::io {
 
 namespace {
 
-void
-addLine(const OGRLineString& line, CurveNetwork& network)
-{
-  Points vertices;
-  for (int i = 0; i < line.getNumPoints(); ++i)
-    vertices.emplace_back(line.getX(i), line.getY(i), line.getZ(i));
-  if (vertices.size() > 1)
-    network.curves.push_back(curveThrough(std::move(vertices)));
-}
+/** Collects lines. */
+struct LinesInto {
+  void
+  operator()(const OGRPoint&) const
+  {
+  }
+
+  void
+  operator()(const OGRLineString& line) const
+  {
+    Points vertices;
+    for (int i = 0; i < line.getNumPoints(); ++i)
+      vertices.emplace_back(line.getX(i), line.getY(i), line.getZ(i));
+    if (vertices.size() > 1)
+      network.curves.push_back(curveThrough(std::move(vertices)));
+  }
+
+  CurveNetwork& network;
+};
 
 void
 addLines(const OGRGeometry* geometry, CurveNetwork& network)
 {
-  if (geometry == nullptr)
-    return;
-  if (const auto type = wkbFlatten(geometry->getGeometryType()); type == wkbLineString)
-    addLine(*geometry->toLineString(), network);
-  else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0)
-    for (const OGRGeometry* part : *geometry->toGeometryCollection())
-      addLines(part, network);
+  LinesInto lines{network};
+  forEachPart(geometry, lines);
 }
 
 Value

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <linelet/io/cloud_sink.h>
+
 #include <algorithm>
 #include <limits>
 
-#include <linelet/io/cloud_stream.h>
 #include <linelet/io/output_file.h>
 
 #include "io/files.h"
 #include "io/laz/chunk_table.h"
 #include "io/source.h"
-#include "las_front.h"
-#include "las_records.h"
-#include "laz_points.h"
+#include "las/las_front.h"
+#include "las/las_records.h"
+#include "las/laz_points.h"
 
 namespace linelet::io {
 

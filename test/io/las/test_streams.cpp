@@ -7,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include <linelet/io/cloud_stream.h>
+#include <linelet/io/cloud_sink.h>
 #include <linelet/io/file_error.h>
 #include <linelet/io/merge.h>
+#include <linelet/io/point_stream.h>
 
 #include "io/file_helpers.h"
 #include "test_data.h"

@@ -3,22 +3,47 @@
 
 #include <linelet/io/vector_file.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
-#include <string_view>
 
 #include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
 
-#include "curve_readers.h"
-#include "curve_writers.h"
+#include "csv_curves.h"
 #include "io/files.h"
-#include "io/source.h"
-#include "layer_formats.h"
+#include "io/vector/layer_formats.h"
+#include "io/vector/layer_reader.h"
+#include "obj_curves.h"
+#include "ply_curves.h"
+#include "vtk_curves.h"
 
 namespace linelet::io {
 
 namespace {
+
+/** A format that is a text of our own making. */
+struct TextFormat {
+  const char* ending;
+  CurveNetwork (*read)(const Source& source);
+  std::string (*write)(const CurveNetwork& network, const Point& shift);
+};
+
+constexpr std::array<TextFormat, 4> text_formats = {
+    {{".obj", curvesFromObj, curvesAsObj},
+     {".ply", curvesFromPly, curvesAsPly},
+     {".vtk", curvesFromVtk, curvesAsVtk},
+     {".csv", curvesFromCsv, curvesAsCsv}}};
+
+/** Null: another. */
+const TextFormat*
+textFormatOf(const std::string& ending)
+{
+  for (const TextFormat& format : text_formats)
+    if (ending == format.ending)
+      return &format;
+  return nullptr;
+}
 
 VectorLayer
 layerOf(const CurveNetwork& network, const Point& shift)
@@ -72,10 +97,8 @@ void
 checkCurvesOutput(const std::string& path)
 {
   const std::string ending = endingOf(path);
-  for (const char* known : {".obj", ".ply", ".vtk", ".csv", ".h5"})
-    if (ending == known)
-      return checkWritable(path);
-  if (findLayerDriver(path).empty())
+  if (textFormatOf(ending) == nullptr && ending != ".h5" &&
+      findLayerDriver(path).empty())
     noCurveFormat(path);
   checkWritable(path);
 }
@@ -91,22 +114,14 @@ writeCurves(const std::string& path,
 {
   throwIfCanceled(monitor);
   const std::string ending = endingOf(path);
-  const bool plain =
-      std::string_view(" .obj .ply .vtk .csv ").find(" " + ending + " ") !=
-      std::string_view::npos;
-  if (plain && !options.output_crs.empty())
+  const TextFormat* text = textFormatOf(ending);
+  if (text != nullptr && !options.output_crs.empty())
     throw FileError(
         path + ": the ending '" + ending +
         "' names a format without reference systems, which --output-crs has "
         "no effect on; use .gpkg");
-  if (ending == ".obj")
-    writeText(path, curvesAsObj(network, shift));
-  else if (ending == ".ply")
-    writeText(path, curvesAsPly(network, shift));
-  else if (ending == ".vtk")
-    writeText(path, curvesAsVtk(network, shift));
-  else if (ending == ".csv")
-    writeText(path, curvesAsCsv(network, shift));
+  if (text != nullptr)
+    writeText(path, text->write(network, shift));
   else if (ending == ".h5")
     writeHdf5Curves(path, network, shift, wkt);
   else if (findLayerDriver(path).empty())
@@ -131,14 +146,8 @@ readCurves(const std::string& path, const Point& shift, std::string* wkt)
     for (Junction& junction : network.junctions)
       junction.position -= shift;
   }
-  else if (ending == ".obj")
-    network = curvesFromObj(source);
-  else if (ending == ".ply")
-    network = curvesFromPly(source);
-  else if (ending == ".vtk")
-    network = curvesFromVtk(source);
-  else if (ending == ".csv")
-    network = curvesFromCsv(source);
+  else if (const TextFormat* text = textFormatOf(ending))
+    network = text->read(source);
   else if (!findLayerDriver(path).empty())
     network = curvesFromLayers(source, wkt);
   else

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+
+#include "las_format.h"
+
+namespace linelet::io {
+
+/** \brief The reference system that the records of \a origin state, as WKT; empty where
+ * there is none. \a problem says why one cannot be used. */
+std::string
+lasReferenceSystem(const LasOrigin& origin, std::string& problem);
+
+} // namespace linelet::io

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "io/file_work.h"
+
+namespace linelet::io {
+
+/** \throws FileError, Canceled */
+void
+writePly(const Target& target, const Cloud& cloud);
+
+} // namespace linelet::io
