@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/hazards_at_states.h>
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline/network_part.h>
 #include <linelet/powerline/power_line_settings.h>

@@ -8,8 +8,8 @@
 
 #include <linelet/fragments/plan.h>
 #include <linelet/io/cloud.h>
-#include <linelet/powerline/hazards.h>
 #include <linelet/powerline/network_part.h>
+#include <linelet/powerline/surroundings.h>
 #include <linelet/powerline_output/class_scheme.h>
 
 #include "classified_copy.h"

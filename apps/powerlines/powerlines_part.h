@@ -9,8 +9,8 @@
 
 #include <linelet/fragments/pieces.h>
 #include <linelet/io/cloud.h>
-#include <linelet/powerline/hazards.h>
 #include <linelet/powerline/network_part.h>
+#include <linelet/powerline/surroundings.h>
 
 namespace linelet::apps {
 

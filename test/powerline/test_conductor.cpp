@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <linelet/io/file_error.h>
-#include <linelet/powerline/conductor.h>
+#include <linelet/powerline/strain_sections.h>
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/hazards_at_states.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <linelet/powerline/surroundings.h>
+
 #include <linelet/powerline/hazards.h>
 
 #include <algorithm>

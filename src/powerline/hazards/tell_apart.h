@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/surroundings.h>
 
 namespace linelet::powerline {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/hazards_at_states.h>
 
 namespace linelet::test {
 

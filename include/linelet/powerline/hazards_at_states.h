@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/powerline/hazards.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
+
+/** \brief What to look for, and in which states of the conductors. */
+struct HazardSettings {
+  std::string limits;    ///< see \ref readLimits; empty: PowerLineSettings::clearance
+  std::string conductor; ///< see \ref readConductor; empty: no other state
+  double conductor_temperature = 15; ///< during the scan, degrees Celsius
+  std::vector<std::string> states;   ///< see \ref parseState
+  std::vector<double> dead_ends;     ///< ids of supports
+  double dead_end_angle = 10;        ///< degrees
+  SurroundingClasses classes;
+};
+
+template <class Visit>
+void
+describe(HazardSettings& s, Visit&& visit)
+{
+  visit("limits",
+        s.limits,
+        "Hazards: clearances and their severities: a file of lines 'KIND HIGH MEDIUM "
+        "LOW' in meters (ground, vegetation, building, wire, support, fall_in), or "
+        "en50341:KV or nesc:KV as starting values; none: --clearance for all");
+  visit("conductor",
+        s.conductor,
+        "Hazards: type of all conductors (Drake, 240/40, ...) or a file of lines 'KEY "
+        "VALUE': area (mm2), diameter (mm), mass (kg/km), modulus (GPa), expansion "
+        "(1e-6/K), creep (K)");
+  visit("conductor-temperature",
+        s.conductor_temperature,
+        "Hazards: of the conductors during the scan, Celsius");
+  visit("state",
+        s.states,
+        "Hazards: look for hazards also in this state of the conductors: 75C, or "
+        "0C,ice=10mm,wind=400Pa; may be given several times");
+  visit("dead-ends",
+        s.dead_ends,
+        "Hazards: ids of pylons where conductors are dead-ended");
+  visit("dead-end-angle",
+        s.dead_end_angle,
+        "Hazards: they are also where a line turns by more, degrees");
+  describe(s.classes, visit);
+}
+
+/** \brief The hazards of a network as scanned, then in every state that is asked for;
+ * of wind from both sides. Ids run on from state to state.
+ * \param[in] clearance limit where the settings name none, meters
+ * \throws std::invalid_argument, io::FileError, Canceled */
+std::vector<Hazards>
+findHazardsAtStates(const PowerLineNetwork& network,
+                    const io::Cloud& cloud,
+                    const io::UsablePoints& usable,
+                    const HazardSettings& settings,
+                    double clearance,
+                    unsigned threads = 0,
+                    const ProgressMonitor* monitor = nullptr);
+
+/** \brief The same, where the surroundings are known. */
+std::vector<Hazards>
+findHazardsAtStates(const PowerLineNetwork& network,
+                    const Surroundings& surroundings,
+                    const HazardSettings& settings,
+                    double clearance,
+                    unsigned threads = 0,
+                    const ProgressMonitor* monitor = nullptr);
+
+/** \brief The limits of \a settings. \param[in] clearance as above
+ * \throws std::invalid_argument, io::FileError */
+ClearanceLimits
+limitsOf(const HazardSettings& settings, double clearance);
+
+/** \brief Throws what \ref findHazardsAtStates would for its settings, before long
+ * work. */
+void
+check(const HazardSettings& settings);
+
+} // namespace powerline
+} // namespace linelet

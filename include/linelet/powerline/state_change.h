@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <linelet/powerline/conductor_types.h>
+#include <linelet/powerline/power_line_network.h>
+#include <linelet/support/visibility.h>
+
+namespace linelet {
+namespace LINELET_PUBLIC powerline {
+
+/** \brief A state of the conductors that is asked for. */
+struct ConductorState {
+  std::string name;       ///< as it was given
+  double temperature = 0; ///< of the conductor, degrees Celsius
+  double ice = 0;         ///< thickness of a sleeve of ice, millimeters
+  double wind = 0;        ///< pressure on the diameter with its ice, pascal
+};
+
+/** \brief "75C", "0C,ice=10mm,wind=400Pa".
+ * \throws std::invalid_argument that explains the format */
+ConductorState
+parseState(const std::string& text);
+
+/** \brief Weight and wind on a meter of conductor. */
+struct ConductorLoad {
+  double vertical = 0, horizontal = 0; ///< newton per meter
+
+  /** \brief Of both together. */
+  double
+  resultant() const;
+
+  /** \brief How far out of the vertical it pulls, degrees. */
+  double
+  swing() const;
+};
+
+/** \brief With ice of 900 kg/m3 (EN 50341-1, glaze). */
+ConductorLoad
+loadOf(const Conductor& conductor, const ConductorState& state);
+
+/** \brief One span of a section: horizontal length and difference of height of its
+ * attachments, meters. */
+struct SpanShape {
+  double length = 0, rise = 0;
+};
+
+/** \brief The horizontal tension after a change of state of a section between two dead
+ * ends, whose spans all have the same.
+ *
+ * The unstretched length of the section is what does not change but by warming. For
+ * every span it is the catenary's length less its elastic elongation: with a = H / w,
+ * span l and rise h, L^2 = h^2 + (2 a sinh(l / 2a))^2 and an elongation of H / (2 E A)
+ * (l + a sinh(l / a) cosh(2 m / a)), tanh(m / a) = h / L. Level spans and small sags
+ * give the state equation of the ruling span sqrt(sum l^3 / sum l) (CIGRE TB 324, 2007,
+ * 5.2).
+ * \param[in] before, after the spans in the plane of the load at that state
+ * \param[in] tension horizontal, newton; \a load and \a new_load in newton per meter
+ * \param[in] warming kelvin, creep included
+ * \throws std::invalid_argument where a quantity is not positive */
+double
+tensionAfter(const std::vector<SpanShape>& before,
+             const std::vector<SpanShape>& after,
+             const Conductor& conductor,
+             double tension,
+             double load,
+             double new_load,
+             double warming);
+
+/** \brief sqrt(sum l^3 / sum l), meters. */
+double
+rulingSpan(const std::vector<SpanShape>& spans);
+
+/** \brief The catenary of constant \a a that hangs between two points, with the swing
+ * \a swing of Catenary::swing. */
+Catenary
+catenaryBetween(const Point& front, const Point& back, double a, double swing);
+
+} // namespace powerline
+} // namespace linelet
