@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <linelet/features/score_weights.h>
 #include <linelet/support/names.h>
 #include <linelet/support/visibility.h>
 
@@ -23,7 +24,7 @@ namespace LINELET_PUBLIC linelet {
 enum class ScaleScore {
   Product, ///< (1 - k/K) CL_j + A_j/A - delta/2 (Ritter, Schiffner, Harders 2021, eq.
            ///< 9)
-  Sum      ///< (CL_j - k/K) + A_j/A - delta/2
+  Sum      ///< (CL_j - k/K) + A_j/A - delta/2 (the thesis' Appendix A.2)
 };
 
 template <>
@@ -53,6 +54,19 @@ struct Names<GraphIntegral> {
        {GraphIntegral::Radius, "radius"}}};
 };
 
+/** \brief Where the area A under a graph ends (the thesis' MSSFFullIntegral). */
+enum class AreaEnd {
+  LastMinimum, ///< at the last local minimum, where there is one
+  WholeGraph   ///< at the largest radius
+};
+
+template <>
+struct Names<AreaEnd> {
+  static constexpr std::string_view kind = "end of the area";
+  static constexpr std::array<std::pair<AreaEnd, std::string_view>, 2> table = {
+      {{AreaEnd::LastMinimum, "last-minimum"}, {AreaEnd::WholeGraph, "whole-graph"}}};
+};
+
 /** \brief What the blend mu of a direction is made of, held to [0.05, 0.95]. The thesis
  * names these among seven variants without formulas of the others. */
 enum class BlendMode {
@@ -77,7 +91,9 @@ struct Names<BlendMode> {
 /** \brief How a linearity graph is read. */
 struct LinearityGraphSettings {
   ScaleScore score = ScaleScore::Product;
+  ScoreWeights score_weights;
   GraphIntegral integral = GraphIntegral::Scales;
+  AreaEnd area_end = AreaEnd::LastMinimum;
   /// Smallest neighborhood whose scale may become the optimal one; the point itself
   /// counts, so that 7 is what the scale unit D holds in the median.
   unsigned min_neighbors = 7;
@@ -89,7 +105,12 @@ void
 describe(LinearityGraphSettings& s, Visit&& visit)
 {
   visit("scale-score", s.score, "how the score of a local maximum is put together");
+  visit("score-weights",
+        s.score_weights,
+        "factors of the terms of that score, NAME=VALUE,...; 1, -1, 1 and -0.5 are as "
+        "published");
   visit("graph-integral", s.integral, "variable of the area under the linearity graph");
+  visit("area-end", s.area_end, "where that area ends");
   visit("min-neighbors",
         s.min_neighbors,
         "smallest neighborhood of an optimal scale, the point itself included");
@@ -138,8 +159,11 @@ constexpr double flat_linearity = 1e-6;
  *   on every side that exists; so a flat graph and a graph of one scale are maxima.
  * - Maxima are sought where the neighborhood has settings.min_neighbors points, on the
  *   part of the graph from the first such scale on; j- does not reach below it.
- * - A runs from the first defined scale to the end of the last local minimum, else to
- *   the end of the graph. Where it is 0 the fraction A_j/A is 1.
+ * - A runs from the first defined scale to the end of the last local minimum, else (or
+ *   with AreaEnd::WholeGraph) to the end of the graph. Where it is 0 the fraction A_j/A
+ *   is 1.
+ * - The first term of the score is held between 0 and its weight, so that the score of
+ *   eq. 9 has three terms between 0 and 1.
  * - Of equal scores the smaller scale wins.
  *
  * \param[in] linearity CL at each scale, NaN where not defined

@@ -39,11 +39,21 @@ private:
   double
   area(std::size_t first, std::size_t last) const;
 
+  /** \brief O_m of the next maximum, of which all but the score is known. */
+  double
+  score(const GraphMaximum& maximum,
+        const Run& run,
+        const std::vector<std::uint32_t>& neighbors) const;
+
   /** \param[in] begin, end places between which maxima are sought */
   void
-  addMaximum(const Run& run, std::size_t begin, std::size_t end);
+  addMaximum(const Run& run,
+             std::size_t begin,
+             std::size_t end,
+             const std::vector<std::uint32_t>& neighbors);
 
   LinearityGraphSettings settings_;
+  std::vector<double> radii_;
   std::vector<double> positions_;  // what the area integrates over, a scale
   std::vector<std::size_t> scale_; // the defined ones
   std::vector<double> value_;      // of these

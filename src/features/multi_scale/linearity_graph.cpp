@@ -24,18 +24,6 @@ unit(double x)
 }
 
 double
-score(ScaleScore kind,
-      double relative_scale,
-      double linearity,
-      double fraction,
-      double delta)
-{
-  const double first = kind == ScaleScore::Product ? (1 - relative_scale) * linearity
-                                                   : linearity - relative_scale;
-  return unit(first) + unit(fraction) - unit(delta / 2);
-}
-
-double
 blend(BlendMode mode,
       double relative_scale,
       double linearity,
@@ -54,7 +42,7 @@ blend(BlendMode mode,
 
 GraphReader::GraphReader(const std::vector<double>& radii,
                          const LinearityGraphSettings& settings)
-    : settings_(settings)
+    : settings_(settings), radii_(radii)
 {
   for (const double radius : radii)
     positions_.push_back(
@@ -115,7 +103,8 @@ GraphReader::read(const std::vector<double>& linearity,
       minima_.push_back(runs_[i]);
   for (const Run& minimum : minima_)
     result_.minima.push_back(scale_[minimum.last]);
-  result_.area = area(0, minima_.empty() ? end : minima_.back().last);
+  const bool whole = settings_.area_end == AreaEnd::WholeGraph || minima_.empty();
+  result_.area = area(0, whole ? end : minima_.back().last);
 
   std::size_t begin = 0;
   while (begin <= end && neighbors[scale_[begin]] < settings_.min_neighbors)
@@ -126,13 +115,47 @@ GraphReader::read(const std::vector<double>& linearity,
     const Run& run = runs_[i];
     if ((i == 0 || runs_[i - 1].value <= run.value) &&
         (i + 1 >= runs_.size() || runs_[i + 1].value <= run.value))
-      addMaximum(run, begin, end);
+      addMaximum(run, begin, end, neighbors);
   }
   return result_;
 }
 
+double
+GraphReader::score(const GraphMaximum& maximum,
+                   const Run& run,
+                   const std::vector<std::uint32_t>& neighbors) const
+{
+  const ScoreWeights& weights = settings_.score_weights;
+  const auto scales = static_cast<double>(radii_.size());
+  const double value = value_[run.first];
+  const double smaller = static_cast<double>(maximum.scale) / scales;
+  const double first = settings_.score == ScaleScore::Product
+                           ? (1 + weights.scale * smaller) * (weights.linearity * value)
+                           : weights.linearity * value + weights.scale * smaller;
+  double sum = std::clamp(first, 0.0, std::max(weights.linearity, 0.0)) +
+               weights.area * maximum.area_fraction +
+               weights.depth * unit(maximum.delta);
+  if (weights.step != 0) {
+    double step = 0;
+    if (run.first > 0)
+      step = std::max(step, value - value_[run.first - 1]);
+    if (run.last + 1 < value_.size())
+      step = std::max(step, value - value_[run.last + 1]);
+    sum += weights.step * step;
+  }
+  sum += weights.width * static_cast<double>(maximum.right - maximum.left) / scales;
+  if (neighbors.back() > 0)
+    sum += weights.neighbors *
+           unit(static_cast<double>(neighbors[maximum.scale]) / radii_[maximum.scale] /
+                (static_cast<double>(neighbors.back()) / radii_.back()));
+  return result_.maxima.size() == 1 ? sum + weights.second : sum;
+}
+
 void
-GraphReader::addMaximum(const Run& run, std::size_t begin, std::size_t end)
+GraphReader::addMaximum(const Run& run,
+                        std::size_t begin,
+                        std::size_t end,
+                        const std::vector<std::uint32_t>& neighbors)
 {
   std::size_t left = begin, right = end;
   for (const Run& minimum : minima_) {
@@ -142,24 +165,25 @@ GraphReader::addMaximum(const Run& run, std::size_t begin, std::size_t end)
       right = std::min(right, minimum.first);
   }
   const double value = value_[run.first];
-  const double fraction =
+  GraphMaximum maximum{};
+  maximum.scale = scale_[run.first];
+  maximum.left = scale_[left];
+  maximum.right = scale_[right];
+  maximum.area_fraction =
       result_.area > 0 ? unit(area(left, right) / result_.area) : 1.0;
-  const double delta = value - std::max(value_[left], value_[right]);
-  const double relative_scale =
-      static_cast<double>(scale_[run.first]) / static_cast<double>(positions_.size());
-  result_.maxima.push_back(
-      {scale_[run.first],
-       scale_[left],
-       scale_[right],
-       fraction,
-       delta,
-       score(settings_.score, relative_scale, value, fraction, delta)});
+  maximum.delta = value - std::max(value_[left], value_[right]);
+  maximum.score = score(maximum, run, neighbors);
+  result_.maxima.push_back(maximum);
   if (result_.best == LinearityGraph::none ||
-      result_.maxima.back().score > result_.maxima[result_.best].score) {
+      maximum.score > result_.maxima[result_.best].score) {
     result_.best = result_.maxima.size() - 1;
-    const double mean = std::accumulate(value_.begin(), value_.end(), 0.0) /
-                        static_cast<double>(positions_.size());
-    result_.blend = blend(settings_.blend, relative_scale, value, fraction, mean);
+    const auto scales = static_cast<double>(radii_.size());
+    const double mean = std::accumulate(value_.begin(), value_.end(), 0.0) / scales;
+    result_.blend = blend(settings_.blend,
+                          static_cast<double>(maximum.scale) / scales,
+                          value,
+                          maximum.area_fraction,
+                          mean);
   }
 }
 

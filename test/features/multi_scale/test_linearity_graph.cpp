@@ -146,6 +146,81 @@ TEST(LinearityGraph, AreaOfTheWholeGraphWithoutAMinimum)
   EXPECT_NEAR(graph.blend, 0.5 + 0.2, 1e-12);
 }
 
+TEST(LinearityGraph, AreaOfTheWholeGraphWhereAsked)
+{
+  LinearityGraphSettings settings;
+  settings.area_end = linelet::AreaEnd::WholeGraph;
+  const LinearityGraph graph = read(two_peaks, settings);
+  // A = .9 + .3 + .8 + .6 + .2 + .4; the hills are as large as before.
+  EXPECT_NEAR(graph.area, 3.2, 1e-12);
+  EXPECT_NEAR(graph.maxima[1].area_fraction, 1.9 / 3.2, 1e-12);
+  EXPECT_NEAR(graph.maxima[2].area_fraction, 0.6 / 3.2, 1e-12);
+  // Without a minimum there is no other end.
+  EXPECT_EQ(read({0.2, 0.7, 0.5}, settings).area, read({0.2, 0.7, 0.5}).area);
+}
+
+TEST(LinearityGraph, WeighsTheTermsOfTheScore)
+{
+  const std::vector<std::uint32_t> neighbors = {10, 20, 40, 90, 200, 400};
+  LinearityGraphSettings settings;
+  const auto middle = [&](const char* weights) {
+    settings.score_weights = linelet::ScoreWeights(weights);
+    return read(two_peaks, settings, neighbors).maxima[1].score;
+  };
+  // The second maximum: k/K = 2/6, CL .8, A_j/A = 1.9/2.8, delta .5 (see above).
+  const double area = 1.9 / 2.8;
+  EXPECT_NEAR(middle(""), 0.8 * 4 / 6 + area - 0.25, 1e-12);
+  EXPECT_NEAR(middle("linearity=2"), 1.6 * 4 / 6 + area - 0.25, 1e-12);
+  EXPECT_NEAR(middle("scale=-2"), 0.8 * 2 / 6 + area - 0.25, 1e-12);
+  EXPECT_NEAR(middle("scale=-4"), 0 + area - 0.25, 1e-12);     // held to 0
+  EXPECT_NEAR(middle("scale=3"), 1 + area - 0.25, 1e-12);      // 1.6, held to 1
+  EXPECT_NEAR(middle("linearity=-1"), 0 + area - 0.25, 1e-12); // nothing is left of it
+  EXPECT_NEAR(middle("area=0,depth=0"), 0.8 * 4 / 6, 1e-12);
+  const double published = 0.8 * 4 / 6 + area - 0.25;
+  // .8 - .3 on the way up, .8 - .6 on the way down.
+  EXPECT_NEAR(middle("step=0.1"), published + 0.1 * 0.5, 1e-12);
+  // From the minimum at 1 to that at 4.
+  EXPECT_NEAR(middle("width=0.1"), published + 0.1 * 3 / 6, 1e-12);
+  // 40 of 400 within 4 of 32.
+  EXPECT_NEAR(middle("neighbors=1"), published + 40. / 400 * 32 / 4, 1e-12);
+  EXPECT_NEAR(middle("second=0.3"), published + 0.3, 1e-12);
+  EXPECT_NEAR(read(two_peaks, settings, neighbors).maxima[0].score,
+              read(two_peaks).maxima[0].score,
+              1e-12)
+      << "only the second maximum is voted up";
+  settings.score = ScaleScore::Sum;
+  EXPECT_NEAR(middle("linearity=2,scale=-1.5"), 1.6 - 0.5 + area - 0.25, 1e-12);
+}
+
+TEST(LinearityGraph, AWeightCanChangeTheOptimalScale)
+{
+  LinearityGraphSettings settings;
+  EXPECT_EQ(read(two_peaks).scale(), 0u); // 1.329 against .962
+  settings.score_weights.second = 0.4;
+  EXPECT_EQ(read(two_peaks, settings).scale(), 2u);
+}
+
+TEST(ScoreWeights, AreReadAsTheyAreWritten)
+{
+  const linelet::ScoreWeights some("depth=0.1,second=-3e-5");
+  EXPECT_EQ(some.name(),
+            "linearity=1,scale=-1,area=1,depth=0.1,step=0,width=0,neighbors=0,"
+            "second=-3e-05");
+  EXPECT_EQ(linelet::ScoreWeights(some.name()).name(), some.name());
+  EXPECT_EQ(linelet::ScoreWeights("").name(), linelet::ScoreWeights().name());
+  for (const char* wrong : {"depth",
+                            "depth=",
+                            "depth=x",
+                            "depth=1x",
+                            "depth=inf",
+                            "depth=nan",
+                            "deep=1",
+                            "1",
+                            ",depth=1",
+                            "depth=1;area=2"})
+    EXPECT_THROW(linelet::ScoreWeights{wrong}, std::invalid_argument) << wrong;
+}
+
 TEST(LinearityGraph, FallingAndRisingGraphsPeakAtTheirEnds)
 {
   EXPECT_EQ(read({0.9, 0.6, 0.3}).scale(), 0u);
