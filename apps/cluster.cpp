@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@
 
 #include <linelet/clustering/cluster_points.h>
 #include <linelet/features/tensor_record.h>
+#include <linelet/io/mesh_file.h>
+#include <linelet/io/output_file.h>
 #ifdef LINELET_HAS_OPENCL
 #include <linelet/opencl/cluster_engine.h>
 #endif
@@ -150,6 +153,15 @@ clustersOf(const Points& points,
 #endif
 }
 
+/** \brief Fails where a mesh cannot be written at \a path after long work. */
+void
+checkMeshOutput(const std::string& path)
+{
+  if (std::filesystem::path(path).extension() != ".ply")
+    throw std::runtime_error(path + ": meshes are written as .ply");
+  io::checkWritable(path);
+}
+
 } // namespace
 
 int
@@ -162,7 +174,7 @@ runCluster(const std::vector<std::string>& arguments)
               "Points near the border of a cell may first move to the cell across, so "
               "that the cells adapt to what stands in them.");
   ClusterSettings settings;
-  std::string field, camera, device;
+  std::string field, camera, device, mesh;
   CloudInput input(frame);
   CloudOutput output(frame);
   addOptions(frame.app, settings);
@@ -179,13 +191,25 @@ runCluster(const std::vector<std::string>& arguments)
       "cluster on this OpenCL device, by number or part of its name, or auto; the "
       "result "
       "is the same");
+  add("mesh",
+      mesh,
+      "write the --faces of the cells as .ply, quads unless boxes are asked for; part "
+      "is the number of the representative in OUT");
   frame.reads(camera);
+  frame.writes(mesh);
   frame.parse(arguments);
   settings.threads = frame.threads;
   if (!field.empty())
     settings.move_by = MoveRule::Field;
   else if (settings.move_by == MoveRule::Field)
     throw std::runtime_error("--move-by field needs --field");
+  if (mesh.empty() && settings.faces != CellFaces::None)
+    throw std::runtime_error("--faces are written to --mesh FILE.ply; name one");
+  if (!mesh.empty()) {
+    if (settings.faces == CellFaces::None)
+      settings.faces = CellFaces::Quads;
+    checkMeshOutput(mesh);
+  }
   output.check();
 
   const io::Cloud cloud = input.read();
@@ -200,6 +224,8 @@ runCluster(const std::vector<std::string>& arguments)
       frame);
   frame.lap("cluster");
   output.write(representatives(cloud, clusters));
+  if (!mesh.empty())
+    io::writeMesh(mesh, clusters.faces, cloud.shift);
 
   const auto outside = static_cast<std::size_t>(std::count(
       clusters.cluster_of.begin(), clusters.cluster_of.end(), Clusters::none));
@@ -220,6 +246,8 @@ runCluster(const std::vector<std::string>& arguments)
   frame.summary["points"] = cloud.points.size();
   frame.summary["clustered"] = inside;
   frame.summary["representatives"] = clusters.representatives.size();
+  if (!mesh.empty())
+    frame.summary["faces"] = clusters.faces.size();
   if (clusters.leaf > 0)
     frame.summary["leaf"] = clusters.leaf;
   frame.summary["cells"] = clusters.cells;

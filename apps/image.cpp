@@ -39,6 +39,10 @@ draw(const io::Cloud& cloud,
   case PictureKind::Splats:
   case PictureKind::Ellipsoids:
     return pictureOfTensors(cloud, settings, file, frame);
+  case PictureKind::CellSplats:
+  case PictureKind::CellQuads:
+  case PictureKind::CellBoxes:
+    return pictureOfCells(cloud, settings, file, frame);
   case PictureKind::Cloud:
     break;
   }
@@ -72,8 +76,8 @@ runImage(const std::vector<std::string>& arguments)
       "and seen "
       "from any side, with curves over it; a multi-scale feature image, whose "
       "columns are places along a line and whose rows are radii; the tensors of the "
-      "points, as splats that fade where they are spherical, or as ellipsoids; or the "
-      "graphs "
+      "points, as splats that fade where they are spherical, or as ellipsoids; the "
+      "cells of a grid, as splats, planes or boxes; or the graphs "
       "of linearity, planarity and sphericity of one point over the radius, with "
       "the extrema and the optimal radius. Coordinates on the command line are "
       "those of the file. Points flagged as withheld are not drawn.");

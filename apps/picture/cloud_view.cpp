@@ -289,17 +289,12 @@ drawCloud(const CloudView& view, int width, int height, double bottom)
 }
 
 Canvas
-drawGlyphs(const CloudView& view,
-           const std::vector<TensorGlyph>& glyphs,
-           const DrawGlyphs& draw,
-           int width,
-           int height,
-           double bottom)
+drawImage(
+    const CloudView& view, const DrawImage& draw, int width, int height, double bottom)
 {
   Canvas canvas(width, height);
   const Projection project(view, width, height, bottom + 20);
-  const GlyphImage image =
-      draw(glyphs, project.camera(width, height, Canvas::fineness));
+  const GlyphImage image = draw(project.camera(width, height, Canvas::fineness));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::array<float, 4>& pixel = image.at(x, y);

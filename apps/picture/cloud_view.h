@@ -44,17 +44,13 @@ struct CloudView {
 Canvas
 drawCloud(const CloudView& view, int width, int height, double bottom);
 
-/** \brief Draws glyphs as seen by a camera. */
-using DrawGlyphs = std::function<GlyphImage(const std::vector<TensorGlyph>& glyphs,
-                                            const Camera& camera)>;
+/** \brief Draws something as seen by a camera. */
+using DrawImage = std::function<GlyphImage(const Camera& camera)>;
 
-/** \brief The same with glyphs in place of the points, which say where things are. */
+/** \brief The same with what \a draw draws in place of the points, which say where
+ * things are. */
 Canvas
-drawGlyphs(const CloudView& view,
-           const std::vector<TensorGlyph>& glyphs,
-           const DrawGlyphs& draw,
-           int width,
-           int height,
-           double bottom);
+drawImage(
+    const CloudView& view, const DrawImage& draw, int width, int height, double bottom);
 
 } // namespace linelet::apps

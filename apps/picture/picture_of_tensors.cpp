@@ -5,12 +5,10 @@
 #include <stdexcept>
 
 #include <linelet/features/tensor_estimation.h>
-#include <linelet/io/vector_file.h>
 #include <linelet/search/scale_unit.h>
 
-#include "axes.h"
-#include "cloud_view.h"
 #include "pictures.h"
+#include "tensor_view.h"
 
 namespace linelet::apps {
 
@@ -68,37 +66,13 @@ pictureOfTensors(const io::Cloud& cloud,
   frame.summary["tensor_size"] = size;
   frame.summary["tensors"] = glyphs.size();
 
-  CloudView view;
-  view.points = cloud.points;
-  view.title = settings.title;
-  view.azimuth = settings.azimuth;
-  view.elevation = settings.elevation;
-  view.curve_width = settings.curve_width;
-  if (cloud.wkt.find("metre") != std::string::npos)
-    view.unit = "m";
-  if (!settings.curves.empty())
-    view.curves = io::readCurves(settings.curves, cloud.shift);
   SplatSettings splats;
   splats.threads = frame.threads;
   const bool ellipsoids = settings.kind == PictureKind::Ellipsoids;
-  const auto draw = [&](const std::vector<TensorGlyph>& all, const Camera& camera) {
-    return ellipsoids ? drawEllipsoids(all, camera, frame.threads)
-                      : drawSplats(all, camera, splats);
-  };
-  constexpr double legend_height = 58;
-  Canvas canvas = drawGlyphs(view,
-                             glyphs,
-                             draw,
-                             static_cast<int>(settings.width),
-                             static_cast<int>(settings.height),
-                             legend_height);
-  const auto pure = splatColors(settings.splat_colors);
-  std::vector<std::pair<Color, std::string>> legend = {{pure[0], "linear"},
-                                                       {pure[1], "planar"}};
-  if (ellipsoids)
-    legend.emplace_back(pure[2], "spherical");
-  drawLegend(canvas, {24, canvas.height() - 28.0}, legend);
-  return canvas;
+  return tensorView(cloud, settings, ellipsoids, [&](const Camera& camera) {
+    return ellipsoids ? drawEllipsoids(glyphs, camera, frame.threads)
+                      : drawSplats(glyphs, camera, splats);
+  });
 }
 
 } // namespace linelet::apps

@@ -21,11 +21,14 @@ namespace linelet::apps {
 
 /** \brief What a picture shows. */
 enum class PictureKind {
-  Cloud,     ///< the points, colored
-  Profile,   ///< the multi-scale feature image along a line
-  Graphs,    ///< the graphs of one point
-  Splats,    ///< the tensors of the points, as striped discs
-  Ellipsoids ///< the same as ellipsoids
+  Cloud,      ///< the points, colored
+  Profile,    ///< the multi-scale feature image along a line
+  Graphs,     ///< the graphs of one point
+  Splats,     ///< the tensors of the points, as striped discs
+  Ellipsoids, ///< the same as ellipsoids
+  CellSplats, ///< the cells of a grid by the tensors of their members, as discs
+  CellQuads,  ///< as the planes of their members
+  CellBoxes   ///< as boxes
 };
 
 /** \brief What is drawn, and how. */
@@ -45,6 +48,7 @@ struct PictureSettings {
   // Splats and ellipsoids
   double radius = 0, size = 0;
   SplatColors splat_colors = SplatColors::Safe;
+  double cell_size = 0;
   // Profile and graphs
   std::string along;
   bool by_index = false;
@@ -88,7 +92,11 @@ describe(PictureSettings& s, Visit&& visit)
   visit("tensor-size", s.size, "splats: half of their length; 0: D");
   visit("splat-colors",
         s.splat_colors,
-        "splats: of linear, planar and spherical tensors");
+        "splats: of linear, planar and spherical tensors, and of cells");
+  visit("cell-size",
+        s.cell_size,
+        "cells: edge, in the unit of the cloud; 0: 8 D. linelet cluster --mesh writes "
+        "them");
   visit("along", s.along, "profile: along the first curve of this file");
   visit("by-index", s.by_index, "profile: over the points, in the order of the file");
   visit("probe", s.probe, "profile: along the polyline x,y,z,x,y,z,...");
@@ -126,6 +134,14 @@ pictureOfTensors(const io::Cloud& cloud,
                  const std::string& file,
                  Frame& frame);
 
+/** \brief The cells of a grid in place of the points of \a cloud, as linelet cluster
+ * finds them. */
+Canvas
+pictureOfCells(const io::Cloud& cloud,
+               const PictureSettings& settings,
+               const std::string& file,
+               Frame& frame);
+
 /** \brief The multi-scale feature image along the line that \a settings name. */
 Canvas
 pictureOfProfile(const io::Cloud& cloud,
@@ -149,12 +165,15 @@ namespace linelet {
 template <>
 struct Names<apps::PictureKind> {
   static constexpr std::string_view kind = "kind of picture";
-  static constexpr std::array<std::pair<apps::PictureKind, std::string_view>, 5> table =
+  static constexpr std::array<std::pair<apps::PictureKind, std::string_view>, 8> table =
       {{{apps::PictureKind::Cloud, "cloud"},
         {apps::PictureKind::Profile, "profile"},
         {apps::PictureKind::Graphs, "graphs"},
         {apps::PictureKind::Splats, "splats"},
-        {apps::PictureKind::Ellipsoids, "ellipsoids"}}};
+        {apps::PictureKind::Ellipsoids, "ellipsoids"},
+        {apps::PictureKind::CellSplats, "cell-splats"},
+        {apps::PictureKind::CellQuads, "cell-quads"},
+        {apps::PictureKind::CellBoxes, "cell-boxes"}}};
 };
 
 } // namespace linelet

@@ -191,16 +191,29 @@ CellFrame::around(const Points& points,
 }
 
 Point
+CellFrame::inView(double across, double down, double depth) const
+{
+  return eye + axes.transpose() * Point((across / scale_x - tangent_x) * depth,
+                                        (down / scale_y - tangent_y) * depth,
+                                        depth);
+}
+
+Point
 CellFrame::middle(const Cell& cell) const
 {
   const Point at(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5);
   if (!perspective)
     return low + at.cwiseProduct(size);
   const auto layer = static_cast<std::size_t>(cell[2]);
-  const double depth = (depths[layer] + depths[layer + 1]) / 2;
-  return eye + axes.transpose() * Point((at.x() / scale_x - tangent_x) * depth,
-                                        (at.y() / scale_y - tangent_y) * depth,
-                                        depth);
+  return inView(at.x(), at.y(), (depths[layer] + depths[layer + 1]) / 2);
+}
+
+Point
+CellFrame::corner(const Cell& cell) const
+{
+  if (!perspective)
+    return low + Point(cell[0], cell[1], cell[2]).cwiseProduct(size);
+  return inView(cell[0], cell[1], depths[static_cast<std::size_t>(cell[2])]);
 }
 
 Point

@@ -53,10 +53,20 @@ struct CellFrame {
   Point
   middle(const Cell& cell) const;
 
+  /** \brief The lower corner of a cell, which may be the one behind the last. */
+  Point
+  corner(const Cell& cell) const;
+
   /** \brief Lengths along the axes of space that no member of a cell, which may come
    * from a neighbor, is farther from its middle than twice. */
   Point
   reach(const Cell& cell) const;
+
+private:
+  /** \brief The place in a camera's view that many cells across and down, and so far
+   * away. */
+  Point
+  inView(double across, double down, double depth) const;
 };
 
 template <>

@@ -12,6 +12,7 @@
 
 #include <linelet/support/threads.h>
 
+#include "cell_faces.h"
 #include "cluster_with.h"
 #include "empty_cell_normals.h"
 #include "host_passes.h"
@@ -216,13 +217,15 @@ clusterWith(const MakePasses& make,
   for (std::size_t a = 0; a < 3; ++a)
     clusters.cells[a] = frame.cells[a];
   clusters.leaf = leaf;
-  if (settings.normals == NormalRule::EmptyCells) {
-    std::vector<char> is_filled(cells.size(), 0);
-    for (const Representative& one : clusters.representatives)
-      is_filled[directory.find(one.cell)] = 1;
+  if (settings.normals == NormalRule::Tensor && settings.faces == CellFaces::None)
+    return clusters;
+  std::vector<char> is_filled(cells.size(), 0);
+  for (const Representative& one : clusters.representatives)
+    is_filled[directory.find(one.cell)] = 1;
+  if (settings.normals == NormalRule::EmptyCells)
     clusters.normals = emptyCellNormals(
         clusters.representatives, directory, frame, is_filled, threads);
-  }
+  clusters.faces = cellFaces(settings.faces, clusters, directory, frame, is_filled);
   return clusters;
 }
 

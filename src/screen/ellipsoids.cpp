@@ -12,6 +12,7 @@
 #include <linelet/screen/tensor_splats.h>
 #include <linelet/support/threads.h>
 
+#include "eye_light.h"
 #include "glyph_footprint.h"
 
 namespace linelet {
@@ -73,8 +74,6 @@ drawEllipsoids(const std::vector<TensorGlyph>& glyphs,
     if (!ellipsoids.back().seen)
       ellipsoids.pop_back();
   }
-  // Light from over the viewer's left shoulder.
-  const Point light = Point(-0.4, -0.6, -0.7).normalized();
   const int count = threadCount(threads);
   const int bands = std::min(4 * count, std::max(1, camera.height));
 #pragma omp parallel for num_threads(count) schedule(dynamic, 1)
@@ -100,11 +99,7 @@ drawEllipsoids(const std::vector<TensorGlyph>& glyphs,
             continue;
           depth[pixel] = here;
           const Point normal = (e.full * Point(d.x(), d.y(), away)).normalized();
-          constexpr double ambient = 0.35;
-          const auto shade = static_cast<float>(
-              ambient + (1 - ambient) * std::max(0.0, normal.dot(light)));
-          image.pixels[pixel] = {
-              e.color[0] * shade, e.color[1] * shade, e.color[2] * shade, 1};
+          image.pixels[pixel] = screen::lit(e.color, normal);
         }
     }
   }

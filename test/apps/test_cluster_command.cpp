@@ -92,6 +92,21 @@ TEST_F(ClusterCommand, GivesTheSameFileWithAnyThreadsAndDevice)
   }
 }
 
+TEST_F(ClusterCommand, WritesTheFacesOfItsCellsAsAMesh)
+{
+  // Cells of 2 x 2 x 4 fill a box of 9 x 9 x 3: 5 x 5 of them side by side.
+  const std::string start = "cluster " + cloud() + " " + path("out.ply") +
+                            " --cells 5,5,1 --moves 0 --json " + path("out.json") +
+                            " --mesh " + path("mesh.ply");
+  runWell(start + " --faces boxes");
+  EXPECT_EQ(json(path("out.json")).at("faces"), 2 * 25 + 4 * 5);
+  EXPECT_NE(contents(path("mesh.ply")).find("element face 70\n"), std::string::npos);
+  EXPECT_NE(contents(path("mesh.ply")).find("element vertex 72\n"), std::string::npos)
+      << "corners in common are one vertex";
+  runWell(start); // quads: a plane each
+  EXPECT_EQ(json(path("out.json")).at("faces"), 25);
+}
+
 TEST_F(ClusterCommand, SaysInOneLineWhatIsWrong)
 {
   const std::string in = cloud(), start = "cluster " + in + " " + path("out.ply");
@@ -104,6 +119,9 @@ TEST_F(ClusterCommand, SaysInOneLineWhatIsWrong)
                       write("bad.json", "{\"eye\": 3}"),
                   "bad.json");
   expectOneLineOf("cluster " + in + " " + in + " --leaf 1", "in.ply");
+  expectOneLineOf(start + " --leaf 1 --faces boxes", "--mesh");
+  expectOneLineOf(start + " --leaf 1 --mesh " + path("mesh.obj"), "mesh.obj");
+  expectOneLineOf(start + " --leaf 1 --mesh " + in, "in.ply");
   EXPECT_FALSE(std::filesystem::exists(path("out.ply")));
 }
 

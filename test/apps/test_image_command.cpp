@@ -207,5 +207,25 @@ TEST_F(ImageCommand, TensorsAreSplatsOrEllipsoidsInTheColorsOfTheirShape)
   }
 }
 
+TEST_F(ImageCommand, CellsAreDrawnInTheColorsOfTheirShape)
+{
+  cloud(2);
+  for (const char* kind : {"cell-splats", "cell-quads", "cell-boxes"}) {
+    runWell("image " + path("cloud.xyz") + " " + path("cells.png") +
+            " --width 400 --height 300 --elevation 90 --cell-size 2 "
+            "--splat-colors classic --kind " +
+            kind);
+    const Picture picture(path("cells.png"));
+    int red = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const Rgb pixel = picture.at(x, y);
+        // Splats let the paper through between them.
+        red += pixel[0] > 1.5 * pixel[1] && pixel[0] > 1.5 * pixel[2] ? 1 : 0;
+      }
+    EXPECT_GT(red, 400 * 300 / 8) << kind;
+  }
+}
+
 } // namespace
 } // namespace linelet::test

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <linelet/clustering/cluster_settings.h>
+#include <linelet/support/face.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
@@ -34,6 +35,10 @@ struct Clusters {
   std::array<std::int64_t, 3> cells{}; ///< of the grid, along each of its axes
   double leaf = 0; ///< edge of the cells where they are cubes, else 0
   Points normals;  ///< of the representatives, with NormalRule::EmptyCells alone
+  /// As ClusterSettings::faces says. Representatives without a plane (of fewer than
+  /// three members, or of members in a row, where normals are along their smallest
+  /// extent) have no quad.
+  std::vector<Face> faces;
 };
 
 /** \brief Clusters points by a grid whose cells adapt to them (Schiffner et al. 2014).

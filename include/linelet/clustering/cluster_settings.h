@@ -50,6 +50,23 @@ struct Names<NormalRule> {
   }};
 };
 
+/** \brief What is drawn in place of the points of a cell (Schiffner et al. 2015). */
+enum class CellFaces {
+  None,
+  Quads, ///< the members' plane as far as their cell reaches: three to six corners
+  Boxes  ///< the sides of the cell, without those between two cells that hold points
+};
+
+template <>
+struct Names<CellFaces> {
+  static constexpr std::string_view kind = "faces of cells";
+  static constexpr std::array<std::pair<CellFaces, std::string_view>, 3> table = {{
+      {CellFaces::None, "none"},
+      {CellFaces::Quads, "quads"},
+      {CellFaces::Boxes, "boxes"},
+  }};
+};
+
 /** \brief The grid that points are clustered in, and how its cells adapt to them.
  *
  * Exactly one of \ref cells, \ref leaf and \ref count sets how fine the grid is. */
@@ -63,6 +80,7 @@ struct ClusterSettings {
   double border = 0.5; ///< how near to the border of a cell a point moves, in (0, 0.5]
                        ///< of the cell's width
   NormalRule normals = NormalRule::Tensor;
+  CellFaces faces = CellFaces::None;
   std::optional<Camera> camera; ///< cells fill its view, finer near the eye; \ref cells
                                 ///< then says how many
   unsigned threads = 0;         ///< 0: all; the result is the same for any number
@@ -85,6 +103,10 @@ describe(ClusterSettings& s, Visit&& visit)
         s.normals,
         "what normals are: along the smallest extent of the members, or towards the "
         "empty cells around");
+  visit("faces",
+        s.faces,
+        "what stands for the cells in a mesh: the plane of the members within their "
+        "cell, or the sides of the cell");
 }
 
 /** \brief Checks that the grid is given once and is valid.

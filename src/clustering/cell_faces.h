@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/clustering/cluster_points.h>
+
+#include "cell_directory.h"
+#include "cell_frame.h"
+
+namespace linelet::clustering {
+
+/** \brief The faces of cells that hold points, in the order of the representatives.
+ * \param[in] clusters with representatives, and normals where they are those of quads
+ * \param[in] is_filled for every slot whether its cell holds points */
+std::vector<Face>
+cellFaces(CellFaces kind,
+          const Clusters& clusters,
+          const CellDirectory& directory,
+          const CellFrame& frame,
+          const std::vector<char>& is_filled);
+
+} // namespace linelet::clustering
