@@ -16,6 +16,7 @@
 #include "cloud_files.h"
 #include "commands.h"
 #include "frame.h"
+#include "given_tensors.h"
 #include "options.h"
 #include "picture/canvas.h"
 #include "picture/pictures.h"
@@ -120,7 +121,8 @@ runImage(const std::vector<std::string>& arguments)
     throw std::runtime_error("width and height must be between 200 and 10000 pixels");
 
   if (settings.kind != PictureKind::Cloud || !isAttribute(settings.color))
-    input.readOnly(settings.color == "rgb"
+    input.readOnly(settings.tensors ? tensorAttributes()
+                   : settings.color == "rgb"
                        ? std::vector<std::string>{"red", "green", "blue"}
                        : std::vector<std::string>{});
   io::Cloud cloud = input.read();

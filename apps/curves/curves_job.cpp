@@ -19,6 +19,7 @@
 
 #include "commands.h"
 #include "fragments/run_job.h"
+#include "given_tensors.h"
 #include "options.h"
 
 namespace linelet::apps {
@@ -74,6 +75,10 @@ CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
       "leave out vertices, as long as the curves stay within this "
       "length; auto: a tenth of the noise of each; 0: none");
   addOptions(frame_.app, settings_);
+  add("tensors",
+      tensors_,
+      "published: follow the tensors of the file (attributes xx, xy, xz, yy, yz, zz), "
+      "of a diffusion tensor image say, instead of measuring shapes");
   addOptions(frame_.app, vectors_);
   addOptions(frame_.app, fragments_);
   add("buffer",
@@ -98,13 +103,15 @@ CurvesJob::runWhole()
   io::checkCurvesOutput(output_);
   warnOfUnusedOptions();
   if (!isHdf5(output_))
-    input_.readOnly({});
+    input_.readOnly(tensors_ ? tensorAttributes() : std::vector<std::string>());
   const io::Cloud cloud = input_.read();
   const io::UsablePoints usable = input_.usable(cloud);
   // With those that take no part as NaN, so that --start counts as the file does.
   const Points& points = usable.points();
   const auto count = std::count_if(
       points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });
+  if (tensors_ && isPublished(settings_.preset))
+    settings_.tensors = givenTensors(cloud, input_.path());
   CurveNetwork network = reconstructCurves(points, settings_, &frame_.monitor);
   frame_.lap("curves");
   frame_.summary["withheld"] = usable.withheld();

@@ -55,6 +55,7 @@ private:
   SimplifyTolerance simplify_{"auto"};
   io::VectorOptions vectors_;
   double buffer_ = 0;
+  bool tensors_ = false;
 };
 
 } // namespace linelet::apps

@@ -7,6 +7,7 @@
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/search/scale_unit.h>
 
+#include "given_tensors.h"
 #include "pictures.h"
 #include "tensor_view.h"
 
@@ -14,27 +15,35 @@ namespace linelet::apps {
 
 namespace {
 
-std::vector<TensorGlyph>
-glyphsOf(const Points& points,
-         const std::vector<PointDistributionTensor>& records,
-         double size,
-         SplatColors colors)
+TensorGlyph
+glyphOf(const Point& point,
+        const SymmetricTensor& tensor,
+        double size,
+        SplatColors colors)
 {
-  const auto d = [](float value) { return static_cast<double>(value); };
-  std::vector<TensorGlyph> glyphs;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    const PointDistributionTensor& r = records[i];
-    if (std::isnan(r.linearity))
-      continue;
-    const SymmetricTensor tensor = {
-        d(r.xx), d(r.xy), d(r.xz), d(r.yy), d(r.yz), d(r.zz)};
-    glyphs.push_back(glyphOf(points[i],
-                             eigenAnalysis(tensor),
-                             {d(r.linearity), d(r.planarity), d(r.sphericity)},
-                             size,
-                             splatColors(colors)));
-  }
-  return glyphs;
+  const EigenSystem system = eigenAnalysis(tensor);
+  return linelet::glyphOf(
+      point, system, shapeFactors(system.values), size, splatColors(colors));
+}
+
+/** \brief The tensors of the points, with a radius that \a unit says where the settings
+ * do not. */
+std::vector<SymmetricTensor>
+estimated(const Points& points,
+          const PictureSettings& settings,
+          double unit,
+          Frame& frame)
+{
+  TensorSettings tensors;
+  tensors.radius = settings.radius > 0 ? settings.radius : 4 * unit;
+  tensors.weighting = Kernel::Const;
+  tensors.threads = frame.threads;
+  frame.summary["tensor_radius"] = tensors.radius;
+  std::vector<SymmetricTensor> result;
+  for (const PointDistributionTensor& r :
+       estimateTensors(points, points, tensors, {}, &frame.monitor))
+    result.push_back({r.xx, r.xy, r.xz, r.yy, r.yz, r.zz});
+  return result;
 }
 
 } // namespace
@@ -45,24 +54,21 @@ pictureOfTensors(const io::Cloud& cloud,
                  const std::string& file,
                  Frame& frame)
 {
-  const double unit = settings.radius > 0 && settings.size > 0
-                          ? 0
-                          : scaleUnit(cloud.points, 1024, 1, frame.threads);
-  TensorSettings tensors;
-  tensors.radius = settings.radius > 0 ? settings.radius : 4 * unit;
-  tensors.weighting = Kernel::Const;
-  tensors.threads = frame.threads;
+  const bool known = (settings.radius > 0 || settings.tensors) && settings.size > 0;
+  const double unit = known ? 0 : scaleUnit(cloud.points, 1024, 1, frame.threads);
   const double size = settings.size > 0 ? settings.size : unit;
-  if (!(tensors.radius > 0) || !(size > 0))
+  if (!(size > 0) || !(settings.radius > 0 || settings.tensors || unit > 0))
     throw std::runtime_error(file + ": no size can be chosen for the tensors; give "
                                     "--tensor-radius and --tensor-size");
-  const std::vector<TensorGlyph> glyphs =
-      glyphsOf(cloud.points,
-               estimateTensors(cloud.points, cloud.points, tensors, {}, &frame.monitor),
-               size,
-               settings.splat_colors);
+  const std::vector<SymmetricTensor> tensors =
+      settings.tensors ? givenTensors(cloud, file)
+                       : estimated(cloud.points, settings, unit, frame);
+  std::vector<TensorGlyph> glyphs;
+  for (std::size_t i = 0; i < tensors.size(); ++i)
+    if (tensors[i].matrix().allFinite() && tensors[i].trace() > 0)
+      glyphs.push_back(
+          glyphOf(cloud.points[i], tensors[i], size, settings.splat_colors));
   frame.lap("tensors");
-  frame.summary["tensor_radius"] = tensors.radius;
   frame.summary["tensor_size"] = size;
   frame.summary["tensors"] = glyphs.size();
 

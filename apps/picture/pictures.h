@@ -47,6 +47,7 @@ struct PictureSettings {
   ScreenNormalSettings normals = {ScreenNormalMethod::Tensor, 25, 0, 4, 0};
   // Splats and ellipsoids
   double radius = 0, size = 0;
+  bool tensors = false;
   SplatColors splat_colors = SplatColors::Safe;
   double cell_size = 0;
   // Profile and graphs
@@ -90,6 +91,11 @@ describe(PictureSettings& s, Visit&& visit)
         s.radius,
         "splats: radius of the tensors, for ellipsoids as well; 0: 4 D");
   visit("tensor-size", s.size, "splats: half of their length; 0: D");
+  visit(
+      "tensors",
+      s.tensors,
+      "splats: of the tensors in the file (attributes xx, xy, xz, yy, yz, zz) instead "
+      "of those of the points");
   visit("splat-colors",
         s.splat_colors,
         "splats: of linear, planar and spherical tensors, and of cells");

@@ -59,6 +59,11 @@ validate(const StreamlineSettings& s)
   requireNotNegative("stump-length", s.stump_length);
   requireNotNegative("start-neighbor-exponent", s.start_neighbor_exponent);
   requireNotNegative("prefilter-radius", s.prefilter.radius);
+  if (!s.tensors.empty() && (s.direction == DirectionMode::MultiScaleAngular ||
+                             s.direction == DirectionMode::ComputedAngular))
+    throw std::invalid_argument(
+        "direction " + std::string(nameOf(s.direction)) +
+        " measures shapes at every step and cannot follow given tensors");
 }
 
 } // namespace linelet

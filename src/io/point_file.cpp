@@ -15,6 +15,7 @@
 #include "hdf5/whole_files.h"
 #include "las/las_reader.h"
 #include "las/las_writer.h"
+#include "nrrd/nrrd_reader.h"
 #include "pcd/pcd_reader.h"
 #include "pcd/pcd_writer.h"
 #include "ply/ply_reader.h"
@@ -38,7 +39,7 @@ struct Format {
   void (*write)(const Target& target, const Cloud& cloud);
 };
 
-constexpr std::array<Format, 11> formats = {
+constexpr std::array<Format, 12> formats = {
     {{".las", readLas, writeLas},
      {".laz", readLas, writeLaz},
      {".pcd", readPcd, writePcd},
@@ -49,7 +50,8 @@ constexpr std::array<Format, 11> formats = {
      {".txt", readText, writeText},
      {".csv", readText, writeText},
      {".xy", readText, nullptr},
-     {".obj", readObjVertices, writeObjVertices}}};
+     {".obj", readObjVertices, writeObjVertices},
+     {".nrrd", readNrrd, nullptr}}};
 
 const Format&
 formatOf(const std::string& path)
@@ -65,7 +67,8 @@ formatOf(const std::string& path)
   }
   throw FileError(
       path + ": the ending '" + ending +
-      "' names no format; use .las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv or .obj");
+      "' names no format; use .las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv, .obj "
+      "or .nrrd");
 }
 
 const Format&

@@ -156,6 +156,31 @@ TEST_F(CurveCommands, WhereThereIsNoCurveTheOutputIsEmptyButValid)
   EXPECT_THAT(contents(path("none.gpkg")), StartsWith("SQLite format 3"));
 }
 
+TEST_F(CurveCommands, TensorsOfAVolumeAreFollowed)
+{
+  // A straight diffusion along (2, 1, 0) in a block of 12 x 8 x 3 samples.
+  std::string volume = "NRRD0005\ntype: float\ndimension: 4\nsizes: 6 12 8 3\n"
+                       "kinds: 3D-symmetric-matrix space space space\n"
+                       "spacings: nan 1 1 1\nencoding: ascii\n\n";
+  for (int i = 0; i < 12 * 8 * 3; ++i)
+    volume += "4.2 2 0 1.2 0 0.2\n";
+  const std::string in = write("volume.nrrd", volume), out = path("lines.obj");
+  const std::string start = "curves " + in + " " + out + " --tensors --start 146 ";
+  runWell(start + "--preset published --direction eigenvector --prune-distance 4 "
+                  "--simplify 0");
+  const CurveNetwork network = io::readCurves(out, Point::Zero());
+  ASSERT_EQ(network.curves.size(), 1u);
+  EXPECT_GT(length(network), 7);
+  for (const Point& p : network.curves[0].points) // through sample 2, 4, 1
+    EXPECT_LT(std::hypot(p.y() - 4 - (p.x() - 2) / 2, p.z() - 1), 0.02);
+  const Outcome unused = runWell(start);
+  EXPECT_NE(unused.error.find("--tensors has no effect"), std::string::npos)
+      << unused.error;
+  expectOneLineOf("curves " + write("points.csv", "0 0 0\n1 0 0\n2 0 0\n") + " " + out +
+                      " --preset published --tensors",
+                  "no attribute 'xx'");
+}
+
 TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
 {
   std::string text = "x,y,z,classification\n";

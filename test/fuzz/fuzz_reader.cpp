@@ -15,6 +15,7 @@
 #include "io/hdf5/whole_files.h"
 #include "io/las/las_reader.h"
 #include "io/las/las_writer.h"
+#include "io/nrrd/nrrd_reader.h"
 #include "io/pcd/pcd_reader.h"
 #include "io/pcd/pcd_writer.h"
 #include "io/ply/ply_reader.h"

@@ -15,6 +15,7 @@
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
+#include <linelet/tensor/neighborhood_tensor.h>
 #include <linelet/tensor/weighting.h>
 
 namespace LINELET_PUBLIC linelet {
@@ -98,6 +99,10 @@ struct StreamlineSettings {
   /// succeeds in .321, 1 in .339; mean E_V .438 and .447. 12 runs differ in success, 9
   /// of them for 1: within chance (p = .15), so the published value stays.
   double start_neighbor_exponent = 0.01;
+  /// A tensor for every point, of a diffusion tensor image say: its eigenvector e3 is
+  /// followed, and no shapes are measured; empty: those of the points. Directions that
+  /// are computed anew at every place need points' shapes.
+  std::vector<SymmetricTensor> tensors;
   CentroidShiftSettings prefilter; ///< what is done to the points before all this
   unsigned threads = 0;            ///< 0: all
 

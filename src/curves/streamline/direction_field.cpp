@@ -58,13 +58,20 @@ optimalTensors(const Points& points,
                            : estimateTensors(points, points, tensor, sizes);
   std::vector<SymmetricTensor> result;
   for (const PointDistributionTensor& record : records) {
-    SymmetricTensor t{record.xx, record.xy, record.xz, record.yy, record.yz, record.zz};
-    const double trace = t.trace();
-    // Of trace 1, so that points with large neighborhoods do not outvote the others.
-    t *= trace > 0 ? 1 / trace : 0;
-    result.push_back(trace > 0 ? t : SymmetricTensor{});
+    result.push_back(
+        {record.xx, record.xy, record.xz, record.yy, record.yz, record.zz});
   }
   return result;
+}
+
+/** \brief Of trace 1, so that points with large neighborhoods do not outvote the
+ * others. */
+SymmetricTensor
+normalized(SymmetricTensor t)
+{
+  const double trace = t.trace();
+  t *= trace > 0 ? 1 / trace : 0;
+  return trace > 0 ? t : SymmetricTensor{};
 }
 
 } // namespace
@@ -72,7 +79,8 @@ optimalTensors(const Points& points,
 DirectionField::DirectionField(const Points& points,
                                const MultiScaleShapes& shapes,
                                const CloudNeighbors& neighbors,
-                               const StreamlineSettings& settings)
+                               const StreamlineSettings& settings,
+                               const std::vector<SymmetricTensor>& tensors)
     : points_(points),
       neighbors_(neighbors),
       settings_(settings),
@@ -92,7 +100,10 @@ DirectionField::DirectionField(const Points& points,
   }
   if (settings.direction == DirectionMode::Tensor ||
       settings.direction == DirectionMode::TensorDeflection)
-    tensors_ = optimalTensors(points, neighbors.search(), scales_, settings);
+    for (const SymmetricTensor& tensor :
+         tensors.empty() ? optimalTensors(points, neighbors.search(), scales_, settings)
+                         : tensors)
+      tensors_.push_back(normalized(tensor));
 }
 
 LocalScale

@@ -30,11 +30,14 @@ class DirectionField {
 public:
   /** \param[in] points with finite coordinates; kept by reference, like \a neighbors
    * \param[in] shapes their multi-scale features
-   * \param[in] neighbors among the same points */
+   * \param[in] neighbors among the same points
+   * \param[in] tensors of the points where they are given; empty: as these modes need
+   * them, those at the optimal scales */
   DirectionField(const Points& points,
                  const MultiScaleShapes& shapes,
                  const CloudNeighbors& neighbors,
-                 const StreamlineSettings& settings);
+                 const StreamlineSettings& settings,
+                 const std::vector<SymmetricTensor>& tensors = {});
 
   /** \brief Radius and blend of the point nearest to \a position; \a last where none is
    * within the search radius, or the nearest has no optimal scale. */

@@ -24,6 +24,7 @@
 #include "line_lets.h"
 #include "pruning.h"
 #include "start_points.h"
+#include "tensor_shapes.h"
 
 namespace linelet {
 
@@ -105,6 +106,13 @@ public:
           "start " + std::to_string(index) +
           " is a point without coordinates, left out, or a copy of another");
     return static_cast<Index>(found - chosen_.begin());
+  }
+
+  /** \brief The places among all points of \ref points. */
+  const Indices&
+  chosen() const
+  {
+    return chosen_;
   }
 
   Points points;
@@ -218,6 +226,12 @@ public:
                    const StreamlineSettings& settings,
                    ProgressMonitor* monitor)
   {
+    if (!settings.tensors.empty()) {
+      for (const Index i : cloud.chosen())
+        tensors.push_back(settings.tensors[i]);
+      features = shapesOfTensors(tensors, cloud.scale_unit, settings);
+      return;
+    }
     MultiScaleSettings shape = settings.shape;
     shape.scale_unit = cloud.scale_unit;
     shape.threads = settings.threads;
@@ -246,6 +260,7 @@ public:
   }
 
   MultiScaleShapes features;
+  std::vector<SymmetricTensor> tensors; ///< of the points, where they are given
 
   /** \brief Those by which start points are scored. */
   const std::vector<MultiScaleShape>&
@@ -319,13 +334,18 @@ reconstruct(const Points& input,
             ProgressMonitor* monitor)
 {
   validate(settings);
+  if (!settings.tensors.empty() && settings.tensors.size() != input.size())
+    throw std::invalid_argument(std::to_string(settings.tensors.size()) +
+                                " tensors are given for " +
+                                std::to_string(input.size()) + " points");
   const StreamlinePoints cloud(input, search, settings);
   if (!(cloud.scale_unit > 0))
     return {};
   const StreamlineShapes shapes(cloud, settings, monitor);
   if (monitor != nullptr)
     monitor->begin("curves", 0);
-  const DirectionField field(cloud.points, shapes.features, *cloud.neighbors, settings);
+  const DirectionField field(
+      cloud.points, shapes.features, *cloud.neighbors, settings, shapes.tensors);
   StartPoints starts(cloud.points,
                      shapes.forStarts(),
                      settings.min_start_neighbors,
