@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a run in fragments takes of memory depends on --memory, not on how much there is
+// to work on.
+
+#include <sys/resource.h>
+
+#include <linelet/io/point_file.h>
+
+#include "tiles_test.h"
+
+namespace linelet::test {
+
+class FragmentsMemoryTest : public TilesTest {
+protected:
+  void
+  SetUp() override
+  {
+  }
+
+  /** The bundled corridor so many times, one behind the other. \return the folder */
+  std::string
+  corridors(int count) const
+  {
+    std::string folder = path("of_" + std::to_string(count));
+    fs::create_directories(folder);
+    io::Cloud cloud =
+        io::readCloud(std::string(LINELET_SOURCE_DIR) + "/data/corridor.las");
+    double low = 1e30, high = -1e30;
+    for (const Point& p : cloud.points) {
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+    }
+    for (int k = 0; k < count; ++k) {
+      io::writeCloud(folder + "/t" + std::to_string(k) + ".laz", cloud);
+      cloud.shift.x() += std::ceil(high - low);
+    }
+    return folder;
+  }
+
+  /** Most memory of a run of the tool, megabytes. */
+  static double
+  peakOf(const std::vector<std::string>& arguments)
+  {
+    const pid_t child = start(arguments);
+    int status = 0;
+    struct rusage usage {};
+    EXPECT_EQ(::wait4(child, &status, 0, &usage), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+  }
+
+  /** Most memory of power lines in so many corridors. */
+  double
+  peakOfPowerLines(int count) const
+  {
+    const std::string result = path("result_" + std::to_string(count));
+    return peakOf({"powerlines",
+                   "--threads",
+                   "1",
+                   "--memory",
+                   "64M",
+                   "--buffer",
+                   "60",
+                   corridors(count),
+                   result});
+  }
+};
+
+TEST_F(FragmentsMemoryTest, PowerLinesTakeNoMoreForMoreTiles)
+{
+  const double few = peakOfPowerLines(3), many = peakOfPowerLines(12);
+  // Measured 5 MB apart, and 40 where every fragment keeps all points that the report
+  // could draw.
+  EXPECT_LT(many, few + 20) << few << " MB for 3 tiles, " << many << " for 12";
+}
+
+} // namespace linelet::test
