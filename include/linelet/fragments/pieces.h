@@ -60,6 +60,11 @@ public:
   Fragment
   load(std::size_t number, ProgressMonitor* monitor = nullptr) const;
 
+  /** \brief How many points \ref load will find, or more where nodes of an octree are
+   * partly outside. Cuts what is not cut yet. \throws as \ref load */
+  std::uint64_t
+  points(std::size_t number, ProgressMonitor* monitor = nullptr) const;
+
   /** \brief Removes the pieces of a fragment that is done. */
   void
   remove(std::size_t number) const;
@@ -67,6 +72,15 @@ public:
 private:
   using Ranges = std::optional<std::vector<io::PointRange>>;
 
+  /** An input as a fragment finds it. */
+  struct Share {
+    std::size_t input;
+    Ranges octree;
+    std::uint64_t points; ///< of an octree, no less
+  };
+
+  std::vector<Share>
+  sharesOf(std::size_t number, ProgressMonitor* monitor) const;
   void
   cut(std::size_t input, ProgressMonitor* monitor) const;
   void
