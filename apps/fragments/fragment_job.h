@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <linelet/fragments/schedule.h>
+
 #include "cloud_files.h"
 #include "fragment_options.h"
 #include "fragment_tasks.h"
@@ -64,7 +66,20 @@ public:
   virtual double
   ghost(const Figures& measures) = 0;
 
-  /** \brief Computes a fragment and writes its result.
+  /** \brief Devices that compute fragments side by side. */
+  struct Devices {
+    std::vector<std::string> names = {""};
+    fragments::Heuristic heuristic = fragments::Heuristic::SimpleHS;
+  };
+  /** \brief Those of this machine; by default, one without a name. */
+  virtual Devices
+  devices()
+  {
+    return {};
+  }
+
+  /** \brief Computes a fragment and writes its result. On the first device, several
+   * threads may at once.
    * \return figures to sum over the fragments */
   virtual Figures
   compute(const FragmentTask& task) = 0;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include <linelet/fragments/records.h>
@@ -31,32 +33,34 @@ FragmentRun::writeOutput(FragmentJob& job,
   ledger_.write(Ledger::output, number, entry);
 }
 
-/** Writes the outputs whose fragments are all there, and removes the results that no
- * other output needs. */
+/** What each device did, where several shared the work. */
 void
-FragmentRun::writeReady(FragmentJob& job)
+FragmentRun::summarizeDevices(Frame& frame) const
 {
-  std::vector<bool> done(plan_.tiling.boxes()), needed(done.size(), false);
-  for (std::size_t f = 0; f < done.size(); ++f)
-    done[f] = ledger_.done(Ledger::task, f);
-  const auto isDone = [&](std::size_t f) { return done[f]; };
-  for (std::size_t i = 0;; ++i) {
-    const auto needs = job.needs(plan_, i);
-    if (needs.empty())
-      break;
-    if (ledger_.done(Ledger::output, i))
-      continue;
-    if (std::all_of(needs.begin(), needs.end(), isDone))
-      writeOutput(job, i, done);
-    else
-      for (const std::size_t f : needs)
-        needed[f] = true;
-  }
-  for (std::size_t f = 0; f < done.size(); ++f)
-    if (done[f] && !needed[f]) {
-      std::error_code ignored;
-      fs::remove(fragments::resultPath(folder_, f), ignored);
+  struct Share {
+    std::size_t fragments = 0;
+    double points = 0, seconds = 0;
+  };
+  std::map<std::string, Share> shares;
+  for (std::size_t f = 0; f < plan_.tiling.boxes(); ++f)
+    if (const auto entry = ledger_.find(Ledger::task, f); entry && entry->done) {
+      Share& share = shares[entry->device];
+      ++share.fragments;
+      share.points += entry->points;
+      share.seconds += entry->seconds;
     }
+  shares.erase("");
+  for (const auto& [device, share] : shares) {
+    std::printf("%s: %zu fragments, %.0f points in %.1f s\n",
+                device.c_str(),
+                share.fragments,
+                share.points,
+                share.seconds);
+    frame.summary["devices"].push_back({{"name", device},
+                                        {"fragments", share.fragments},
+                                        {"points", share.points},
+                                        {"seconds", share.seconds}});
+  }
 }
 
 std::size_t
@@ -110,6 +114,7 @@ FragmentRun::merge(FragmentJob& job, bool partial)
   job.frame().summary["fragments"] = usable.size();
   job.frame().summary["fragments_missing"] = missing;
   job.report(figures);
+  summarizeDevices(job.frame());
   return missing;
 }
 

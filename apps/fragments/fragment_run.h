@@ -77,9 +77,12 @@ private:
   FragmentRun(fragments::Plan plan, std::string folder);
 
   void
-  computeOne(FragmentJob& job, const fragments::Fragment& fragment);
+  computeOne(FragmentJob& job,
+             const fragments::Fragment& fragment,
+             std::size_t device,
+             const std::string& device_name);
   void
-  writeReady(FragmentJob& job);
+  summarizeDevices(Frame& frame) const;
   void
   writeOutput(FragmentJob& job, std::size_t number, const std::vector<bool>& usable);
 

@@ -21,6 +21,7 @@ using Figures = std::map<std::string, double>;
 struct FragmentTask {
   const fragments::Plan& plan;
   const fragments::Fragment& fragment;
+  std::size_t device; ///< place in FragmentJob::devices
   std::string result; ///< file to write
   ProgressMonitor* monitor;
 };

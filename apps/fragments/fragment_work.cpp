@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <future>
-#include <utility>
+#include <algorithm>
+#include <atomic>
+#include <optional>
 
 #include <malloc.h>
 
+#include <linelet/fragments/executor.h>
 #include <linelet/fragments/pieces.h>
 #include <linelet/fragments/records.h>
 
+#include "device_queues.h"
 #include "fragment_run.h"
+#include "output_queue.h"
 #include "quiet_monitor.h"
 #include "work_meter.h"
 
@@ -42,15 +46,22 @@ giveBackFreedMemory()
 } // namespace
 
 void
-FragmentRun::computeOne(FragmentJob& job, const fragments::Fragment& fragment)
+FragmentRun::computeOne(FragmentJob& job,
+                        const fragments::Fragment& fragment,
+                        std::size_t device,
+                        const std::string& device_name)
 {
   const WorkMeter meter;
   QuietMonitor monitor(job.frame().monitor);
   Ledger::Entry entry;
-  entry.figures = job.compute(
-      {plan_, fragment, fragments::resultPath(folder_, fragment.number), &monitor});
+  entry.figures = job.compute({plan_,
+                               fragment,
+                               device,
+                               fragments::resultPath(folder_, fragment.number),
+                               &monitor});
   entry.done = true;
   entry.points = static_cast<double>(fragment.owned());
+  entry.device = device_name;
   meter.note(entry);
   ledger_.write(Ledger::task, fragment.number, entry);
 }
@@ -62,48 +73,41 @@ FragmentRun::work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool 
   QuietMonitor monitor(job.frame().monitor);
   const fragments::Pieces pieces(
       plan_, folder_, job.input().readOptions(), job.input().classes());
-  const auto load = [&](std::size_t task) { return pieces.load(task, &monitor); };
   std::vector<std::size_t> left, failed;
   for (const std::size_t task : tasks)
     if (!ledger_.done(Ledger::task, task))
       left.push_back(task);
   job.frame().monitor.begin("fragments", tasks.size());
   job.frame().monitor.advance(tasks.size() - left.size());
-  bool told = false;
-  std::future<fragments::Fragment> next;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    const std::size_t task = left[i];
-    std::string reason;
-    for (const bool again : {false, true}) {
-      try {
-        const fragments::Fragment fragment = next.valid() ? next.get() : load(task);
-        if (!again && i + 1 < left.size())
-          next = std::async(std::launch::async, load, left[i + 1]);
-        if (static_cast<double>(fragment.points.size()) > 1.5 * plan_.most_points &&
-            !std::exchange(told, true))
-          job.frame().warn("fragment " + std::to_string(task) + " has " +
-                           std::to_string(fragment.points.size()) +
-                           " points, more than headers told; if memory runs out, plan "
-                           "with a smaller --chunk");
-        computeOne(job, fragment);
-        reason.clear();
-        break;
-      }
-      catch (const Canceled&) {
-        throw;
-      }
-      catch (const std::exception& error) {
-        throwIfCanceled(&monitor);
-        reason = error.what();
-        if (ledger_.done(Ledger::task, task)) { // by another worker
-          reason.clear();
-          break;
-        }
-        if (again || next.valid())
-          continue;
-      }
-    }
-    if (reason.empty())
+  std::optional<OutputQueue> queue;
+  if (outputs)
+    queue.emplace(job, plan_, folder_, ledger_, [&](auto number, const auto& done) {
+      writeOutput(job, number, done);
+    });
+  if (queue)
+    queue->begin();
+  const std::vector<std::string> names = job.devices().names;
+  DeviceQueues shared =
+      shareOut(job, plan_, pieces, left, folder_ + "/measured", &monitor);
+  std::atomic<bool> told{false};
+  std::size_t settled = 0;
+
+  fragments::FragmentWork work;
+  work.load = [&](std::size_t k) { return pieces.load(left[k], &monitor); };
+  work.compute = [&](const fragments::Fragment& fragment, auto, std::size_t d) {
+    if (static_cast<double>(fragment.points.size()) > 1.5 * plan_.most_points &&
+        !told.exchange(true))
+      job.frame().warn("fragment " + std::to_string(fragment.number) + " has " +
+                       std::to_string(fragment.points.size()) +
+                       " points, more than headers told; if memory runs out, plan "
+                       "with a smaller --chunk");
+    const std::size_t device = shared.devices[d];
+    computeOne(job, fragment, device, names[device]);
+  };
+  work.settle = [&](std::size_t k, const std::string& reason) {
+    const std::size_t task = left[k];
+    const bool done = reason.empty() || ledger_.done(Ledger::task, task); // by another
+    if (done)
       pieces.remove(task);
     else {
       failed.push_back(task);
@@ -111,12 +115,14 @@ FragmentRun::work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool 
       entry.reason = reason;
       ledger_.write(Ledger::task, task, entry);
     }
-    if (i + 1 == left.size())
+    if (++settled == left.size())
       giveBackFreedMemory();
-    if (outputs)
-      writeReady(job);
+    if (done && queue)
+      queue->add(task);
     job.frame().monitor.advance(1);
-  }
+  };
+  fragments::execute(shared.dispatcher, shared.devices.size(), work, &monitor);
+  std::sort(failed.begin(), failed.end());
   return failed;
 }
 

@@ -46,7 +46,7 @@ bool
 wantsFragments(FragmentJob& job)
 {
   const FragmentOptions& options = job.options();
-  if (options.chunk > 0 || options.resume)
+  if (options.chunk > 0 || options.resume || job.devices().names.size() > 1)
     return true;
   double points = 0;
   for (const std::string& file : job.input().files())
@@ -79,8 +79,9 @@ planOf(FragmentJob& job,
   // What the program, the tables and a block of the input take beside the points.
   constexpr double base = 250e6;
   const double memory = job.options().memory.bytes();
-  plan.most_points =
-      std::max(memory - base, memory / 8) / job.bytesPerPoint().in_fragments;
+  const auto devices = static_cast<double>(job.devices().names.size());
+  plan.most_points = std::max(memory - base, memory / 8) /
+                     (devices * job.bytesPerPoint().in_fragments);
   std::vector<fragments::Extent> extents;
   for (const io::FileSummary& file : job.input().summaries()) {
     plan.inputs.push_back(plannedInput(file));
@@ -88,8 +89,17 @@ planOf(FragmentJob& job,
       extents.push_back(plan.inputs.back().extent);
   }
   plan.shift = job.input().shift();
+  double most_points = plan.most_points;
+  if (devices > 1) {
+    // Enough of them that none waits long for the last.
+    constexpr double per_device = 8;
+    double points = 0;
+    for (const fragments::Extent& extent : extents)
+      points += extent.points;
+    most_points = std::min(most_points, points / (per_device * devices));
+  }
   plan.tiling =
-      fragments::Tiling(extents, {plan.ghost, job.options().chunk, plan.most_points});
+      fragments::Tiling(extents, {plan.ghost, job.options().chunk, most_points});
   return plan;
 }
 

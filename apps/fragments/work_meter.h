@@ -12,6 +12,9 @@ namespace linelet::apps {
 /** \brief Time since it was made, and memory of the process. */
 class WorkMeter {
 public:
+  double
+  seconds() const;
+
   /** \brief Notes both in \a entry. */
   void
   note(fragments::Ledger::Entry& entry) const;

@@ -13,34 +13,92 @@
 
 namespace linelet::apps {
 
-std::vector<PointDistributionTensor>
-estimateOnDevice([[maybe_unused]] const std::string& device,
-                 [[maybe_unused]] const Points& points,
-                 [[maybe_unused]] const Points& queries,
-                 [[maybe_unused]] const TensorSettings& settings,
-                 [[maybe_unused]] const NeighborhoodSizes& sizes,
-                 [[maybe_unused]] Frame& frame)
-{
 #ifdef LINELET_HAS_OPENCL
-  opencl::TensorEngine engine(device);
-  auto records = engine.estimate(points, queries, settings, sizes, &frame.monitor);
-  const opencl::StageTimes& times = engine.stageTimes();
-  frame.summary["device"] = engine.device().name;
-  frame.summary["device_slabs"] = engine.slabs();
-  frame.summary["device_queries_on_host"] = engine.queriesOnHost();
-  frame.summary["device_seconds"] = {{"upload", times.upload},
-                                     {"grid", times.grid},
-                                     {"nearest", times.nearest},
-                                     {"tensor", times.tensor},
-                                     {"analysis", times.analysis},
-                                     {"download", times.download}};
-  return records;
+
+struct DeviceEngine::State {
+  explicit State(const std::string& device) : engine(device) {}
+
+  opencl::TensorEngine engine;
+};
+
+DeviceEngine::DeviceEngine(const std::string& device)
+    : state_(std::make_unique<State>(device))
+{
+}
+
+std::vector<PointDistributionTensor>
+DeviceEngine::estimate(const Points& points,
+                       const Points& queries,
+                       const TensorSettings& settings,
+                       const NeighborhoodSizes& sizes,
+                       ProgressMonitor* monitor)
+{
+  return state_->engine.estimate(points, queries, settings, sizes, monitor);
+}
+
+void
+DeviceEngine::summarize(nlohmann::ordered_json& summary) const
+{
+  const opencl::StageTimes& times = state_->engine.stageTimes();
+  summary["device"] = state_->engine.device().name;
+  summary["device_slabs"] = state_->engine.slabs();
+  summary["device_queries_on_host"] = state_->engine.queriesOnHost();
+  summary["device_seconds"] = {{"upload", times.upload},
+                               {"grid", times.grid},
+                               {"nearest", times.nearest},
+                               {"tensor", times.tensor},
+                               {"analysis", times.analysis},
+                               {"download", times.download}};
+}
+
+std::vector<NamedDevice>
+devicesNamed(const std::string& part)
+{
+  std::vector<NamedDevice> found;
+  std::size_t number = 0;
+  for (const opencl::Device& device : opencl::devices()) {
+    const std::string place = std::to_string(number++);
+    if (device.name.find(part) != std::string::npos)
+      found.push_back({place, place + " " + device.name});
+  }
+  return found;
+}
+
 #else
+
+struct DeviceEngine::State {};
+
+DeviceEngine::DeviceEngine(const std::string&)
+{
   throw std::runtime_error("this linelet was built without OpenCL; build it where "
                            "OpenCL's headers and loader are installed, or use --engine "
                            "grid");
-#endif
 }
+
+std::vector<PointDistributionTensor>
+DeviceEngine::estimate(const Points&,
+                       const Points&,
+                       const TensorSettings&,
+                       const NeighborhoodSizes&,
+                       ProgressMonitor*)
+{
+  return {};
+}
+
+void
+DeviceEngine::summarize(nlohmann::ordered_json&) const
+{
+}
+
+std::vector<NamedDevice>
+devicesNamed(const std::string&)
+{
+  return {};
+}
+
+#endif
+
+DeviceEngine::~DeviceEngine() = default;
 
 bool
 gpuIsCheapest([[maybe_unused]] const std::string& device,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,8 +17,14 @@
 
 namespace linelet::apps {
 
-/** \brief What `--engine` names: the engines of the library, and that of a device. */
-enum class EngineOption { Auto, Tree, Grid, OpenCL };
+/** \brief What `--engine` names: the engines of the library, and those of devices. */
+enum class EngineOption {
+  Auto,
+  Tree,
+  Grid,
+  OpenCL,
+  All ///< the grid and every OpenCL device, in fragments
+};
 
 } // namespace linelet::apps
 
@@ -26,29 +33,53 @@ namespace linelet {
 template <>
 struct Names<apps::EngineOption> {
   static constexpr std::string_view kind = "engine";
-  static constexpr std::array<std::pair<apps::EngineOption, std::string_view>, 4>
+  static constexpr std::array<std::pair<apps::EngineOption, std::string_view>, 5>
       table = {{{apps::EngineOption::Auto, "auto"},
                 {apps::EngineOption::Tree, "tree"},
                 {apps::EngineOption::Grid, "grid"},
-                {apps::EngineOption::OpenCL, "opencl"}}};
+                {apps::EngineOption::OpenCL, "opencl"},
+                {apps::EngineOption::All, "all"}}};
 };
 
 } // namespace linelet
 
 namespace linelet::apps {
 
-/** \brief `--engine opencl`: the tensors of the queries from an OpenCL device, which is
- * named in the frame's summary together with the time of every stage.
- * \param[in] device number or part of a name, empty: the first GPU, else the first
- * \throws std::runtime_error where linelet was built without OpenCL, or has no device
- */
-std::vector<PointDistributionTensor>
-estimateOnDevice(const std::string& device,
-                 const Points& points,
-                 const Points& queries,
-                 const TensorSettings& settings,
-                 const NeighborhoodSizes& sizes,
-                 Frame& frame);
+/** \brief An OpenCL device. Not for use by several threads at once. */
+class DeviceEngine {
+public:
+  /** \param[in] device number or part of a name, empty: the first GPU, else the first
+   * \throws std::runtime_error where linelet was built without OpenCL, or has no such
+   * device */
+  explicit DeviceEngine(const std::string& device);
+  ~DeviceEngine();
+
+  /** \brief The tensors of the queries. */
+  std::vector<PointDistributionTensor>
+  estimate(const Points& points,
+           const Points& queries,
+           const TensorSettings& settings,
+           const NeighborhoodSizes& sizes,
+           ProgressMonitor* monitor);
+
+  /** \brief Notes its name and the time of every stage of the last \ref estimate. */
+  void
+  summarize(nlohmann::ordered_json& summary) const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/** \brief An OpenCL device of this machine. */
+struct NamedDevice {
+  std::string number; ///< as \ref DeviceEngine takes it
+  std::string name;   ///< tells it from the others
+};
+
+/** \brief All of them, or those with \a part in their names. */
+std::vector<NamedDevice>
+devicesNamed(const std::string& part);
 
 /** \brief Whether `--engine auto` takes a GPU: there is one, and it is the cheapest. No
  * GPU was at hand to measure these costs: they are set high rather than low. */

@@ -34,9 +34,12 @@ tensorsWith(const NeighborFinder& finder,
     return estimateWithPcl(
         finder.search, points, queries, settings, sizes, &frame.monitor);
   settings.engine = finder.onProcessor();
-  return finder.engine == EngineOption::OpenCL
-             ? estimateOnDevice(finder.device, points, queries, settings, sizes, frame)
-             : estimateTensors(points, queries, settings, sizes, &frame.monitor);
+  if (finder.engine != EngineOption::OpenCL)
+    return estimateTensors(points, queries, settings, sizes, &frame.monitor);
+  DeviceEngine device(finder.device);
+  auto records = device.estimate(points, queries, settings, sizes, &frame.monitor);
+  device.summarize(frame.summary);
+  return records;
 }
 
 } // namespace linelet::apps

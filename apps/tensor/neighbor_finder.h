@@ -30,7 +30,8 @@ struct NeighborFinder {
   Engine
   onProcessor() const
   {
-    return engine == EngineOption::Grid ? Engine::Grid : Engine::Tree;
+    return engine == EngineOption::Grid || engine == EngineOption::All ? Engine::Grid
+                                                                       : Engine::Tree;
   }
 
   /** \brief Whether the points of a piece are all that it computes. */

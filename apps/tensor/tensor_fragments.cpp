@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/features/tensor_record.h>
@@ -33,25 +34,66 @@ TensorJob::ghost(const Figures& /*measures*/)
   return tensorMargin(settings_);
 }
 
-Figures
-TensorJob::compute(const FragmentTask& task)
+FragmentJob::Devices
+TensorJob::devices()
+{
+  Devices all{{"processor"}, schedule_};
+  if (finder_.engine != EngineOption::All)
+    all.names = {""};
+  else if (!std::exchange(listed_, true)) {
+    devices_ = devicesNamed(finder_.device);
+    if (devices_.empty())
+      frame_.warn("there is no such OpenCL device: the processor works alone");
+  }
+  for (const NamedDevice& device : devices_)
+    all.names.push_back(device.name);
+  engines_.resize(std::max<std::size_t>(1, devices_.size()));
+  return all;
+}
+
+DeviceEngine&
+TensorJob::openDevice(std::size_t device)
+{
+  const bool alone = finder_.engine == EngineOption::OpenCL;
+  std::unique_ptr<DeviceEngine>& engine = engines_.at(alone ? 0 : device - 1);
+  if (!engine)
+    engine = std::make_unique<DeviceEngine>(alone ? finder_.device
+                                                  : devices_.at(device - 1).number);
+  return *engine;
+}
+
+/** Those of the points of \a piece. */
+std::vector<PointDistributionTensor>
+TensorJob::tensorsOf(const FragmentTask& task, const CloudPiece& piece)
 {
   TensorSettings settings = settings_;
   settings.threads = frame_.threads; // of this worker
   settings.engine = finder_.onProcessor();
   const Points& points = task.fragment.points;
-  std::vector<PointDistributionTensor> records;
-  if (!finder_.takesPieces())
-    records = tensorsWith(finder_, points, points, settings, {}, frame_);
-  else {
-    records.resize(points.size());
-    const CloudPiece piece = pieceOf(task.plan, task.fragment);
-    const std::vector<PointDistributionTensor> some =
-        pieceTensors(points, piece, settings, {}, task.monitor);
-    std::copy(some.begin(),
-              some.end(),
-              records.begin() + static_cast<std::ptrdiff_t>(piece.begin));
-  }
+  if (finder_.takesPieces() && task.device == 0)
+    return pieceTensors(points, piece, settings, {}, task.monitor);
+  const Points queries(points.begin() + static_cast<std::ptrdiff_t>(piece.begin),
+                       points.begin() + static_cast<std::ptrdiff_t>(piece.end));
+  if (queries.empty())
+    return {};
+  if (isOfPcl(finder_.search))
+    return tensorsWith(finder_, points, queries, settings, {}, frame_);
+  DeviceEngine& engine = openDevice(task.device);
+  auto records = engine.estimate(points, queries, settings, {}, task.monitor);
+  if (finder_.engine == EngineOption::OpenCL)
+    engine.summarize(frame_.summary);
+  return records;
+}
+
+Figures
+TensorJob::compute(const FragmentTask& task)
+{
+  std::vector<PointDistributionTensor> records(task.fragment.points.size());
+  const CloudPiece piece = pieceOf(task.plan, task.fragment);
+  const std::vector<PointDistributionTensor> some = tensorsOf(task, piece);
+  std::copy(some.begin(),
+            some.end(),
+            records.begin() + static_cast<std::ptrdiff_t>(piece.begin));
   fragments::writeRecords(
       task.result, task.fragment, records.data(), sizeof(records[0]));
   return {};

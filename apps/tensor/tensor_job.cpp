@@ -33,7 +33,11 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
   // The tool knows one engine more than the settings do.
   describe(settings_, [&](const char* name, auto& value, const char* help) {
     if constexpr (std::is_same_v<decltype(value), Engine&>)
-      add(name, finder_.engine, help);
+      add(name,
+          finder_.engine,
+          (std::string(help) + "; all: the grid and, side by side with it, every "
+                               "OpenCL device (see --device), in fragments")
+              .c_str());
     else
       add(name, value, help);
   });
@@ -56,6 +60,10 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
       finder_.device,
       "OpenCL device by number or part of its name; linelet devices lists them");
   addOptions(frame_.app, fragments_);
+  add("schedule",
+      schedule_,
+      "Fragments: heuristic of Grasso et al. (2015) that shares them out among the "
+      "devices of --engine all");
   frame_.parse(arguments);
   settings_.threads = frame_.threads;
   settle(finder_);

@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
+
+#include <linelet/features/cloud_piece.h>
 
 #include "fragments/cloud_fragment_job.h"
 #include "neighbor_finder.h"
@@ -22,6 +25,8 @@ public:
   check() override;
   double
   ghost(const Figures& /*measures*/) override;
+  Devices
+  devices() override;
   Figures
   compute(const FragmentTask& task) override;
   Figures
@@ -32,10 +37,20 @@ public:
   runWhole() override;
 
 private:
+  std::vector<PointDistributionTensor>
+  tensorsOf(const FragmentTask& task, const CloudPiece& piece);
+  DeviceEngine&
+  openDevice(std::size_t device);
+
   TensorSettings settings_;
   NeighborFinder finder_;
   SizeFields fields_;
   FeatureList features_{"shape"};
+  fragments::Heuristic schedule_ = fragments::Heuristic::SimpleHS;
+  std::vector<NamedDevice> devices_; ///< beside the processor
+  bool listed_ = false;              ///< whether these are known
+  /// Of \ref devices_, or the one of --engine opencl; each opened by its first user.
+  std::vector<std::unique_ptr<DeviceEngine>> engines_;
 };
 
 } // namespace linelet::apps

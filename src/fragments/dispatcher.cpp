@@ -114,24 +114,32 @@ slowest(const ExpectedTimes& times)
 
 } // namespace
 
-Schedule
-simulate(Heuristic heuristic,
-         const ExpectedTimes& times,
-         const std::vector<double>& points)
+Dispatcher
+dispatcherFor(Heuristic heuristic,
+              const ExpectedTimes& times,
+              const std::vector<double>& points)
 {
   switch (heuristic) {
   case Heuristic::MinMin:
-    return minMin(times);
+    return {minMin(times), times.devices()};
   case Heuristic::MaxMin:
-    return maxMin(times);
+    return {maxMin(times), times.devices()};
   case Heuristic::Sufferage:
-    return sufferage(times);
+    return {sufferage(times), times.devices()};
   default:
     break;
   }
   if (points.size() != times.fragments())
     throw std::invalid_argument("there must be as many numbers of points as fragments");
-  Dispatcher dispatcher(heuristic, points, times.devices(), slowest(times));
+  return {heuristic, points, times.devices(), slowest(times)};
+}
+
+Schedule
+simulate(Heuristic heuristic,
+         const ExpectedTimes& times,
+         const std::vector<double>& points)
+{
+  Dispatcher dispatcher = dispatcherFor(heuristic, times, points);
   std::vector<Assignment> running(times.devices());
   std::vector<bool> asks(times.devices(), true), busy(times.devices(), false);
   Schedule schedule;

@@ -98,10 +98,10 @@ listing(const std::vector<cl::Device>& all)
   return text;
 }
 
-cl::Device
-choose(const std::string& wish)
+/** \return its place in \a all */
+std::size_t
+choose(const std::vector<cl::Device>& all, const std::string& wish)
 {
-  const std::vector<cl::Device> all = allDevices();
   if (all.empty())
     throw Error(
         "OpenCL has no device here; install a driver (on Debian: apt-get install "
@@ -109,14 +109,14 @@ choose(const std::string& wish)
         CL_DEVICE_NOT_FOUND);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (wish.empty() && describe(all[i]).type == "gpu")
-      return all[i];
+      return i;
     if (!wish.empty() &&
         (wish == std::to_string(i) ||
          all[i].getInfo<CL_DEVICE_NAME>().find(wish) != std::string::npos))
-      return all[i];
+      return i;
   }
   if (wish.empty())
-    return all.front();
+    return 0;
   throw Error("OpenCL has no device '" + wish + "'; there is " + listing(all),
               CL_DEVICE_NOT_FOUND);
 }
@@ -142,8 +142,11 @@ explained(const cl::Error& error, const std::string& device)
 }
 
 Context::Context(const std::string& wish, unsigned lanes, bool use_double)
-    : lanes_(lanes), cl_device_(choose(wish))
+    : lanes_(lanes)
 {
+  const std::vector<cl::Device> all = allDevices();
+  number_ = choose(all, wish);
+  cl_device_ = all[number_];
   device_ = describe(cl_device_);
   device_.double_precision &= use_double;
   const auto native = cl_device_.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>();
@@ -166,7 +169,10 @@ Context::built(const std::string& key,
   const auto known = programs_.find(key);
   if (known != programs_.end())
     return known->second;
-  cl::Program program(context_, sources);
+  // PoCL 3.1 counts the users of a kernel by its preprocessed source, and aborts where
+  // two of its devices run the same one at the same time: here, no two are the same.
+  const std::string own = "typedef int device_" + std::to_string(number_) + ";\n";
+  cl::Program program(context_, own + sources);
   try {
     program.build({cl_device_}, options.c_str());
   }

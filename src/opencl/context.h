@@ -79,6 +79,7 @@ private:
 
   Device device_;
   unsigned lanes_ = 1;
+  std::size_t number_ = 0; ///< of the device, among all
   cl::Device cl_device_;
   cl::Context context_;
   cl::CommandQueue queue_;

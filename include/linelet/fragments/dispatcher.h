@@ -68,11 +68,18 @@ private:
   std::vector<TimePrediction> on_; ///< one per device
 };
 
-/** \brief Simulates devices that take fragments as they become free, where
- * fragments take the times in \a times. These also determine the slow device:
- * the one with the largest sum, unless all are equal.
+/** \brief One for any heuristic: static ones decide by \a times, dynamic ones by
+ * \a points and the slow device, which is the one with the largest sum of \a times
+ * unless all are equal.
  * \param[in] points of every fragment, for the dynamic heuristics
  * \throws std::invalid_argument as \ref minMin, or unless there are as many points */
+Dispatcher
+dispatcherFor(Heuristic heuristic,
+              const ExpectedTimes& times,
+              const std::vector<double>& points);
+
+/** \brief Simulates devices that take fragments as they become free, where
+ * fragments take the times in \a times; see \ref dispatcherFor. */
 Schedule
 simulate(Heuristic heuristic,
          const ExpectedTimes& times,

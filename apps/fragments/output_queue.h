@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <linelet/fragments/ledger.h>
+
+#include "fragment_job.h"
+
+namespace linelet::apps {
+
+/** \brief Outputs to write while fragments are computed: each once its fragments are
+ * done. Results that no output needs any more are removed. */
+class OutputQueue {
+public:
+  /** \brief Writes an output. \param[in] done which fragments are */
+  using Write = std::function<void(std::size_t output, const std::vector<bool>& done)>;
+
+  /** \param[in] folder of the run */
+  OutputQueue(FragmentJob& job,
+              const fragments::Plan& plan,
+              const std::string& folder,
+              const fragments::Ledger& ledger,
+              Write write);
+
+  /** \brief Writes what is complete before any fragment is computed. */
+  void
+  begin();
+
+  /** \brief Fragment \a number is done: writes what is complete by that. */
+  void
+  add(std::size_t number);
+
+private:
+  /** An output that is not written yet. */
+  struct Pending {
+    std::size_t number = 0;
+    std::vector<std::size_t> needs;
+    std::size_t missing = 0; ///< fragments of these
+  };
+
+  void
+  write(const Pending& output);
+  void
+  removeUnneeded(std::size_t number) const;
+
+  std::string folder_;
+  Write write_;
+  std::vector<bool> done_;
+  std::vector<Pending> outputs_;
+  std::vector<std::vector<std::size_t>> of_; ///< by fragment: places in outputs_
+  std::vector<std::size_t> pending_;         ///< by fragment: how many need it
+};
+
+} // namespace linelet::apps
