@@ -4,6 +4,7 @@
 #include "powerlines_text.h"
 
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include <linelet/powerline_output/output_files.h>
@@ -48,18 +49,19 @@ toJson(const PowerLineNetwork& network, Clearance Wire::*kind)
 
 /** \brief What the wires of a network come to. */
 struct Totals {
-  double length = 0;        ///< meters
-  std::size_t hazards = 0;  ///< wires with less clearance than is in order
-  std::size_t doubtful = 0; ///< wires with a remark
+  double length = 0;                ///< meters
+  std::optional<std::size_t> below; ///< wires with less clearance than is in order;
+                                    ///< nothing: unknown
+  std::size_t doubtful = 0;         ///< wires with a remark
 };
 
 Totals
 totalsOf(const PowerLineNetwork& network, double clearance)
 {
   Totals totals;
+  totals.below = powerline::wiresBelowClearance(network, clearance);
   for (const Wire& wire : network.wires) {
     totals.length += wire.length;
-    totals.hazards += powerline::belowClearance(wire, clearance) ? 1 : 0;
     totals.doubtful += wire.reason.empty() ? 0 : 1;
   }
   return totals;
@@ -87,7 +89,12 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
               unexplainedLength(network));
   printClearance("lowest above ground", network, &Wire::ground);
   printClearance("nearest to vegetation", network, &Wire::vegetation);
-  std::printf("%-22s %zu wires below %.1f m\n", "clearance", totals.hazards, clearance);
+  if (totals.below)
+    std::printf(
+        "%-22s %zu wires below %.1f m\n", "clearance", *totals.below, clearance);
+  else
+    std::printf("%-22s unknown: neither ground nor objects were seen near the wires\n",
+                "clearance");
 }
 
 void
@@ -121,7 +128,9 @@ summarize(nlohmann::ordered_json& summary,
   summary["unexplained_length"] = unexplainedLength(network);
   summary["ground_clearance"] = toJson(network, &Wire::ground);
   summary["vegetation_clearance"] = toJson(network, &Wire::vegetation);
-  summary["wires_below_clearance"] = totals.hazards;
+  summary["wires_below_clearance"] = nullptr;
+  if (totals.below)
+    summary["wires_below_clearance"] = *totals.below;
   for (const powerline::StageTime& stage : network.stages)
     summary["stage_seconds"][stage.stage] = stage.seconds;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <linelet/powerline/metric_frame.h>
+#include <linelet/powerline_output/below_clearance.h>
 
 #include "layer_values.h"
 
@@ -164,13 +165,6 @@ insulatorFeature(const InsulatorString& string, const MetricFrame& frame)
 }
 
 } // namespace
-
-bool
-belowClearance(const Wire& wire, double limit)
-{
-  // Unknown clearances are NaN, which is not below anything.
-  return wire.ground.distance < limit || wire.vegetation.distance < limit;
-}
 
 std::vector<io::VectorLayer>
 powerLineLayers(const io::Cloud& cloud,

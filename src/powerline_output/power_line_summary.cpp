@@ -16,8 +16,8 @@
 #include <nlohmann/json.hpp>
 
 #include <linelet/powerline/metric_frame.h>
+#include <linelet/powerline_output/below_clearance.h>
 #include <linelet/powerline_output/output_files.h>
-#include <linelet/powerline_output/power_line_layers.h>
 
 #include "hazard_summary.h"
 
@@ -144,10 +144,9 @@ Json
 totals(const PowerLineNetwork& network, const OutputOptions& options)
 {
   double length = 0;
-  std::size_t below = 0, doubtful = 0, poles = 0, wire_points = 0, pylon_points = 0;
+  std::size_t doubtful = 0, poles = 0, wire_points = 0, pylon_points = 0;
   for (const Wire& wire : network.wires) {
     length += wire.length;
-    below += belowClearance(wire, options.clearance) ? 1 : 0;
     doubtful += wire.reason.empty() ? 0 : 1;
   }
   for (const Support& support : network.supports) {
@@ -167,6 +166,7 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
     unexplained_points += line.points;
   for (const std::int32_t id : network.wire_id)
     wire_points += id > 0 ? 1 : 0;
+  const auto below = wiresBelowClearance(network, options.clearance);
   return {{"circuits", network.circuits.size()},
           {"spans", network.spans.size()},
           {"wires", network.wires.size()},
@@ -180,7 +180,7 @@ totals(const PowerLineNetwork& network, const OutputOptions& options)
           {"pylon_points", pylon_points},
           {"jumper_points", jumper_points},
           {"insulator_points", insulator_points},
-          {"wires_below_clearance", below},
+          {"wires_below_clearance", below ? Json(*below) : Json()},
           {"wires_of_low_confidence", doubtful},
           {"unexplained_lines", network.unexplained.size()},
           {"unexplained_length", number(unexplainedLength(network))},

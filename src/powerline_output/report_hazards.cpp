@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <linelet/powerline_output/below_clearance.h>
+
 #include "report_page.h"
 #include "report_sections.h"
 #include "report_space.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <linelet/powerline_output/power_line_layers.h>
+#include <linelet/powerline_output/below_clearance.h>
 
 #include "report_image.h"
 

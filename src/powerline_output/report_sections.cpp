@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include <linelet/powerline_output/power_line_layers.h>
+#include <linelet/powerline_output/below_clearance.h>
 #include <linelet/support/threads.h>
 
 #include "report_plan.h"
@@ -129,10 +129,9 @@ private:
   {
     const PowerLineNetwork& network = content.network;
     double length = 0;
-    std::size_t below = 0, doubtful = 0, poles = 0;
+    std::size_t doubtful = 0, poles = 0;
     for (const Wire& wire : network.wires) {
       length += wire.length;
-      below += belowClearance(wire, content.options.clearance) ? 1 : 0;
       doubtful += wire.reason.empty() ? 0 : 1;
     }
     for (const Support& support : network.supports)
@@ -145,10 +144,12 @@ private:
     addCount(poles, "pole");
     addCount(network.jumpers.size(), "jumper");
     addCount(network.insulators.size(), "insulator string");
-    if (content.options.hazards.empty())
-      add(std::to_string(below),
+    if (content.options.hazards.empty()) {
+      const auto below = wiresBelowClearance(network, content.options.clearance);
+      add(below ? std::to_string(*below) : "unknown",
           "wires below " + number(content.options.clearance, 1) + " m clearance",
-          below > 0);
+          below.value_or(1) > 0);
+    }
     add(std::to_string(doubtful), "wires in doubt");
   }
 
@@ -215,15 +216,6 @@ settingsSection(const Content& content)
           "Settings",
           {{"inputs", from.inputs},
            {"table", from.settings.empty() ? Json() : table.json()}}};
-}
-
-bool
-clearancesAreUnknown(const PowerLineNetwork& network)
-{
-  return !network.wires.empty() &&
-         std::none_of(network.wires.begin(), network.wires.end(), [](const Wire& wire) {
-           return wire.ground.known() || wire.vegetation.known();
-         });
 }
 
 std::vector<Section>

@@ -32,11 +32,6 @@ planSection(const Content& content);
 Section
 spaceSection(const Content& content);
 
-/** \brief Whether there are wires and neither ground nor an object was seen near any of
- * them: no clearance is known. */
-bool
-clearancesAreUnknown(const PowerLineNetwork& network);
-
 /** \brief Everything below the clearance limit, the closest first. */
 Section
 clearancesSection(const Content& content);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include <linelet/powerline_output/below_clearance.h>
+
 #include "report_sections.h"
 #include "report_space.h"
 #include "report_table.h"

@@ -145,6 +145,32 @@ TEST_F(Classes, BirdsUnderAWireAreNoHazard)
   }));
 }
 
+// Of the line alone nobody can say that it is clear.
+TEST_F(Classes, AWireAboveNothingHasNoKnownClearance)
+{
+  const std::string figures = path("figures.json");
+  const auto outputOf = [&](const std::string& cloud) {
+    return runWell("powerlines " + cloud + " " + path("out") + " --json " + figures +
+                   " --overwrite")
+        .out;
+  };
+  EXPECT_THAT(outputOf(corridor_), HasSubstr("wires below 5.0 m"));
+  EXPECT_TRUE(json(figures)["wires_below_clearance"].is_number());
+  std::string text = "x,y,z\n";
+  for (int i = 0; i < 800; ++i)
+    for (const int y : {0, 4}) {
+      const double x = 0.25 * i, z = 20 + (x - 100) * (x - 100) / 2000;
+      text +=
+          std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + "\n";
+    }
+  EXPECT_THAT(outputOf(write("wires.csv", text)),
+              HasSubstr("clearance              unknown"));
+  EXPECT_EQ(json(figures)["wires"], 2);
+  EXPECT_TRUE(json(figures)["wires_below_clearance"].is_null());
+  const auto totals = json(path("out/summary.json"))["totals"];
+  EXPECT_TRUE(totals["wires_below_clearance"].is_null());
+}
+
 TEST_F(Classes, OfPowerLinesAreThoseAskedFor)
 {
   const std::string plain = path("plain"), other = path("other");

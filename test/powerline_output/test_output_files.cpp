@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -301,6 +302,19 @@ TEST_F(OutputFiles, SummaryCountsWhatIsThere)
   EXPECT_EQ(json.at("wires")[1].at("vegetation_clearance").at("distance"), 3);
   EXPECT_EQ(json.at("wires")[1].at("catenary").at("a"), 800);
   EXPECT_EQ(json.at("circuits")[0].at("pylons").size(), 3U);
+}
+
+// Where nothing was seen below the wires, 0 of them would be a promise.
+TEST_F(OutputFiles, SummaryCountsNoClearancesThatAreUnknown)
+{
+  EXPECT_EQ(wiresBelowClearance(network_, 5), std::optional<std::size_t>(1));
+  for (Wire& wire : network_.wires)
+    wire.ground = wire.vegetation = Clearance();
+  EXPECT_EQ(wiresBelowClearance(network_, 5), std::nullopt);
+  EXPECT_EQ(wiresBelowClearance({}, 5), std::optional<std::size_t>(0));
+  write();
+  const auto json = nlohmann::json::parse(textOf(folder_ / "summary.json"));
+  EXPECT_TRUE(json.at("totals").at("wires_below_clearance").is_null());
 }
 
 TEST_F(OutputFiles, TheSameInputGivesTheSameText)

@@ -8,6 +8,7 @@
 
 #include <linelet/io/cloud.h>
 #include <linelet/powerline/power_line_network.h>
+#include <linelet/powerline_output/below_clearance.h>
 #include <linelet/powerline_output/class_scheme.h>
 #include <linelet/powerline_output/hazard_layers.h>
 #include <linelet/powerline_output/output_options.h>

@@ -14,11 +14,6 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Whether a clearance of \a wire, to the ground or to vegetation, is known and
- * below \a limit. */
-bool
-belowClearance(const Wire& wire, double limit);
-
 /** \brief The network as layers in world coordinates: `wires` (lines), `pylons`
  * (points at the foot) and `unexplained` (lines), each with its attributes; also
  * without a feature. In a drawing every wire is a layer
