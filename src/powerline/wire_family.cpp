@@ -21,6 +21,7 @@ constexpr double lone_clean = 0.8;   // of its bins
 constexpr double lone_open = 0.8;    // of its length, with nothing but deep below
 constexpr double deep = 1.5;         // meters below a wire
 constexpr double beside = 1.25;      // meters, looked at on both sides
+constexpr double roof_rise = 3;      // meters: of a roof of 45 degrees, as far as that
 constexpr double itself_reach = 0.5; // meters of height, of its own points
 
 // A wire that ends at nothing but a hidden part shows most of its span.
@@ -55,7 +56,9 @@ openBelow(const SpanModel& m, const Underside& underside)
       const double lowest = underside.lowestAt(p.x() - side * m.direction.y(),
                                                p.y() + side * m.direction.x());
       const bool itself = side == 0 && std::abs(lowest - p.z()) < itself_reach;
-      blocked = blocked || (lowest > p.z() - deep && !itself);
+      // Over water, what is lowest beside a wire may be one of the arm above.
+      const bool above = side != 0 && lowest > p.z() + roof_rise;
+      blocked = blocked || (lowest > p.z() - deep && !itself && !above);
     }
     open += !blocked;
     all += 1;

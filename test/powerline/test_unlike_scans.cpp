@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <linelet/powerline/extract_power_lines.h>
@@ -67,6 +68,38 @@ countFound(const PowerLineNetwork& n, const Line& line, double reach, double par
           return near >= part * 101;
         });
       }));
+}
+
+// Below and beside the lowest wire over water lies nothing but other wires, of its
+// bundle and of the arm above: no roof.
+TEST(UnlikeScan, OfARiverThatReturnsNothing)
+{
+  constexpr double span = 500, a = 2000;
+  const Point from[] = {{0, -8, 40}, {0, -9.3, 45}, {0, 8, 40}, {0, 8.45, 40}};
+  const Point to(span, 0, 0);
+  for (const double degrees : {0.0, 33.0}) {
+    SceneBuilder scene(41);
+    scene.ground(-60, -40, 60, 40, 3);
+    scene.ground(span - 60, -40, span + 60, 40, 3);
+    for (const Point& begin : from)
+      scene.wire(begin, begin + to, a, 3, 0.03);
+    const Eigen::Rotation2Dd turn(degrees / 180 * std::acos(-1.0));
+    for (Point& p : scene.points)
+      p.head<2>() = turn * p.head<2>();
+    const PowerLineNetwork n = extractPowerLines(scene.points);
+    for (const Point& begin : from) {
+      int covered = 0;
+      for (int k = 5; k <= 95; ++k) {
+        Point p = SceneBuilder::onWire(begin, begin + to, a, span * k / 100);
+        p.head<2>() = turn * p.head<2>();
+        covered += std::any_of(n.wires.begin(), n.wires.end(), [&](const Wire& wire) {
+          return wire.curve.distance(p) < 0.1;
+        });
+      }
+      EXPECT_GT(covered, 85) << "of 91 places, heading " << degrees << ", wire at "
+                             << begin.transpose();
+    }
+  }
 }
 
 TEST(UnlikeScan, WithoutPylonsIsASpanWithoutSupports)
