@@ -5,13 +5,16 @@
 #include <cmath>
 
 #include "powerline/evidence.h"
+#include "powerline/line_priors.h"
 #include "powerline/merge.h"
+#include "powerline/vertical_slice.h"
 #include "powerline/wire_family.h"
 
 namespace linelet::powerline {
 
 namespace {
 
+constexpr LinePriors priors;
 constexpr double bundle_width = 0.7; // meters between conductors of one bundle
 constexpr double least_cover = 0.5;  // of the bins of a conductor in its own right
 constexpr double complete = 0.8;     // part of its neighbor's length
@@ -110,10 +113,11 @@ sortBundles(Growth& growth,
       continue;
     }
     growth.claim(piece, 0);
-    // Farther apart than they scatter, they are two wires: those of low lines hang on
-    // racks, and the longer one may go on over a pole.
+    // Farther apart than they scatter, they are two wires. Those of low lines hang on
+    // racks, however short they are, and the longer one may go on over a pole.
     if (nearest > piece.tolerance() + neighbor->piece.tolerance() &&
-        piece.model.length() >= short_line)
+        (piece.model.length() >= short_line ||
+         heightOf(piece, growth.candidates()) < priors.highest_pole))
       wires.push_back({std::move(piece), {}});
     else
       neighbor->companions.push_back(std::move(piece));
