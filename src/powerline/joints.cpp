@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "powerline/least_hanging.h"
+
 namespace linelet::powerline {
 
 namespace {
@@ -27,6 +29,14 @@ double
 varianceAt(const SpanModel& model, double s)
 {
   return std::pow(model.uncertainty(s), 2) + model.sigma * model.sigma;
+}
+
+// Whether a wire hangs between its other end and a support at \a place, or is all but
+// beyond it.
+bool
+hangsFrom(const SpanModel& model, int side, double place)
+{
+  return (side == 0 ? model.end - place : place - model.begin) >= leastHanging(model);
 }
 
 } // namespace
@@ -121,7 +131,9 @@ matchEnds(std::vector<WireWithEnds>& wires)
       const Meeting m = meet(a, ends[i].side, b, ends[k].side);
       const double reach_a = std::abs(m.a - a.edge(ends[i].side));
       const double reach_b = std::abs(m.b - b.edge(ends[k].side));
-      if (m.gap > largest_gap || std::max(reach_a, reach_b) > farthest_reach)
+      if (m.gap > largest_gap || std::max(reach_a, reach_b) > farthest_reach ||
+          !hangsFrom(a.model(), ends[i].side, m.a) ||
+          !hangsFrom(b.model(), ends[k].side, m.b))
         continue;
       matches.push_back({m.gap + 0.1 * (reach_a + reach_b), i, k});
     }

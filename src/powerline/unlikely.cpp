@@ -10,6 +10,7 @@
 #include "powerline/false_positives.h"
 #include "powerline/groups.h"
 #include "powerline/joints.h"
+#include "powerline/least_hanging.h"
 #include "powerline/line_priors.h"
 #include "powerline/wire_family.h"
 
@@ -22,8 +23,6 @@ constexpr LinePriors priors;
 
 constexpr double stray_length = 40; // meters of a thinly covered wire that meets none
 
-constexpr double least_hanging = 3;  // meters between attachment points
-constexpr double hanging_part = 0.5; // of the stretch with points, the same
 constexpr double farthest_off = 1.5; // meters of an attachment point from the wire
 
 double
@@ -201,7 +200,7 @@ isMisled(const WireWithEnds& wire)
 {
   const SpanModel& m = wire.model();
   const double from = m.along(wire.ends[0].place), to = m.along(wire.ends[1].place);
-  return to - from < std::max(least_hanging, hanging_part * m.length()) ||
+  return to - from < leastHanging(m) ||
          std::max(m.distance(wire.ends[0].place), m.distance(wire.ends[1].place)) >
              farthest_off;
 }
