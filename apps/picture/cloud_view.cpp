@@ -159,6 +159,14 @@ colorOfNormal(const Point& normal, PixelColor by)
   return {bright, bright, bright};
 }
 
+/// Light on a point by its normal, of either side.
+Color
+lit(const Point& normal, const Eigen::Matrix3d& axes)
+{
+  const Point seen = axes * normal; // right, down, away
+  return colorOfNormal(seen.z() > 0 ? Point(-seen) : seen, PixelColor::Shaded);
+}
+
 /// Gives every fine pixel that sees something the color of its pixel's normal.
 void
 colorByNormals(DepthImage& image,
@@ -205,12 +213,15 @@ drawPoints(Canvas& canvas, const CloudView& view, const Projection& project)
         own ? 6.0 : 9);
   }
   const double radius = size / 2 * Canvas::fineness;
+  const Eigen::Matrix3d axes = project.camera(canvas.width(), canvas.height()).axes;
   for (std::size_t i = 0; i < view.points.size(); ++i)
     if (view.points[i].allFinite())
       splat(image,
             project(view.points[i]) * Canvas::fineness,
             radius,
-            view.colors.empty() ? ink::grid : view.colors[i]);
+            !view.point_normals.empty() ? lit(view.point_normals[i], axes)
+            : view.colors.empty()       ? ink::grid
+                                        : view.colors[i]);
   if (view.pixels != PixelColor::OfPoints)
     colorByNormals(image, canvas, view, project, size);
   const int reach = std::max(2, static_cast<int>(std::lround(1.3 * Canvas::fineness)));

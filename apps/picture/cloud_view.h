@@ -27,6 +27,7 @@ enum class PixelColor {
 struct CloudView {
   Points points;             ///< those that are not finite are left out
   std::vector<Color> colors; ///< one per point
+  Points point_normals;      ///< light on them takes the place of colors; empty: none
   PixelColor pixels = PixelColor::OfPoints;
   ScreenNormalSettings normals; ///< for the other two
   CurveNetwork curves;          ///< drawn over the points

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include <linelet/features/fourth_order.h>
+#include <linelet/features/tensor_estimation.h>
 #include <linelet/io/vector_file.h>
+#include <linelet/search/scale_unit.h>
 #include <linelet/tensor/eigen_analysis.h>
 #include <linelet/tensor/shape_factors.h>
 
@@ -204,6 +206,28 @@ asManyAsFit(std::vector<std::pair<Color, std::string>> entries, double width)
   return entries;
 }
 
+Points
+minorEigenvectors(const Points& points,
+                  const PictureSettings& settings,
+                  const std::string& file,
+                  Frame& frame)
+{
+  TensorSettings tensors;
+  tensors.radius = settings.radius > 0 ? settings.radius
+                                       : 4 * scaleUnit(points, 1024, 1, frame.threads);
+  if (!(tensors.radius > 0))
+    throw std::runtime_error(file + ": no scale can be chosen; give --tensor-radius");
+  tensors.weighting = Kernel::Const;
+  tensors.threads = frame.threads;
+  Points normals;
+  for (const PointDistributionTensor& r :
+       estimateTensors(points, points, tensors, {}, &frame.monitor))
+    normals.emplace_back(r.normal_x, r.normal_y, r.normal_z);
+  frame.lap("tensors");
+  frame.summary["tensor_radius"] = tensors.radius;
+  return normals;
+}
+
 /// The cloud as it is to be shown, and the values that it is colored by, if any.
 CloudView
 viewOf(const io::Cloud& cloud,
@@ -230,6 +254,8 @@ viewOf(const io::Cloud& cloud,
     view.normals = settings.normals;
     view.normals.threads = frame.threads;
   }
+  else if (settings.color == "minor")
+    view.point_normals = minorEigenvectors(cloud.points, settings, file, frame);
   else if (settings.color == "shape")
     view.colors = colorsByShape(cloud.points, shapes, settings.colors, frame);
   else if (settings.color == "rgb")
@@ -282,7 +308,7 @@ svgPictureOfCloud(const io::Cloud& cloud,
 {
   Scalars values;
   const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
-  if (view.pixels != PixelColor::OfPoints)
+  if (view.pixels != PixelColor::OfPoints || !view.point_normals.empty())
     throw std::runtime_error("--color " + settings.color +
                              " is of pixels, which an .svg has none of; write a .png");
   SvgTensors tensors;
@@ -303,7 +329,7 @@ pictureOfCloud(const io::Cloud& cloud,
                Frame& frame)
 {
   const bool by_shape = settings.color == "shape", by_rgb = settings.color == "rgb";
-  const bool gray = settings.color == "grey";
+  const bool gray = settings.color == "grey" || settings.color == "minor";
   Scalars values;
   const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
   const bool legend =

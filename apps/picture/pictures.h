@@ -74,7 +74,9 @@ describe(PictureSettings& s, Visit&& visit)
       "color",
       s.color,
       "cloud: shape (median of the factors over all radii), height, grey, rgb, normal "
-      "(of what a pixel sees), shaded (light on it), or an attribute of the file");
+      "(of what a pixel sees), shaded (light on it), minor (light on the points by the "
+      "smallest eigenvector of their tensor, at the scale --tensor-radius), or an "
+      "attribute of the file");
   visit("curves",
         s.curves,
         "cloud: polylines to draw over it, in any format that linelet writes");
@@ -89,7 +91,8 @@ describe(PictureSettings& s, Visit&& visit)
   describe(s.normals, visit);
   visit("tensor-radius",
         s.radius,
-        "splats: radius of the tensors, for ellipsoids as well; 0: 4 D");
+        "splats: radius of the tensors, for ellipsoids and --color minor as well; 0: 4 "
+        "D");
   visit("tensor-size", s.size, "splats: half of their length; 0: D");
   visit(
       "tensors",

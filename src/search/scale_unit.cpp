@@ -10,13 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
-
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
 
 #include "nearest_walk.h"
+#include "random_sample.h"
 #include "support/parallel_failure.h"
 
 namespace linelet {
@@ -24,17 +22,6 @@ namespace linelet {
 namespace {
 
 constexpr std::size_t neighbors = 6;
-
-/** \brief Moves \a count random elements to the front (Fisher and Yates, cut short). */
-void
-chooseRandomly(Indices& indices, std::size_t count, unsigned seed)
-{
-  boost::random::mt19937 random(seed);
-  for (std::size_t i = 0; i < count; ++i) {
-    boost::random::uniform_int_distribution<std::size_t> rest(i, indices.size() - 1);
-    std::swap(indices[i], indices[rest(random)]);
-  }
-}
 
 /** \brief A row width that suits searches for a few nearest points: about three times
  * the spacing of points spread over the two longer sides of their box, or along the
@@ -65,16 +52,6 @@ finiteOnes(const Points& points)
   return finite;
 }
 
-/** \brief Leaves a random \a sample of \a chosen. */
-void
-drawSample(Indices& chosen, std::size_t sample, unsigned seed)
-{
-  if (sample == 0 || sample >= chosen.size())
-    return;
-  chooseRandomly(chosen, sample, seed);
-  chosen.resize(sample);
-}
-
 /** \brief The lower of the middle values. */
 double
 median(std::vector<double>& values)
@@ -97,7 +74,7 @@ scaleUnit(const NeighborSearch& search,
   Indices chosen = finiteOnes(points);
   if (chosen.size() < 2)
     return std::numeric_limits<double>::quiet_NaN();
-  drawSample(chosen, sample, seed);
+  keepRandomSample(chosen, sample, seed);
   std::vector<double> distances(chosen.size());
   ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threadCount(threads))
@@ -119,7 +96,7 @@ scaleUnit(const Points& points, std::size_t sample, unsigned seed, unsigned thre
   if (chosen.size() < 2)
     return std::numeric_limits<double>::quiet_NaN();
   const UniformGrid grid(points, rowSize(points, chosen));
-  drawSample(chosen, sample, seed);
+  keepRandomSample(chosen, sample, seed);
 
   constexpr std::size_t block = 256; // of one thread
   std::vector<double> squares;

@@ -186,6 +186,32 @@ TEST_F(ImageCommand, NormalsOfAPlaneFromAboveLookAtTheEye)
   EXPECT_GT(shaded.count(lit, 3), 400 * 300 / 5);
 }
 
+TEST_F(ImageCommand, LightOnPointsIsByTheSmallestEigenvector)
+{
+  // A floor and a wall, seen from the south and above.
+  std::string text = "x,y,z\n";
+  for (int i = 0; i < 60; ++i)
+    for (int k = 0; k < 30; ++k) {
+      text += std::to_string(i) + "," + std::to_string(k) + ",0\n";
+      text += std::to_string(i) + ",30," + std::to_string(k) + "\n";
+    }
+  runWell("image " + write("room.csv", text) + " " + path("room.png") +
+          " --width 400 --height 300 --azimuth 180 --elevation 30 --point-size 9 "
+          "--tensor-radius 3 --color minor");
+  const Picture picture(path("room.png"));
+  // By the formula of the light, from above the left shoulder at (-.5, -.6, -.62): the
+  // floor's normal is (0, -cos 30, -sin 30), the wall's (0, sin 30, -cos 30).
+  const double length = std::hypot(0.5, 0.6, 0.62);
+  const auto gray = [&](double y, double z) {
+    const double bright = 0.22 + 0.76 * std::max(0.0, (-0.6 * y - 0.62 * z) / length);
+    const int value = static_cast<int>(std::lround(255 * bright));
+    return Rgb{value, value, value};
+  };
+  EXPECT_GT(picture.count(gray(-std::sqrt(0.75), -0.5), 6), 400 * 300 / 20)
+      << "floor, at a slant";
+  EXPECT_GT(picture.count(gray(0.5, -std::sqrt(0.75)), 6), 400 * 300 / 12) << "wall";
+}
+
 TEST_F(ImageCommand, TensorsAreSplatsOrEllipsoidsInTheColorsOfTheirShape)
 {
   cloud(2);

@@ -93,7 +93,10 @@ struct StreamlineSettings {
   double start_threshold = 0.2;
   /// In D: beyond it from every line-let, points begin others; 0: none.
   double cover_distance = 8;
-  double stump_length = 4;          ///< in h: shorter loose ends and pieces are dropped
+  double stump_length = 4; ///< in h: shorter loose ends and pieces are dropped
+  /// Points that are considered for starts, drawn at random with shape.scale_unit_seed;
+  /// 0: all (the thesis' StartPointsLimit).
+  std::size_t start_candidates = 0;
   unsigned min_start_neighbors = 6; ///< N1 of a start point, where any point has it
   /// Of N1 in the score of start points. On 330 runs of the benchmark (seed 11) 0.01
   /// succeeds in .321, 1 in .339; mean E_V .438 and .447. 12 runs differ in success, 9
@@ -158,6 +161,9 @@ describe(StreamlineSettings& s, Visit&& visit)
         "published: without --start-points, points farther from every curve begin "
         "others, in D; 0: none");
   visit("stump-length", s.stump_length, "published: shorter pieces are dropped, in h");
+  visit("start-candidates",
+        s.start_candidates,
+        "published: random points that are considered for starts; 0: all");
   visit("min-start-neighbors",
         s.min_start_neighbors,
         "published: neighbors a start point needs");

@@ -12,15 +12,36 @@
 
 namespace linelet {
 
+namespace {
+
+Indices
+allOf(const Points& points)
+{
+  Indices all(points.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
+} // namespace
+
 StartPoints::StartPoints(const Points& points,
                          const std::vector<MultiScaleShape>& shapes,
                          unsigned min_neighbors,
                          double neighbor_exponent)
+    : StartPoints(points, shapes, min_neighbors, neighbor_exponent, allOf(points))
+{
+}
+
+StartPoints::StartPoints(const Points& points,
+                         const std::vector<MultiScaleShape>& shapes,
+                         unsigned min_neighbors,
+                         double neighbor_exponent,
+                         const Indices& among)
     : points_(points)
 {
   std::vector<double> scores(points.size());
   const auto collect = [&](unsigned least) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const Index i : among) {
       const MultiScaleShape& shape = shapes[i];
       const double base = double(shape.linearity_max) * double(shape.linearity_sum);
       if (shape.first_neighbors < least || !std::isfinite(shape.optimal_radius) ||
@@ -28,7 +49,7 @@ StartPoints::StartPoints(const Points& points,
         continue;
       scores[i] =
           std::pow(shape.first_neighbors, neighbor_exponent) * std::pow(base, 4);
-      candidates_.push_back(static_cast<Index>(i));
+      candidates_.push_back(i);
     }
   };
   collect(min_neighbors);

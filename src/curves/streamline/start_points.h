@@ -19,7 +19,15 @@ public:
   /** \param[in] points kept by reference
    * \param[in] shapes features of \a points
    * \param[in] min_neighbors N1 that a start point needs; where no point has it, 2
-   * \param[in] neighbor_exponent a, as published 0.01 */
+   * \param[in] neighbor_exponent a, as published 0.01
+   * \param[in] among the only points that are considered */
+  StartPoints(const Points& points,
+              const std::vector<MultiScaleShape>& shapes,
+              unsigned min_neighbors,
+              double neighbor_exponent,
+              const Indices& among);
+
+  /** \brief The same among all points. */
   StartPoints(const Points& points,
               const std::vector<MultiScaleShape>& shapes,
               unsigned min_neighbors,

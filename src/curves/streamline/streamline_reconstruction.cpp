@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -16,6 +17,7 @@
 #include <linelet/search/scale_unit.h>
 #include <linelet/search/subset_search.h>
 #include <linelet/search/uniform_grid.h>
+#include <search/random_sample.h>
 
 #include "cloud_neighbors.h"
 #include "direction_field.h"
@@ -346,10 +348,14 @@ reconstruct(const Points& input,
     monitor->begin("curves", 0);
   const DirectionField field(
       cloud.points, shapes.features, *cloud.neighbors, settings, shapes.tensors);
+  Indices among(cloud.points.size());
+  std::iota(among.begin(), among.end(), Index{0});
+  keepRandomSample(among, settings.start_candidates, settings.shape.scale_unit_seed);
   StartPoints starts(cloud.points,
                      shapes.forStarts(),
                      settings.min_start_neighbors,
-                     settings.start_neighbor_exponent);
+                     settings.start_neighbor_exponent,
+                     among);
   GrowthLimits limits = limitsOf(cloud.points, cloud.scale_unit, settings);
   LineLets lets(std::max(limits.merge_distance, limits.step));
   const auto begin = [&](Index i) {

@@ -103,6 +103,35 @@ TEST(Published, StartsCanBeGivenByHand)
   EXPECT_THROW(reconstructPublished(points, settings), std::invalid_argument);
 }
 
+TEST(Published, StartsAreChosenAmongSomePoints)
+{
+  bench::SamplingSettings sampling;
+  sampling.points = 200;
+  const Points points = bench::sample(Geometry::Circle, sampling);
+  StreamlineSettings settings;
+  settings.start_points = 1;
+  settings.max_iterations = 3; // a piece about the start shows where it is
+  const auto startOf = [&](std::size_t candidates, unsigned seed) {
+    settings.start_candidates = candidates;
+    settings.shape.scale_unit_seed = seed;
+    const CurveNetwork network = reconstructPublished(points, settings);
+    EXPECT_EQ(network.curves.size(), 1u);
+    const Points& way = network.curves.at(0).points;
+    return way[way.size() / 2];
+  };
+  // Of one candidate, it is the start: different ones by different seeds, the same by
+  // the same.
+  const Point first = startOf(1, 1);
+  EXPECT_EQ(first, startOf(1, 1));
+  int others = 0;
+  for (unsigned seed = 2; seed < 8; ++seed)
+    others += (startOf(1, seed) - first).norm() > 1e-9 ? 1 : 0;
+  EXPECT_GE(others, 4);
+  // As many as there are, or more, are all.
+  EXPECT_EQ(startOf(200, 1), startOf(0, 2));
+  EXPECT_EQ(startOf(1000, 1), startOf(0, 2));
+}
+
 TEST(Published, AStreamlineOf2012FollowsACable)
 {
   // One radius, the eigenvector alone, adaptive steps and a start by hand: a catenary
