@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <linelet/screen/tensor_splats.h>
-#include <linelet/support/threads.h>
 
 #include "eye_light.h"
-#include "glyph_footprint.h"
+#include "opaque_image.h"
 
 namespace linelet {
 
@@ -52,6 +50,36 @@ struct Ellipsoid {
     color = glyph.color;
     seen = full.allFinite() && inverse.allFinite();
   }
+
+  screen::PixelBox
+  box(int pixels, int end) const
+  {
+    return {at.x(), at.y(), width, height, pixels, end};
+  }
+
+  double
+  depthAt(const Eigen::Vector2d& pixel) const
+  {
+    return at.z() + awayAt(pixel) / pixels_per_unit;
+  }
+
+  std::array<float, 4>
+  colorAt(const Eigen::Vector2d& pixel) const
+  {
+    const Eigen::Vector2d d = pixel - at.head<2>();
+    return screen::lit(color, (full * Point(d.x(), d.y(), awayAt(pixel))).normalized());
+  }
+
+private:
+  /** \brief How far beyond the middle its surface is, in pixels; NaN beside it. */
+  double
+  awayAt(const Eigen::Vector2d& pixel) const
+  {
+    const Eigen::Vector2d d = pixel - at.head<2>();
+    const double inside = 1 - d.dot(inverse * d);
+    return inside < 0 ? std::numeric_limits<double>::quiet_NaN()
+                      : tilt.dot(d) - std::sqrt(bulge * inside);
+  }
 };
 
 } // namespace
@@ -61,49 +89,13 @@ drawEllipsoids(const std::vector<TensorGlyph>& glyphs,
                const Camera& camera,
                unsigned threads)
 {
-  GlyphImage image;
-  image.width = camera.width;
-  image.height = camera.height;
-  image.pixels.resize(static_cast<std::size_t>(camera.width) *
-                      static_cast<std::size_t>(camera.height));
-  std::vector<double> depth(image.pixels.size(),
-                            std::numeric_limits<double>::infinity());
   std::vector<Ellipsoid> ellipsoids;
   for (const TensorGlyph& glyph : glyphs) {
     ellipsoids.emplace_back(glyph, camera);
     if (!ellipsoids.back().seen)
       ellipsoids.pop_back();
   }
-  const int count = threadCount(threads);
-  const int bands = std::min(4 * count, std::max(1, camera.height));
-#pragma omp parallel for num_threads(count) schedule(dynamic, 1)
-  for (int band = 0; band < bands; ++band) {
-    const auto row = [&](int number) {
-      return static_cast<int>(std::int64_t{camera.height} * number / bands);
-    };
-    for (const Ellipsoid& e : ellipsoids) {
-      const screen::PixelBox box(
-          e.at.x(), e.at.y(), e.width, e.height, image.width, row(band + 1));
-      for (int y = std::max(box.top, row(band)); y <= box.bottom; ++y)
-        for (int x = box.left; x <= box.right; ++x) {
-          const Eigen::Vector2d d(x + 0.5 - e.at.x(), y + 0.5 - e.at.y());
-          const double inside = 1 - d.dot(e.inverse * d);
-          if (inside < 0)
-            continue;
-          const double away = e.tilt.dot(d) - std::sqrt(e.bulge * inside);
-          const double here = e.at.z() + away / e.pixels_per_unit;
-          const std::size_t pixel =
-              static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-              static_cast<std::size_t>(x);
-          if (!(here < depth[pixel]))
-            continue;
-          depth[pixel] = here;
-          const Point normal = (e.full * Point(d.x(), d.y(), away)).normalized();
-          image.pixels[pixel] = screen::lit(e.color, normal);
-        }
-    }
-  }
-  return image;
+  return screen::drawOpaque(ellipsoids, camera, threads);
 }
 
 } // namespace linelet

@@ -3,32 +3,26 @@
 
 #include <linelet/screen/shaded_faces.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <limits>
-
-#include <linelet/support/threads.h>
+#include <utility>
 
 #include "eye_light.h"
-#include "glyph_footprint.h"
+#include "opaque_image.h"
 
 namespace linelet {
 
 namespace {
 
 /** \brief A face in the picture. */
-struct Polygon {
-  std::vector<Eigen::Vector2d> corners; // pixels
-  Point normal = Point::Zero();         // right, down, away
-  double offset = 0;                    // normal . (any place of the face, seen so)
-  std::array<float, 4> color{};
-  Eigen::Vector2d low, high;
-
+class Polygon {
+public:
   /** \return false where it is not to be drawn */
   bool
   set(const Face& face, const std::array<float, 3>& own, const Camera& camera)
   {
+    center = {camera.width / 2.0, camera.height / 2.0};
+    focal_length = camera.focalLength();
+    perspective = camera.perspective();
     low.setConstant(std::numeric_limits<double>::infinity());
     high = -low;
     for (const Point& corner : face.corners) {
@@ -50,6 +44,31 @@ struct Polygon {
     return true;
   }
 
+  screen::PixelBox
+  box(int width, int end) const
+  {
+    const Eigen::Vector2d middle = (low + high) / 2, half = (high - low) / 2;
+    return {middle.x(), middle.y(), half.x(), half.y(), width, end};
+  }
+
+  double
+  depthAt(const Eigen::Vector2d& pixel) const
+  {
+    if (!covers(pixel))
+      return std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Vector2d at = (pixel - center) / focal_length;
+    return perspective
+               ? offset / (normal.x() * at.x() + normal.y() * at.y() + normal.z())
+               : (offset - normal.x() * at.x() - normal.y() * at.y()) / normal.z();
+  }
+
+  std::array<float, 4>
+  colorAt(const Eigen::Vector2d& /*pixel*/) const
+  {
+    return color;
+  }
+
+private:
   bool
   covers(const Eigen::Vector2d& at) const
   {
@@ -64,17 +83,13 @@ struct Polygon {
     return !(left && right);
   }
 
-  /** \brief Depth of the face behind a pixel. */
-  double
-  depth(const Eigen::Vector2d& at, const Camera& camera) const
-  {
-    const double scale = 1 / camera.focalLength();
-    const double x = (at.x() - camera.width / 2.0) * scale;
-    const double y = (at.y() - camera.height / 2.0) * scale;
-    return camera.perspective()
-               ? offset / (normal.x() * x + normal.y() * y + normal.z())
-               : (offset - normal.x() * x - normal.y() * y) / normal.z();
-  }
+  std::vector<Eigen::Vector2d> corners; // pixels
+  Eigen::Vector2d low, high, center;    // of the box around them, and of the picture
+  Point normal = Point::Zero();         // right, down, away
+  double offset = 0;                    // normal . (any place of the face, seen so)
+  double focal_length = 1;
+  bool perspective = false;
+  std::array<float, 4> color{};
 };
 
 } // namespace
@@ -85,48 +100,13 @@ drawFaces(const std::vector<Face>& faces,
           const Camera& camera,
           unsigned threads)
 {
-  GlyphImage image;
-  image.width = camera.width;
-  image.height = camera.height;
-  image.pixels.resize(static_cast<std::size_t>(camera.width) *
-                      static_cast<std::size_t>(camera.height));
-  std::vector<double> depth(image.pixels.size(),
-                            std::numeric_limits<double>::infinity());
   std::vector<Polygon> polygons;
   for (const Face& face : faces) {
     Polygon polygon;
     if (polygon.set(face, colors[face.part], camera))
       polygons.push_back(std::move(polygon));
   }
-  const int count = threadCount(threads);
-  const int bands = std::min(4 * count, std::max(1, camera.height));
-#pragma omp parallel for num_threads(count) schedule(dynamic, 1)
-  for (int band = 0; band < bands; ++band) {
-    const auto row = [&](int number) {
-      return static_cast<int>(std::int64_t{camera.height} * number / bands);
-    };
-    for (const Polygon& polygon : polygons) {
-      const Eigen::Vector2d middle = (polygon.low + polygon.high) / 2;
-      const Eigen::Vector2d half = (polygon.high - polygon.low) / 2;
-      const screen::PixelBox box(
-          middle.x(), middle.y(), half.x(), half.y(), image.width, row(band + 1));
-      for (int y = std::max(box.top, row(band)); y <= box.bottom; ++y)
-        for (int x = box.left; x <= box.right; ++x) {
-          const Eigen::Vector2d at(x + 0.5, y + 0.5);
-          if (!polygon.covers(at))
-            continue;
-          const double here = polygon.depth(at, camera);
-          const std::size_t pixel =
-              static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-              static_cast<std::size_t>(x);
-          if (!(here < depth[pixel]))
-            continue;
-          depth[pixel] = here;
-          image.pixels[pixel] = polygon.color;
-        }
-    }
-  }
-  return image;
+  return screen::drawOpaque(polygons, camera, threads);
 }
 
 } // namespace linelet
