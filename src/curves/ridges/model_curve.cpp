@@ -60,6 +60,16 @@ piecewise(const ModelCurve& curve, Resample&& resample)
 
 } // namespace
 
+double
+squaredDistance(const ModelCurve& curve, std::size_t e, const Point& p)
+{
+  const Point& from = curve.from(e);
+  const Point way = curve.to(e) - from;
+  const double t =
+      std::clamp(way.dot(p - from) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (from + t * way - p).squaredNorm();
+}
+
 ModelCurve
 resampled(const ModelCurve& curve, double spacing)
 {

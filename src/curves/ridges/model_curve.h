@@ -53,6 +53,10 @@ length(const ModelCurve& curve);
 double
 length(const ModelCurves& curves);
 
+/** \brief Square of the distance of \a p from edge \a e of \a curve. */
+double
+squaredDistance(const ModelCurve& curve, std::size_t e, const Point& p);
+
 /** \brief \a curve with nodes at equal arc lengths about \a spacing apart, at least 2
  * (closed: 4); ends and hinges stay where they are. */
 ModelCurve

@@ -12,6 +12,7 @@
 
 #include "curves/ridges/distinct_points.h"
 #include "direction_seeds.h"
+#include "explained_points.h"
 #include "seed_groups.h"
 #include "track_fit.h"
 #include "track_seeds.h"
@@ -237,12 +238,7 @@ private:
       return false;
     if (shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
       return false;
-    for (std::size_t k = 0; k < fit.points.size(); ++k)
-      if (fit.explained[k])
-        scene_.taken[fit.points[k]] = 1;
-    for (const Track::Member& m : track.members)
-      if (m.weight > 0.5)
-        scene_.taken[m.index] = 1;
+    explainPoints(scene_, track, fit);
     for (std::size_t c = 0; c < fit.fit.curves.size(); ++c) {
       ModelCurve& curve = fit.fit.curves[c];
       curve.counts = std::move(fit.fit.counts[c]);

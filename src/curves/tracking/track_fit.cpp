@@ -53,20 +53,38 @@ smoothPath(const Track& track, double spacing)
   return curve;
 }
 
-/** \brief The points around \a curve that no other one explains. */
+/** \brief Mean square of the offsets of the places of \a track from \a curve, nodes
+ * along it, per coordinate across. */
+double
+squaredDeparture(const Track& track, const ModelCurve& curve)
+{
+  double sum = 0;
+  std::size_t e = 0;
+  for (const Point& p : track.path) {
+    while (e + 1 < curve.edges() &&
+           squaredDistance(curve, e + 1, p) <= squaredDistance(curve, e, p))
+      ++e;
+    sum += squaredDistance(curve, e, p);
+  }
+  return sum / (2 * static_cast<double>(track.path.size()));
+}
+
+/** \brief The points within \a distance of \a curve that no other one explains. */
 Indices
 pointsAround(const TrackedScene& scene, const ModelCurve& curve, double distance)
 {
   Indices result;
   for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Point middle = 0.5 * (curve.from(e) + curve.to(e));
-    const double chord = (curve.to(e) - curve.from(e)).norm();
-    const double squared = distance * distance + 0.25 * chord * chord;
-    scene.grid.forEachRun(
-        middle, std::sqrt(squared), [&](std::size_t begin, std::size_t end) {
+    const Point cap =
+        distance * (curve.to(e) - curve.from(e)).stableNormalized(); // rounds the end
+    scene.grid.forEachRunInCylinder(
+        curve.from(e) - cap,
+        curve.to(e) + cap,
+        distance,
+        [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i)
             if (!scene.taken[i] &&
-                (scene.points()[i] - middle).squaredNorm() <= squared)
+                squaredDistance(curve, e, scene.points()[i]) <= distance * distance)
               result.push_back(static_cast<Index>(i));
         });
   }
@@ -87,7 +105,9 @@ fitTrack(const TrackedScene& scene,
   const double spacing = node_spacing / track.density;
   ModelCurve start = smoothPath(track, spacing);
   start.scale = local_unit / track.density;
-  const double distance = reach * track.noise;
+  // Of few points, nodes lie far apart and cut the bends between them.
+  const double distance =
+      reach * std::sqrt(track.noise * track.noise + squaredDeparture(track, start));
   if (fit_to == FitTo::Members) {
     for (const Track::Member& m : track.members)
       if (m.weight > 0.5)

@@ -166,6 +166,34 @@ TEST(MixedReconstruction, IsTheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.curves[c].points, three.curves[c].points);
 }
 
+TEST(MixedReconstruction, WiresOfARackAreTrackedOneByOne)
+{
+  // Hardly farther apart than the points of each: what is followed first may wander
+  // from wire to wire.
+  constexpr int rack = 4;
+  const auto at = [](int wire, double x) {
+    return Point(x, 0, 8 + 0.34 * wire + 0.001 * (x - 40) * (x - 40));
+  };
+  for (const unsigned seed : {8U, 9U, 10U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.025);
+    Points points = scene(seed, false);
+    for (int wire = 0; wire < rack; ++wire)
+      for (int k = 0; k < 180; ++k)
+        points.push_back(at(wire, 80 * unit(random)) +
+                         Point(0, noise(random), noise(random)));
+    const CurveNetwork network = reconstructCurves(points);
+    int near = 0, all = 0;
+    for (int wire = 0; wire < rack; ++wire)
+      for (double x = 1; x < 79; x += 0.5, ++all)
+        near += distanceTo(network, at(wire, x)) <= 0.1;
+    EXPECT_GE(near, 0.95 * all);
+    EXPECT_LE(length(network), 1.1 * rack * 82);
+  }
+}
+
 class Stopped : public ProgressMonitor {
 public:
   bool
