@@ -14,15 +14,16 @@ namespace linelet::powerline {
 namespace {
 
 constexpr LinePriors priors;
-constexpr double least_bend = 1e-4;  // z2 of a wire, 1/meters: a = 5 km
-constexpr double clean_part = 0.75;  // of the length of short wires at the border
-constexpr double lone_length = 18;   // meters of a lone wire in the clear
-constexpr double lone_clean = 0.8;   // of its bins
-constexpr double lone_open = 0.8;    // of its length, with nothing but deep below
-constexpr double deep = 1.5;         // meters below a wire
-constexpr double beside = 1.25;      // meters, looked at on both sides
-constexpr double roof_rise = 3;      // meters: of a roof of 45 degrees, as far as that
-constexpr double itself_reach = 0.5; // meters of height, of its own points
+constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
+constexpr double rather_straight = 2; // nats, 7 to 1
+constexpr double clean_part = 0.75;   // of the length of short wires at the border
+constexpr double lone_length = 18;    // meters of a lone wire in the clear
+constexpr double lone_clean = 0.8;    // of its bins
+constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
+constexpr double deep = 1.5;          // meters below a wire
+constexpr double beside = 1.25;       // meters, looked at on both sides
+constexpr double roof_rise = 3;       // meters: of a roof of 45 degrees, as far as that
+constexpr double itself_reach = 0.5;  // meters of height, of its own points
 
 // A wire that ends at nothing but a hidden part shows most of its span.
 double
@@ -41,6 +42,18 @@ double
 slopeFrom(const SpanModel& m, int side)
 {
   return (side == 0 ? 1 : -1) * m.rise((m.begin + m.end) / 2);
+}
+
+// How much better a straight thing, as a pipe is, explains the bend of \a family than
+// wires do, whose bends scatter; nats.
+double
+straightOverWires(const Family& family)
+{
+  const double bend = family.bends / family.precision;
+  const double noise = 1 / family.precision;
+  const double wires = noise + priors.bend_spread * priors.bend_spread;
+  const double off = bend - priors.usual_bend;
+  return (std::log(wires / noise) + off * off / wires - bend * bend / noise) / 2;
 }
 
 } // namespace
@@ -82,8 +95,10 @@ plausible(const Family& family, bool terrain)
     return true;
   if (family.longest >= long_line)
     return family.joined || family.border || bend >= least_bend;
+  // What the border of the data cuts off may be short, but hardly straight.
   if (family.border)
-    return (family.wires >= many || family.clean >= clean_part * family.occupied) &&
+    return (family.joined || straightOverWires(family) < rather_straight) &&
+           (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= short_line);
   // Alone, it must be seen to hang.
   return family.bends > priors.spread * std::sqrt(family.precision) &&

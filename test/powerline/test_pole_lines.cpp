@@ -91,5 +91,11 @@ TEST(Roofs, BesideALineAreNoWires)
   EXPECT_LT(scoresOf(bench::SceneKind::Town, 8).falseLength(), 15);
 }
 
+// Five parallel pipes that the border of the data cuts off, 118 m in all.
+TEST(Pipes, AtTheBorderAreNoWires)
+{
+  EXPECT_LT(scoresOf(bench::SceneKind::ClutterEmpty, 6).falseLength(), 15);
+}
+
 } // namespace
 } // namespace linelet::powerline
