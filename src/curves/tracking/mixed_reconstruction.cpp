@@ -78,8 +78,8 @@ countOf(const EmFit& fit)
 }
 
 // Share of \a curves right beside which a surface lies: such a curve is its edge, or a
-// row of its points. Points of its own are none, although wires side by side look like
-// a surface from them.
+// row of its points. Points of its own are none, nor are those of curves found before,
+// although wires side by side look like a surface from them.
 double
 shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double noise)
 {
@@ -97,7 +97,8 @@ shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double nois
         scene.grid.forEachRun(p, reach, [&](std::size_t begin, std::size_t end) {
           for (std::size_t j = begin; j < end && !near; ++j) {
             const Point v = scene.points()[j] - p;
-            near = scene.surface[j] != 0 && v.squaredNorm() <= reach * reach &&
+            near = scene.surface[j] != 0 && !scene.taken[j] &&
+                   v.squaredNorm() <= reach * reach &&
                    (v - direction.dot(v) * direction).squaredNorm() > own * own;
           }
         });
