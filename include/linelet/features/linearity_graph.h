@@ -105,10 +105,11 @@ void
 describe(LinearityGraphSettings& s, Visit&& visit)
 {
   visit("scale-score", s.score, "how the score of a local maximum is put together");
-  visit("score-weights",
-        s.score_weights,
-        "factors of the terms of that score, NAME=VALUE,...; 1, -1, 1 and -0.5 are as "
-        "published");
+  visit(
+      "score-weights",
+      s.score_weights,
+      "factors of the terms of that score, NAME=VALUE,... of linearity (published 1), "
+      "scale (-1), area (1), depth (-0.5), step, width, neighbors and second (0)");
   visit("graph-integral", s.integral, "variable of the area under the linearity graph");
   visit("area-end", s.area_end, "where that area ends");
   visit("min-neighbors",

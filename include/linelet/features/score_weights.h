@@ -30,12 +30,12 @@ struct ScoreWeights {
 
   ScoreWeights() = default;
 
-  /** \brief From "NAME=VALUE,...", with the names above; those not named keep their
-   * defaults.
+  /** \brief From "published" or "NAME=VALUE,...", with the names above; those not named
+   * keep their defaults.
    * \throws std::invalid_argument for an unknown name or what is no finite number */
   explicit ScoreWeights(std::string_view text);
 
-  /** \brief All of them, as that constructor takes them. */
+  /** \brief Those that are not as published, as that constructor takes them. */
   std::string
   name() const;
 };

@@ -15,6 +15,8 @@ namespace {
 
 using Member = double ScoreWeights::*;
 
+constexpr std::string_view published = "published"; // the defaults
+
 constexpr std::array<std::pair<std::string_view, Member>, 8> members = {
     {{"linearity", &ScoreWeights::linearity},
      {"scale", &ScoreWeights::scale},
@@ -54,6 +56,8 @@ numberIn(std::string_view text)
 
 ScoreWeights::ScoreWeights(std::string_view text)
 {
+  if (text == published)
+    return;
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
@@ -69,15 +73,18 @@ ScoreWeights::ScoreWeights(std::string_view text)
 std::string
 ScoreWeights::name() const
 {
+  const ScoreWeights usual;
   std::string text;
   for (const auto& [name, member] : members) {
+    if (this->*member == usual.*member)
+      continue;
     std::array<char, 32> number{};
     const auto end =
         std::to_chars(number.data(), number.data() + number.size(), this->*member);
     text += (text.empty() ? "" : ",") + std::string(name) + "=" +
             std::string(number.data(), end.ptr);
   }
-  return text;
+  return text.empty() ? std::string(published) : text;
 }
 
 } // namespace linelet

@@ -203,9 +203,9 @@ TEST(LinearityGraph, AWeightCanChangeTheOptimalScale)
 TEST(ScoreWeights, AreReadAsTheyAreWritten)
 {
   const linelet::ScoreWeights some("depth=0.1,second=-3e-5");
-  EXPECT_EQ(some.name(),
-            "linearity=1,scale=-1,area=1,depth=0.1,step=0,width=0,neighbors=0,"
-            "second=-3e-05");
+  EXPECT_EQ(some.name(), "depth=0.1,second=-3e-05");
+  EXPECT_EQ(linelet::ScoreWeights().name(), "published");
+  EXPECT_EQ(linelet::ScoreWeights("published").depth, -0.5);
   EXPECT_EQ(linelet::ScoreWeights(some.name()).name(), some.name());
   EXPECT_EQ(linelet::ScoreWeights("").name(), linelet::ScoreWeights().name());
   for (const char* wrong : {"depth",
