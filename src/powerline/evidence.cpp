@@ -67,7 +67,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   Evidence e;
   const SpanModel& m = piece.model;
   const Candidates& candidates = growth.candidates();
-  if (piece.members.size() < least_points || m.length() < settings.min_length)
+  if (piece.members.empty() || m.length() < settings.min_length)
     return e;
   double squares = 0;
   for (const Index i : piece.members) {
@@ -105,7 +105,8 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
         smooth[k].larger += counts[other].larger;
       }
   e.likelihood = likelihoodOf(smooth);
-  e.hangs = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
+  e.hangs = piece.members.size() >= least_points &&
+            e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
             e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
             e.height >= least_height;
   e.sound = e.hangs && e.clean >= clean_part * e.occupied &&
