@@ -20,7 +20,7 @@ struct ShapeProfile {
   std::string position_label;     ///< what runs along the picture
   std::vector<double> positions;  ///< of the columns, rising, evenly spaced
   std::vector<double> radii;      ///< of the rows, rising
-  std::vector<ShapeGraph> graphs; ///< one a column
+  std::vector<ShapeGraph> graphs; ///< one per column
   std::vector<double> chosen;     ///< optimal radius of each column, NaN: none
   std::vector<double> sums;       ///< linearity sum A of each column, NaN: none
 };

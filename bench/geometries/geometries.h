@@ -82,7 +82,7 @@ benchmarkGeometries();
 const std::vector<Geometry>&
 heldOutGeometries();
 
-/** \brief The curves of \a geometry, one a component, as polylines whose vertices lie
+/** \brief The curves of \a geometry, one per component, as polylines whose vertices lie
  * on the curve (smooth ones every 0.06 or closer, so that a chord is off by less than
  * 5e-4).
  * \param[in] out_of_plane adds out_of_plane * cos(pi/2 (y - C_y) / (2 d_y)) to z, with

@@ -9,7 +9,7 @@
 
 namespace linelet::benchmarking {
 
-/** \brief Where the points of a benchmark lie, one a unit of volume or of area. */
+/** \brief Where the points of a benchmark lie, one per unit of volume or of area. */
 enum class Scene {
   Volume, ///< uniform in a cube
   Surface ///< uniform on rolling ground, like a LiDAR tile

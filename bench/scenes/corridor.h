@@ -138,7 +138,7 @@ struct CorridorScan {
   Point shift = Point::Zero(); ///< world coordinates (ETRS89 / UTM 32N) of the origin
   Points points;               ///< in the order of pulses and returns
 
-  /// \name One entry a point
+  /// \name One entry per point
   /// @{
   std::vector<std::uint8_t> classification; ///< truth: 2 ground, 3 4 5 vegetation, 6
                                             ///< building, 7 noise, 14 wire, 15 pylon,

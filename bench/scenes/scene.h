@@ -147,7 +147,7 @@ struct SceneScan {
   double noise = 0;            ///< standard deviation along each axis, meters
   Points points;               ///< in the order of pulses and returns
 
-  /// \name One entry a point
+  /// \name One entry per point
   /// @{
   std::vector<std::uint8_t> classification; ///< truth: 1 crane, gantry, pipe, guy,
                                             ///< fence, rail, 2 ground, 5 vegetation, 6

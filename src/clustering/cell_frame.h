@@ -29,7 +29,7 @@ struct CellFrame {
   Point eye = Point::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   double tangent_x = 1, tangent_y = 1; ///< half of the view at depth 1
-  double scale_x = 1, scale_y = 1;     ///< cells a unit at depth 1
+  double scale_x = 1, scale_y = 1;     ///< cells per unit at depth 1
   std::vector<double> depths;          ///< where the layers of cells end, ascending
 
   /** \brief Around the finite points, as the settings say; \a leaf, if not 0, takes the

@@ -31,7 +31,7 @@ constexpr std::uint8_t inside_cell = 255;
 /** \brief Where the members of a cell are summed up from, and in which unit. */
 struct CellOrigin {
   std::array<double, 3> middle;
-  std::array<double, 3> scale; ///< integers a unit of length
+  std::array<double, 3> scale; ///< integers per unit of length
 };
 
 /** \brief Bits of an offset of a whole reach (see \ref CellFrame::reach): as many as

@@ -78,7 +78,7 @@ struct CellTable {
   cl_uint slots = 0;
   cl::Buffer query_slot; // slot of the query at a place
   cl::Buffer slot_place; // place of a slot's first query
-  cl::Buffer places;     // rows x row_places a slot
+  cl::Buffer places;     // rows x row_places per slot
 
   std::size_t
   bytes() const

@@ -39,7 +39,7 @@ struct Seed {
 };
 
 /** \brief Candidates whose neighborhood at one of several radii (1, 2, 4, 8 m) is a
- * nearly horizontal line, best first. One a voxel of half a meter is tried. */
+ * nearly horizontal line, best first. One per voxel of half a meter is tried. */
 std::vector<Seed>
 findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monitor);
 

@@ -12,7 +12,7 @@ struct Counts {
   double larger = 1; ///< how many times as large as the tube the surroundings are
 };
 
-/** \brief Logarithm of the likelihood that a wire with \a density points a stretch,
+/** \brief Logarithm of the likelihood that a wire with \a density points per stretch,
  * where it shows, hangs there in addition, over that of the surroundings alone.
  *
  * The rate of the surroundings is known from their count alone: both are negative

@@ -70,7 +70,7 @@ struct ScaleImage {
   std::vector<double> radii; ///< of every row
   Points places;
   std::vector<ShapeGraph> columns;
-  std::vector<MultiScaleShape> shapes; ///< one a column
+  std::vector<MultiScaleShape> shapes; ///< one per column
 };
 
 /** \brief The multi-scale image along \a line: \a columns places, evenly spread.

@@ -33,7 +33,7 @@ struct ForestPlan {
   double low = 14, high = 26;
   double cutting = 0;      ///< width without trees about the x axis
   double overhang = 0;     ///< share of the trees beside the cutting that lean over it
-  double understory = 0.3; ///< bushes a tree
+  double understory = 0.3; ///< bushes per tree
   double from = -1e9;      ///< along x
   double to = 1e9;
   int side = 0; ///< of the cutting, 1 or -1; 0: both

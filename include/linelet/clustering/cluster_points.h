@@ -63,7 +63,8 @@ struct Clusters {
  * Means and tensors are sums of integers, so neither the order of the points nor the
  * number of threads changes a bit; a mean is exact within 4e-6 of a cell for up to 1e8
  * points.
- * \param[in] field a value a point, for MoveRule::Field; points without one (NaN) stay
+ * \param[in] field a value per point, for MoveRule::Field; points without one (NaN)
+ * stay
  * \throws std::invalid_argument see \ref validate, and where there are more cells than
  * 2^40, or no field where one is needed
  * \throws Canceled */

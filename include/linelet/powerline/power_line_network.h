@@ -217,7 +217,7 @@ struct PowerLineNetwork {
   std::vector<InsulatorString> insulators;  ///< by support
   std::vector<UnexplainedLine> unexplained; ///< the longest first
 
-  /// \name One entry a point, in input order
+  /// \name One entry per point, in input order
   /// @{
   std::vector<std::uint8_t> classes; ///< 14 wire or jumper, 15 pylon or pole, 16
                                      ///< insulators that were found (1 where they only

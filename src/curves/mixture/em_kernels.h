@@ -9,8 +9,8 @@
 
 namespace linelet {
 
-/** \brief Points near an edge, one array a coordinate; each with room for \ref padding
- * elements more than there are points. */
+/** \brief Points near an edge, one array per coordinate; each with room for \ref
+ * padding elements more than there are points. */
 struct EdgePoints {
   static constexpr std::size_t padding = 16; ///< at least the lanes of any vector
 

@@ -11,7 +11,7 @@
 
 namespace linelet {
 
-/** \brief Coordinates of the points of a grid by sorted index, one array an axis; each
+/** \brief Coordinates of the points of a grid by sorted index, one array per axis; each
  * has room for \ref padding elements more than there are points. */
 struct SortedArrays {
   static constexpr std::size_t padding = 16; ///< at least the lanes of any vector

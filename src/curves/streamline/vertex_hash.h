@@ -70,7 +70,7 @@ private:
   static std::uint64_t
   key(const Cell& c)
   {
-    // 21 bits an axis: cells two million apart share a key.
+    // 21 bits per axis: cells two million apart share a key.
     constexpr std::uint64_t mask = (1u << 21) - 1;
     return (static_cast<std::uint64_t>(c[0]) & mask) << 42 |
            (static_cast<std::uint64_t>(c[1]) & mask) << 21 |

@@ -54,7 +54,7 @@ private:
 
   LinearityGraphSettings settings_;
   std::vector<double> radii_;
-  std::vector<double> positions_;  // what the area integrates over, a scale
+  std::vector<double> positions_;  // what the area integrates over, per scale
   std::vector<std::size_t> scale_; // the defined ones
   std::vector<double> value_;      // of these
   std::vector<Run> runs_, minima_;

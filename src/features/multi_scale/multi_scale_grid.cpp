@@ -21,7 +21,7 @@ using grid::LeafShapes;
 /// Bytes of graphs that are held at once.
 constexpr std::size_t graph_memory = std::size_t{64} << 20;
 
-/** \brief Major directions of tensors, one a lane. */
+/** \brief Major directions of tensors, one per lane. */
 class Directions {
 public:
   std::array<grid::Lanes<double>, 6> tensor;

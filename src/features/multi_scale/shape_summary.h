@@ -13,7 +13,7 @@
 
 namespace linelet {
 
-/** \brief Where the graphs of a point stand: a value a scale, \a stride values apart.
+/** \brief Where the graphs of a point stand: a value per scale, \a stride values apart.
  */
 struct GraphColumns {
   const float* linearity;
@@ -23,7 +23,7 @@ struct GraphColumns {
   std::size_t stride;
 };
 
-/** \brief Makes the records of points from their graphs. Holds buffers: make one a
+/** \brief Makes the records of points from their graphs. Holds buffers: make one per
  * thread and use it for many points. */
 class ShapeSummary {
 public:

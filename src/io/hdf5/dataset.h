@@ -62,7 +62,7 @@ writeValues(const Handle& group,
   return column;
 }
 
-/** \brief A dataset to read, one row a value. */
+/** \brief A dataset to read, a value per row. */
 class StoredColumn {
 public:
   StoredColumn(const Handle& group, const std::string& name);

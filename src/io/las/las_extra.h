@@ -22,11 +22,11 @@ struct LasExtra {
   std::string descriptor; ///< 192 bytes
   ValueType type = ValueType::UInt8;
   std::size_t bytes = 0;            ///< in each point record
-  std::vector<std::string> columns; ///< one a component; none: opaque bytes
+  std::vector<std::string> columns; ///< one per component; none: opaque bytes
   std::array<bool, 3> scaled{};     ///< whether the column holds scale * raw + offset
   std::array<double, 3> scale{1, 1, 1};
   std::array<double, 3> offset{};
-  std::string raw; ///< what the columns cannot tell, `bytes` a point, or empty
+  std::string raw; ///< what the columns cannot tell, `bytes` per point, or empty
 };
 
 /** \brief Entries for \a bytes extra bytes by the descriptors in \a text; what they

@@ -10,7 +10,7 @@
 namespace linelet::io {
 
 /** \brief The text of a CSV file (RFC 4180, lines end with LF) that holds \a layer: a
- * row of names, then a row a feature. */
+ * row of names, then a row per feature. */
 std::string
 layerAsCsv(const VectorLayer& layer);
 

@@ -215,7 +215,7 @@ addTo(global uint* sum, long value)
     atomic_add(&sum[1], high);
 }
 
-// Ten integers a slot: CellSums.
+// Ten integers per slot: CellSums.
 kernel void
 cellSums(global const double* points,
          global const uint* assigned,
@@ -244,7 +244,7 @@ cellSums(global const double* points,
   addTo(sum + 18, z * z);
 }
 
-// Two integers a slot: FieldSum.
+// Two integers per slot: FieldSum.
 kernel void
 fieldSums(global const int* field,
           global const uint* assigned,

@@ -37,7 +37,8 @@ packed(Tag, Vector vector, Mask mask)
 // Without an instruction for it, a table says for each mask where lanes come from.
 // Highway's own are copied to the stack at each use by some compilers.
 
-/** \brief An entry a mask: \a size bytes for each of its lanes, then for the others. */
+/** \brief An entry per mask: \a size bytes for each of its lanes, then for the others.
+ */
 template <std::size_t lanes, std::size_t size>
 constexpr std::array<std::array<std::uint8_t, lanes * size>, 1U << lanes>
 packingTable()

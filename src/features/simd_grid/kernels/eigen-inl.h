@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Eigen-analysis of one symmetric 3x3 matrix a lane, in double. Included once per
+// Eigen-analysis of one symmetric 3x3 matrix per lane, in double. Included once per
 // instruction set, so it has a guard that toggles.
 
 #if defined(LINELET_GRID_EIGEN_INL) == defined(HWY_TARGET_TOGGLE)
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
 
-/** \brief A vector in space a lane. */
+/** \brief A vector in space per lane. */
 struct Column {
   VD x, y, z;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Moments of neighborhoods, a query a lane. Included once per instruction set,
+// Moments of neighborhoods, a query per lane. Included once per instruction set,
 // so it has a guard that toggles.
 
 #if defined(LINELET_GRID_LANE_MOMENTS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using VD = hn::Vec<D>;
 
-/** \brief Moments in double, a query a lane. */
+/** \brief Moments in double, a query per lane. */
 struct LaneMoments {
   VD total, x, y, z, xx, xy, xz, yy, yz, zz;
 

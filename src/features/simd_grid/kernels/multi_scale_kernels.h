@@ -15,7 +15,7 @@
 
 namespace linelet::grid {
 
-/** \brief Queries that are looked at together, one a lane of the widest vector. */
+/** \brief Queries that are looked at together, one per lane of the widest vector. */
 constexpr std::size_t leaf_queries = 16;
 
 /** \brief A number for every query of a leaf. */

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From sums of moments to shape factors, a query a lane. Included once per instruction
-// set, so it has a guard that toggles.
+// From sums of moments to shape factors, a query per lane. Included once per
+// instruction set, so it has a guard that toggles.
 
 #if defined(LINELET_GRID_MULTI_SCALE_SHAPES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LINELET_GRID_MULTI_SCALE_SHAPES_INL

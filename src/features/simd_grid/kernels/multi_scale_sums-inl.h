@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sums and weights of pairs of points and queries, a query a lane. Included once per
+// Sums and weights of pairs of points and queries, a query per lane. Included once per
 // instruction set, so it has a guard that toggles.
 
 #if defined(LINELET_GRID_MULTI_SCALE_SUMS_INL) == defined(HWY_TARGET_TOGGLE)

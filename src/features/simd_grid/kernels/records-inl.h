@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From sums of moments to records, a query a lane. Included once per instruction set,
+// From sums of moments to records, a query per lane. Included once per instruction set,
 // so it has a guard that toggles.
 
 #if defined(LINELET_GRID_RECORDS_INL) == defined(HWY_TARGET_TOGGLE)

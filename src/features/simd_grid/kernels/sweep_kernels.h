@@ -64,7 +64,7 @@ struct WeightedLists {
   Float3 certain_query;
 };
 
-/** \brief Sums over the neighbors of many queries: arrays with an entry a query, and
+/** \brief Sums over the neighbors of many queries: arrays with an entry per query, and
  * room for \ref PointList::padding more. */
 struct QuerySums {
   std::size_t count;

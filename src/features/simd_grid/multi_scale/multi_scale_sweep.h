@@ -31,7 +31,7 @@ constexpr double float_rounding = 0x1p-24;
 constexpr double margin = 1e-5;
 
 /** \brief The shapes of the neighborhoods of some queries at all scales. Arrays have
- * an entry a scale. */
+ * an entry per scale. */
 struct LeafShapes {
   std::size_t count = 0; ///< queries
   std::array<Index, leaf_queries> query{};
@@ -78,8 +78,8 @@ struct MultiScalePiece {
 /** \brief Shapes at all radii of the queries of a piece; one per thread.
  *
  * The queries are split into parts, down to leaves of 16 queries that lie together, one
- * a lane of a vector of floats. What a part can reach is known by the groups of points
- * that PointGroups makes; only a leaf looks at points.
+ * per lane of a vector of floats. What a part can reach is known by the groups of
+ * points that PointGroups makes; only a leaf looks at points.
  *
  * For const weights around the query or the mean, every scale has its own groups: those
  * that all queries of a part have as neighbors leave them as sums, and what is left is
@@ -110,7 +110,7 @@ private:
   Part
   part(std::size_t begin, std::size_t end) const;
 
-  /** \brief What a part knows of the groups, an entry a reach. */
+  /** \brief What a part knows of the groups, an entry per reach. */
   struct Level {
     std::vector<PointList> open;
     std::vector<Moments> inside; // of groups that left, about the block's center
@@ -209,7 +209,7 @@ private:
 
   std::size_t first_ = 0;      // sorted index of the first query of the piece
   std::vector<Point> queries_; // relative to the block, in units of the largest radius
-  std::deque<Level> levels_;   // one a depth of refinement
+  std::deque<Level> levels_;   // one per depth of refinement
 
   std::vector<LeafScale> scales_; // seen from the leaf at hand
   PointList leaf_, core_, spare_; // core: near enough to be in the place of a query

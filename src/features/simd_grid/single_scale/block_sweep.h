@@ -145,7 +145,7 @@ private:
   std::vector<double> found_;
 
   PointList region_;             // what any query of the block can reach
-  std::deque<PointList> levels_; // one a depth of refinement
+  std::deque<PointList> levels_; // one per depth of refinement
   PointList certain_; // neighbors of all queries of a part, for SweepMethod::Weights
   PointList last_, dense_;
   Indices doubtful_;

@@ -11,14 +11,13 @@
 
 namespace linelet::io {
 
-/** \brief The polylines of a CSV file, of a row per vertex, in its coordinates. \throws
- * FileError */
+/** \brief The polylines of a CSV file with a row per vertex, in its coordinates.
+ * \throws FileError */
 CurveNetwork
 curvesFromCsv(const Source& source);
 
-/** \brief The text of a CSV file, of a row per vertex that holds the curves of \a
- * network, with \a shift added; those of fewer than two vertices are no lines and left
- * out. */
+/** \brief The curves of \a network as the text of a CSV file, with \a shift added;
+ * those of fewer than two vertices are no lines and left out. */
 std::string
 curvesAsCsv(const CurveNetwork& network, const Point& shift);
 

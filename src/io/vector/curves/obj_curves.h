@@ -16,8 +16,8 @@ namespace linelet::io {
 CurveNetwork
 curvesFromObj(const Source& source);
 
-/** \brief The text of an OBJ file (v and l) that holds the curves of \a network, with
- * \a shift added; those of fewer than two vertices are no lines and left out. */
+/** \brief The curves of \a network as the text of an OBJ file, with \a shift added;
+ * those of fewer than two vertices are no lines and left out. */
 std::string
 curvesAsObj(const CurveNetwork& network, const Point& shift);
 

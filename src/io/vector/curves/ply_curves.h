@@ -16,9 +16,8 @@ namespace linelet::io {
 CurveNetwork
 curvesFromPly(const Source& source);
 
-/** \brief The text of an ASCII PLY file (its edges) that holds the curves of \a
- * network, with \a shift added; those of fewer than two vertices are no lines and left
- * out. */
+/** \brief The curves of \a network as the text of an ASCII PLY file, with \a shift
+ * added; those of fewer than two vertices are no lines and left out. */
 std::string
 curvesAsPly(const CurveNetwork& network, const Point& shift);
 

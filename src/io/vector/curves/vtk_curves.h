@@ -16,8 +16,8 @@ namespace linelet::io {
 CurveNetwork
 curvesFromVtk(const Source& source);
 
-/** \brief The text of an ASCII file of VTK (LINES) that holds the curves of \a network,
- * with \a shift added; those of fewer than two vertices are no lines and left out. */
+/** \brief The curves of \a network as the text of an ASCII file of VTK, with \a shift
+ * added; those of fewer than two vertices are no lines and left out. */
 std::string
 curvesAsVtk(const CurveNetwork& network, const Point& shift);
 
