@@ -7,73 +7,15 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <linelet/powerline_output/output_files.h>
+#include "report_page.h"
 
-#include "powerline/network_by_hand.h"
+namespace linelet::test {
+
+using namespace powerline;
 
 namespace {
-
-using namespace linelet;
-using namespace linelet::powerline;
-
-/** What is wrong with the nesting of tags, scripts left out; empty where nothing is. */
-std::string
-nestingError(std::string page)
-{
-  for (std::size_t at; (at = page.find("<script>")) != std::string::npos;)
-    page.erase(at, page.find("</script>", at) + 9 - at);
-  std::vector<std::string> open;
-  const std::regex tag("<(/?)([A-Za-z][A-Za-z0-9]*)([^<>]*?)(/?)>");
-  std::size_t brackets = 0;
-  for (std::sregex_iterator it(page.begin(), page.end(), tag), end; it != end; ++it) {
-    ++brackets;
-    const std::string name = (*it)[2];
-    if ((*it)[1] == "/") {
-      if (open.empty() || open.back() != name)
-        return "</" + name + "> closes " + (open.empty() ? "nothing" : open.back());
-      open.pop_back();
-    }
-    else if ((*it)[4] != "/")
-      open.push_back(name);
-  }
-  if (!open.empty())
-    return open.back() + " is not closed";
-  // Every bracket belongs to a tag or to the document type.
-  const auto count =
-      static_cast<std::size_t>(std::count(page.begin(), page.end(), '<'));
-  return count == brackets + 1 ? "" : "a stray <";
-}
-
-std::size_t
-occurrences(const std::string& text, const std::string& what)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + 1))
-    ++count;
-  return count;
-}
-
-class Report : public testing::Test {
-protected:
-  Report() : network_(test::networkByHand()), cloud_(test::cloudByHand(network_))
-  {
-    options_.source = "by_hand.las";
-  }
-
-  std::string
-  page() const
-  {
-    return powerLineReport(cloud_, network_, options_);
-  }
-
-  PowerLineNetwork network_;
-  io::Cloud cloud_;
-  OutputOptions options_;
-};
 
 TEST_F(Report, IsWellFormedAndStandsAlone)
 {
@@ -268,106 +210,6 @@ TEST_F(Report, EscapesNames)
   EXPECT_NE(text.find("a&lt;b&gt;&amp;&quot;c&quot;.las"), std::string::npos);
 }
 
-/** Two stretches, a tree and a crossing along the line made by hand. */
-std::vector<Hazards>
-hazardsByHand(const PowerLineNetwork& network)
-{
-  Hazards hazards;
-  hazards.state = "as scanned";
-  hazards.limits = uniformLimits(5);
-  const auto add = [&](int wire, Severity severity, HazardKind kind, double distance) {
-    Encroachment one;
-    one.id = static_cast<int>(hazards.clearances.size()) + 1;
-    one.kind = kind;
-    one.severity = severity;
-    one.wire = wire;
-    one.span = network.wires[static_cast<std::size_t>(wire) - 1].span;
-    const Catenary& curve = network.wires[static_cast<std::size_t>(wire) - 1].curve;
-    one.line = {curve.at(-5), curve.at(0), curve.at(5)};
-    one.nearest = {distance, curve.at(0), curve.at(0) - Point(0, 0, distance)};
-    one.vertical = distance;
-    one.length = 10;
-    one.outline = {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 0, 0)};
-    one.area = kind == HazardKind::Vegetation ? 12.5 : 0;
-    one.volume = kind == HazardKind::Vegetation ? 30 : 0;
-    hazards.clearances.push_back(one);
-  };
-  add(1, Severity::Low, HazardKind::Ground, 4.5);
-  add(2, Severity::High, HazardKind::Vegetation, 2.25);
-  FallIn tree;
-  tree.id = 1;
-  tree.severity = Severity::High;
-  tree.wire = 3;
-  tree.span = 2;
-  tree.top = Point(150, 12, 21);
-  tree.height = 21;
-  tree.distance = 20.5;
-  tree.gap = -0.5;
-  hazards.fall_in.push_back(tree);
-  Crossing crossing;
-  crossing.id = 1;
-  crossing.upper = 1;
-  crossing.lower = 3;
-  crossing.vertical = 6;
-  crossing.nearest = {5.9, Point(50, 3, 18), Point(50, 3, 12)};
-  hazards.crossings.push_back(crossing);
-  return {hazards};
-}
-
-// Every hazard has a row that the plan and the profile lead to, and the first lines of
-// the page say what is severe and where.
-TEST_F(Report, HazardsAreToldListedAndMarked)
-{
-  options_.hazards = hazardsByHand(network_);
-  const std::string text = page();
-  EXPECT_EQ(nestingError(text), "");
-  EXPECT_NE(text.find("Act now: severe hazards in span 1."), std::string::npos);
-  for (const char* id :
-       {"hazard1", "hazard2", "plan1", "plan2", "tree1", "plantree1", "crossing1"})
-    EXPECT_EQ(occurrences(text, "id=\"" + std::string(id) + "\""), 1U) << id;
-  EXPECT_EQ(occurrences(text, "href=\"#hazard2\""), 2U); // from plan and profile
-  EXPECT_LT(text.find("id=\"hazard2\""), text.find("id=\"hazard1\"")); // severe first
-  EXPECT_NE(text.find("12.5"), std::string::npos);
-  EXPECT_EQ(text.find("No wire comes closer"), std::string::npos);
-  options_.hazards.front().clearances.clear();
-  options_.hazards.front().fall_in.clear();
-  const std::string calm = page();
-  EXPECT_NE(calm.find("Nothing is nearer to a wire than its limit"), std::string::npos);
-}
-
-TEST_F(Report, OtherStatesHaveTheirOwnRows)
-{
-  options_.hazards = hazardsByHand(network_);
-  Hazards hot = options_.hazards.front();
-  hot.state = "75C";
-  for (Encroachment& one : hot.clearances)
-    one.id += 2;
-  hot.fall_in.clear();
-  hot.crossings.clear();
-  hot.moved.wires = network_.wires;
-  hot.moved.sections.push_back({1, {1, 3}, 100, 20000, 17500});
-  options_.hazards.push_back(hot);
-  const std::string text = page();
-  EXPECT_EQ(nestingError(text), "");
-  for (const char* said : {"At 75C", "id=\"hazard3\"", "id=\"states\"", "17.50"})
-    EXPECT_NE(text.find(said), std::string::npos) << said;
-}
-
-// The plan shows what looks like a line and was not explained, with the hazards too.
-TEST_F(Report, WhatWasNotExplainedIsInThePlan)
-{
-  options_.hazards = hazardsByHand(network_);
-  UnexplainedLine line;
-  line.id = 7;
-  line.course = {Point(20, 20, 9), Point(80, 30, 9)};
-  line.length = 61;
-  network_.unexplained.push_back(line);
-  const std::string text = page();
-  EXPECT_EQ(nestingError(text), "");
-  EXPECT_EQ(occurrences(text, "<path class=\"unexplained\""), 1U);
-  EXPECT_NE(text.find("61 m look like lines"), std::string::npos);
-}
-
 // Nobody can get the same results again from a page that does not say how.
 TEST_F(Report, SaysWithWhatItWasMade)
 {
@@ -413,3 +255,5 @@ TEST_F(Report, SurvivesPointsThatAreNoNumbersAndMissingGround)
 }
 
 } // namespace
+
+} // namespace linelet::test
