@@ -54,8 +54,8 @@ constexpr double widest = 0.1;
 // deviations.
 constexpr double least_length = 20;
 
-// Nor is what runs along a surface a curve of its own: within so many D, on most of its
-// length.
+// Nor is what runs along a surface a curve of its own: within so many D, and beyond the
+// curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
 constexpr double own_width = 3; // standard deviations, of its own points about it
 
@@ -83,8 +83,8 @@ countOf(const EmFit& fit)
 double
 shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double noise)
 {
-  const double reach = beside * scene.unit;
-  const double own = std::min(own_width * noise, 0.25 * reach);
+  const double own = own_width * noise;
+  const double reach = std::max(beside * scene.unit, 2 * own);
   double on = 0, all = 0;
   for (const ModelCurve& curve : curves)
     for (std::size_t k = 1; k < curve.nodes.size(); ++k) {

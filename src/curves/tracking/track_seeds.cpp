@@ -12,6 +12,7 @@
 #include <linelet/support/threads.h>
 #include <linelet/tensor/eigen_analysis.h>
 #include <linelet/tensor/neighborhood_tensor.h>
+#include <linelet/tensor/shape_factors.h>
 
 namespace linelet {
 
@@ -20,11 +21,17 @@ namespace {
 constexpr double largest_radius = 17;                       // D
 constexpr std::uint32_t least_planar = 8, least_linear = 5; // neighbors
 constexpr double planar = 0.5, linear = 0.75, again_linear = 0.7;
+// So many points of a surface are not even this linear by chance: the points of a curve
+// that scatter far are.
+constexpr double hardly_linear = 0.55;
+constexpr std::uint32_t many = 12;
 // Of the cells of a disc that scattered points would occupy, a surface fills most, and
 // lines side by side leave many empty.
 constexpr double disc_radius = 6; // radii at which it is planar
 constexpr std::size_t disc_cells = 12;
 constexpr double least_filled = 0.6;
+// Rows of scan lines leave cells empty, too; a few curves side by side leave most.
+constexpr double hardly_filled = 0.25;
 // Exponents by which the neighbors of a point of a surface grow with the radius.
 constexpr double least_growth = 1.2, most_growth = 3;
 
@@ -33,6 +40,7 @@ struct PlanarScales {
   bool any = false;
   double radius = 0;   ///< the smallest scale at which the neighborhood is one
   bool linear = false; ///< whether a smaller or a larger scale is linear
+  bool hardly = false; ///< whether a smaller one is at least hardly so
 };
 
 PlanarScales
@@ -40,14 +48,17 @@ planarScales(const ShapeGraph& graph, const std::vector<double>& radii)
 {
   PlanarScales result;
   int run = 0;
-  bool linear_before = false;
+  bool linear_before = false, hardly_before = false;
   for (std::size_t k = 0; k < graph.size(); ++k) {
     const ScaleShape& shape = graph[k];
     const bool is_linear = shape.linearity >= linear && shape.neighbors >= least_linear;
+    const bool is_hardly = shape.linearity >= hardly_linear && shape.neighbors >= many;
     if (result.any)
       result.linear = result.linear || shape.linearity >= again_linear;
-    else
+    else {
       linear_before = linear_before || is_linear;
+      hardly_before = hardly_before || is_hardly;
+    }
     if (!(shape.planarity >= planar) || shape.neighbors < least_planar) {
       run = 0;
       continue;
@@ -63,15 +74,17 @@ planarScales(const ShapeGraph& graph, const std::vector<double>& radii)
     result.any = true;
     result.radius = radii[k - 2];
     result.linear = linear_before;
+    result.hardly = hardly_before;
   }
   return result;
 }
 
 /** \brief Whether the points around \a p fill a disc, rather than a few lines side by
  * side.
- * \param[in] radius at which the neighborhood becomes planar; the disc is larger */
+ * \param[in] radius at which the neighborhood becomes planar; the disc is larger
+ * \param[in] filled least share of the cells that scattered points would occupy */
 bool
-fillsDisc(const UniformGrid& grid, const Point& p, double radius)
+fillsDisc(const UniformGrid& grid, const Point& p, double radius, double filled)
 {
   Points near;
   grid.forEachOffsetWithin(
@@ -79,6 +92,8 @@ fillsDisc(const UniformGrid& grid, const Point& p, double radius)
   const double reach = disc_radius * radius;
   const EigenSystem axes =
       eigenAnalysis(neighborhoodTensor(near, Point::Zero(), reach, Kernel::Const));
+  if (shapeFactors(axes.values, reach).linearity >= linear)
+    return false; // a curve, whose scatter is flatter than wide
   std::array<char, disc_cells * disc_cells> occupied{};
   const auto cell = [&](double x) {
     const double place = (x / reach + 1) / 2 * disc_cells;
@@ -95,7 +110,7 @@ fillsDisc(const UniformGrid& grid, const Point& p, double radius)
   const double cells = M_PI / 4 * disc_cells * disc_cells;
   const double random = cells * (1 - std::exp(-count / cells));
   return static_cast<double>(std::count(occupied.begin(), occupied.end(), 1)) >=
-         least_filled * random;
+         filled * random;
 }
 
 TrackSeed
@@ -132,15 +147,18 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
   struct Doubtful {
     Index index;
     double radius;
+    double filled; ///< share of the disc from which on it is a surface
   };
   std::vector<Doubtful> doubtful;
   const auto sink = [&](std::size_t i, const ShapeGraph& graph) {
     const PlanarScales surface = planarScales(graph, radii);
     if (surface.any) {
       scene.surface[i] = 1;
-      if (!surface.linear)
+      if (!surface.linear && !surface.hardly)
         return;
-      doubtful.push_back({static_cast<Index>(i), surface.radius});
+      doubtful.push_back({static_cast<Index>(i),
+                          surface.radius,
+                          surface.linear ? least_filled : hardly_filled});
     }
     std::size_t finest = graph.size(), coarsest = graph.size();
     for (std::size_t k = 0; k < graph.size(); ++k)
@@ -160,8 +178,10 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
   for (std::size_t k = 0; k < doubtful.size(); ++k)
     try {
-      scene.surface[doubtful[k].index] =
-          fillsDisc(scene.grid, points[doubtful[k].index], doubtful[k].radius);
+      scene.surface[doubtful[k].index] = fillsDisc(scene.grid,
+                                                   points[doubtful[k].index],
+                                                   doubtful[k].radius,
+                                                   doubtful[k].filled);
     }
     catch (...) {
 #pragma omp critical(linelet_scene_failure)

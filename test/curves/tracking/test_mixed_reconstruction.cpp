@@ -194,6 +194,42 @@ TEST(MixedReconstruction, WiresOfARackAreTrackedOneByOne)
   }
 }
 
+// A wide beam lays the points of a wire down in a ribbon, whose width is many times its
+// height; three of them side by side look like a surface on scales from a meter on.
+TEST(MixedReconstruction, RibbonsSideBySideAreNoSurface)
+{
+  const auto at = [](int wire, double x) {
+    return Point(x, 0.9 * (wire - 1), 9 + 0.002 * (x - 20) * (x - 20));
+  };
+  for (const unsigned seed : {11U, 12U, 13U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.016);
+    Points points;
+    for (int k = 0; k < 48000; ++k)
+      points.emplace_back(40 * unit(random), 20 * unit(random) - 10, noise(random));
+    for (int wire = 0; wire < 3; ++wire)
+      for (int k = 0; k < 400; ++k)
+        points.push_back(at(wire, 40 * unit(random)) +
+                         Point(0, 0.34 * (unit(random) - 0.5), noise(random)));
+    const CurveNetwork network = reconstructCurves(points);
+    int near = 0, all = 0;
+    for (int wire = 0; wire < 3; ++wire)
+      for (double x = 1; x < 39; x += 0.5, ++all)
+        near += distanceTo(network, at(wire, x)) <= 0.1;
+    EXPECT_GE(near, 0.9 * all);
+    // A ribbon may come as several lines, but all of them lie in one.
+    for (const Curve& curve : network.curves)
+      for (const Point& p : curve.points) {
+        double nearest = 1e300;
+        for (int wire = 0; wire < 3; ++wire)
+          nearest = std::min(nearest, (at(wire, p.x()) - p).norm());
+        EXPECT_LE(nearest, 0.2);
+      }
+  }
+}
+
 class Stopped : public ProgressMonitor {
 public:
   bool
