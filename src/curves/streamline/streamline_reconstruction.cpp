@@ -8,16 +8,11 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <linelet/features/centroid_shift.h>
-#include <linelet/search/scale_unit.h>
-#include <linelet/search/subset_search.h>
 #include <linelet/search/uniform_grid.h>
-#include <search/random_sample.h>
 
 #include "cloud_neighbors.h"
 #include "direction_field.h"
@@ -25,7 +20,9 @@
 #include "joining.h"
 #include "line_lets.h"
 #include "pruning.h"
+#include "search/random_sample.h"
 #include "start_points.h"
+#include "streamline_points.h"
 #include "tensor_shapes.h"
 
 namespace linelet {
@@ -35,127 +32,6 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr unsigned cover_rounds = 20; // of further ones
 constexpr double most_pairs = 3e8;    // point and neighbor, in the features
-
-Indices
-finiteOnes(const Points& points)
-{
-  Indices finite;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      finite.push_back(static_cast<Index>(i));
-  return finite;
-}
-
-/** \brief \a chosen without those that lie upon others, by place. */
-Indices
-withoutRepetition(const Points& points, Indices chosen)
-{
-  std::sort(chosen.begin(), chosen.end(), [&](Index i, Index j) {
-    const Point &a = points[i], &b = points[j];
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
-  const auto same = [&](Index i, Index j) { return points[i] == points[j]; };
-  chosen.erase(std::unique(chosen.begin(), chosen.end(), same), chosen.end());
-  return chosen;
-}
-
-/** \brief The points that line-lets follow, how they are found, and their scale. */
-class StreamlinePoints {
-public:
-  /** \brief The finite points of \a all; without repetition where more than half of
-   * them lie upon others, so that they have a scale.
-   * \param[in] search over \a all, or null */
-  StreamlinePoints(const Points& all,
-                   const NeighborSearch* search,
-                   const StreamlineSettings& settings)
-      : search_(search)
-  {
-    choose(all, finiteOnes(all));
-    measure(settings);
-    if (scale_unit == 0) {
-      subset_.reset();
-      search_ = search;
-      choose(all, withoutRepetition(all, finiteOnes(all)));
-      measure(settings);
-    }
-    if (!(scale_unit > 0))
-      return;
-    if (settings.prefilter.radius > 0) {
-      CentroidShiftSettings shift = settings.prefilter;
-      shift.threads = settings.threads;
-      points = search_ != nullptr ? shiftToCentroids(*search_, points, shift)
-                                  : shiftToCentroids(points, shift);
-      search_ = nullptr; // it knows nothing of the moved points
-    }
-    neighbors.emplace(points, 2.5 * scale_unit, search_);
-  }
-  StreamlinePoints(const StreamlinePoints&) = delete;
-  StreamlinePoints&
-  operator=(const StreamlinePoints&) = delete;
-
-  /** \brief The place among \ref points of the one that has \a index among all.
-   * \throws std::invalid_argument where it is none of them */
-  Index
-  placeOf(Index index, std::size_t all) const
-  {
-    if (index >= all)
-      throw std::invalid_argument("start " + std::to_string(index) +
-                                  " is not one of the " + std::to_string(all) +
-                                  " points, which count from 0");
-    const auto found = std::find(chosen_.begin(), chosen_.end(), index);
-    if (found == chosen_.end())
-      throw std::invalid_argument(
-          "start " + std::to_string(index) +
-          " is a point without coordinates, left out, or a copy of another");
-    return static_cast<Index>(found - chosen_.begin());
-  }
-
-  /** \brief The places among all points of \ref points. */
-  const Indices&
-  chosen() const
-  {
-    return chosen_;
-  }
-
-  Points points;
-  double scale_unit = 0; ///< D; where it is not positive, there are no neighbors
-  std::optional<CloudNeighbors> neighbors;
-
-private:
-  void
-  choose(const Points& all, const Indices& chosen)
-  {
-    points.clear();
-    for (const Index i : chosen)
-      points.push_back(all[i]);
-    chosen_ = chosen;
-    if (search_ == nullptr || chosen.size() == all.size())
-      return;
-    subset_.emplace(*search_, all, chosen);
-    search_ = &*subset_;
-  }
-
-  void
-  measure(const StreamlineSettings& settings)
-  {
-    const MultiScaleSettings& shape = settings.shape;
-    if (shape.scale_unit > 0)
-      scale_unit = shape.scale_unit;
-    else if (search_ != nullptr)
-      scale_unit = scaleUnit(*search_,
-                             points,
-                             shape.scale_unit_sample,
-                             shape.scale_unit_seed,
-                             settings.threads);
-    else
-      scale_unit = scaleUnit(
-          points, shape.scale_unit_sample, shape.scale_unit_seed, settings.threads);
-  }
-
-  const NeighborSearch* search_;
-  Indices chosen_; // of all points
-  std::optional<SubsetSearch> subset_;
-};
 
 /** \brief The radius up to \a wanted, not below a few \a scale_unit, whose
  * neighborhoods are small enough that the features of all points stay affordable. */
