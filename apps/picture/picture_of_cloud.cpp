@@ -10,7 +10,6 @@
 
 #include <linelet/features/fourth_order.h>
 #include <linelet/features/tensor_estimation.h>
-#include <linelet/io/vector_file.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/tensor/eigen_analysis.h>
 #include <linelet/tensor/shape_factors.h>
@@ -19,6 +18,7 @@
 #include "categories.h"
 #include "cloud_view.h"
 #include "pictures.h"
+#include "plain_view.h"
 #include "scale_cost.h"
 #include "svg_picture.h"
 
@@ -237,17 +237,8 @@ viewOf(const io::Cloud& cloud,
        Frame& frame,
        Scalars& values)
 {
-  CloudView view;
-  view.points = cloud.points;
-  view.title = settings.title;
-  view.azimuth = settings.azimuth;
-  view.elevation = settings.elevation;
+  CloudView view = plainView(cloud, settings);
   view.point_size = settings.point_size;
-  view.curve_width = settings.curve_width;
-  if (cloud.wkt.find("metre") != std::string::npos)
-    view.unit = "m";
-  if (!settings.curves.empty())
-    view.curves = io::readCurves(settings.curves, cloud.shift);
 
   if (settings.color == "normal" || settings.color == "shaded") {
     view.pixels = settings.color == "normal" ? PixelColor::Normal : PixelColor::Shaded;

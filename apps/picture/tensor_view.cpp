@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/io/vector_file.h>
-
 #include "axes.h"
+#include "plain_view.h"
 
 namespace linelet::apps {
 
@@ -19,16 +18,7 @@ tensorView(const io::Cloud& cloud,
            bool spherical,
            const DrawImage& draw)
 {
-  CloudView view;
-  view.points = cloud.points;
-  view.title = settings.title;
-  view.azimuth = settings.azimuth;
-  view.elevation = settings.elevation;
-  view.curve_width = settings.curve_width;
-  if (cloud.wkt.find("metre") != std::string::npos)
-    view.unit = "m";
-  if (!settings.curves.empty())
-    view.curves = io::readCurves(settings.curves, cloud.shift);
+  const CloudView view = plainView(cloud, settings);
   constexpr double legend_height = 58;
   Canvas canvas = drawImage(view,
                             draw,

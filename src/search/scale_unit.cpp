@@ -13,6 +13,7 @@
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>
 
+#include "finite_points.h"
 #include "nearest_walk.h"
 #include "random_sample.h"
 #include "support/parallel_failure.h"
@@ -40,16 +41,6 @@ rowSize(const Points& points, const Indices& finite)
   const double size =
       3 * std::max(std::sqrt(extent[1] * extent[2] / count), extent[2] / count);
   return size > 0 && std::isfinite(size) ? size : 1;
-}
-
-Indices
-finiteOnes(const Points& points)
-{
-  Indices finite;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      finite.push_back(static_cast<Index>(i));
-  return finite;
 }
 
 /** \brief The lower of the middle values. */

@@ -10,19 +10,11 @@
 #include <linelet/features/centroid_shift.h>
 #include <linelet/search/scale_unit.h>
 
+#include "search/finite_points.h"
+
 namespace linelet {
 
 namespace {
-
-Indices
-finiteOnes(const Points& points)
-{
-  Indices finite;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      finite.push_back(static_cast<Index>(i));
-  return finite;
-}
 
 /** \brief \a chosen without those that lie upon others, by place. */
 Indices
