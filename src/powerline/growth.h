@@ -52,7 +52,7 @@ constexpr double ring_radius =
     0.8; ///< meters, of the surroundings a bin is compared with
 
 /// Nats against a wire ahead, from which on it is not looked for. In a scan of one
-/// point a meter some 15 m.
+/// point per meter some 15 m.
 constexpr double usual_patience = 8;
 
 /** \brief Grows wires from seeds and keeps book of who owns which candidate. */
