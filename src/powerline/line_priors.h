@@ -19,8 +19,9 @@ struct LinePriors {
                             ///< between that of a long span and of a service drop
   double bend_spread = 2e-3; ///< and its standard deviation
   double company_reach = 14; ///< between neighboring wires of a span, at most
-  double longer = 1.5; ///< a span is at most so much longer than the part of it seen
-  double spread = 2.5; ///< standard deviations that rule something out
+  double longer = 1.5;    ///< a span is at most so much longer than the part of it seen
+  double short_line = 25; ///< the least that stands for itself
+  double spread = 2.5;    ///< standard deviations that rule something out
 
   /// \name Least evidence of a wire, over that of its surroundings
   /// Of some 1e8 places for a parabola in a square kilometer (18), and four parameters.

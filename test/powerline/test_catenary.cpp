@@ -7,7 +7,7 @@
 
 #include <linelet/powerline/power_line_network.h>
 
-#include "powerline/fit_catenary.h"
+#include "powerline/network/fit_catenary.h"
 #include "powerline/scene_builder.h"
 
 namespace linelet::powerline {

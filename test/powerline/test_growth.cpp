@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "powerline/evidence.h"
-#include "powerline/joints.h"
+#include "powerline/pieces/evidence.h"
+#include "powerline/pieces/find_pieces.h"
+#include "powerline/pieces/kinks.h"
 #include "powerline/scene_builder.h"
+#include "powerline/spans/joints.h"
 #include "powerline/terrain/find_ground.h"
 
 namespace linelet::powerline {

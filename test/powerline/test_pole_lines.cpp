@@ -13,8 +13,8 @@
 #include <bench/scenes/scene.h>
 #include <linelet/powerline/extract_power_lines.h>
 
+#include "powerline/pieces/tangents.h"
 #include "powerline/scene_builder.h"
-#include "powerline/tangents.h"
 
 namespace linelet::powerline {
 namespace {

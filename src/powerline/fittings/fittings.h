@@ -5,7 +5,7 @@
 
 #include <linelet/powerline/power_line_network.h>
 
-#include "powerline/candidates.h"
+#include "powerline/pieces/candidates.h"
 
 namespace linelet::powerline {
 

@@ -10,8 +10,8 @@
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/search/uniform_grid.h>
 
-#include "powerline/candidates.h"
 #include "powerline/fittings/fitting_priors.h"
+#include "powerline/pieces/candidates.h"
 
 namespace linelet::powerline {
 

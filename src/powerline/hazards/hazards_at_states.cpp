@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "powerline/describe.h"
+#include "powerline/network/clearances.h"
 
 namespace linelet::powerline {
 

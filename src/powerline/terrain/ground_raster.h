@@ -10,7 +10,7 @@
 #include <linelet/powerline/ground.h>
 #include <linelet/support/points.h>
 
-#include "powerline/plan_extent.h"
+#include "powerline/terrain/plan_extent.h"
 
 namespace linelet::powerline {
 

@@ -12,7 +12,7 @@
 
 #include <linelet/tensor/shape_factors.h>
 
-#include "powerline/plan_extent.h"
+#include "powerline/terrain/plan_extent.h"
 
 namespace linelet::powerline {
 

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/powerline/ground.h>
+
+#include "powerline/pieces/growth.h"
+#include "powerline/spans/wire_with_ends.h"
+
+namespace linelet::powerline {
+
+/** \brief Drops what is long and thin but no wire: what is too straight even for a taut
+ * one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms. Their
+ * points become free. \a points is the whole cloud. */
+void
+dropFalsePositives(std::vector<WireWithEnds>& wires,
+                   Growth& growth,
+                   const Points& points,
+                   const Ground& ground);
+
+} // namespace linelet::powerline

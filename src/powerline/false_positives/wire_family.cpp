@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/false_positives/wire_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "powerline/line_priors.h"
+#include "powerline/pieces/bend.h"
+#include "powerline/pieces/data_border.h"
+#include "powerline/pieces/evidence.h"
+#include "powerline/pieces/span_model.h"
+#include "powerline/spans/wire_with_ends.h"
+#include "powerline/terrain/underside.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr LinePriors priors;
+constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
+constexpr double rather_straight = 2; // nats, 7 to 1
+constexpr double clean_part = 0.75;   // of the length of short wires at the border
+constexpr double lone_length = 18;    // meters of a lone wire in the clear
+constexpr double lone_clean = 0.8;    // of its bins
+constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
+constexpr double deep = 1.5;          // meters below a wire
+constexpr double beside = 1.25;       // meters, looked at on both sides
+constexpr double roof_rise = 3;       // meters: of a roof of 45 degrees, as far as that
+constexpr double itself_reach = 0.5;  // meters of height, of its own points
+
+// A wire that ends at nothing but a hidden part shows most of its span.
+double
+largestSpan(const WireWithEnds& wire, const Underside& underside)
+{
+  const SpanModel& m = wire.model();
+  if (wire.ends[0].partner >= 0 && wire.ends[1].partner >= 0)
+    return m.length();
+  return leavesData(m, 0, underside) || leavesData(m, 1, underside)
+             ? std::numeric_limits<double>::infinity()
+             : priors.longer * m.length();
+}
+
+// Slope of a wire from \a side on to its other end.
+double
+slopeFrom(const SpanModel& m, int side)
+{
+  return (side == 0 ? 1 : -1) * m.rise((m.begin + m.end) / 2);
+}
+
+// How much better a straight thing, as a pipe is, explains the bend of \a family than
+// wires do, whose bends scatter; nats.
+double
+straightOverWires(const Family& family)
+{
+  const double bend = family.bends / family.precision;
+  const double noise = 1 / family.precision;
+  const double wires = noise + priors.bend_spread * priors.bend_spread;
+  const double off = bend - priors.usual_bend;
+  return (std::log(wires / noise) + off * off / wires - bend * bend / noise) / 2;
+}
+
+} // namespace
+
+double
+openBelow(const SpanModel& m, const Underside& underside)
+{
+  double open = 0, all = 0;
+  for (double s = m.begin; s <= m.end; s += 1) {
+    const Point p = m.at(s);
+    bool blocked = false;
+    for (const double side : {-beside, 0.0, beside}) {
+      const double lowest = underside.lowestAt(p.x() - side * m.direction.y(),
+                                               p.y() + side * m.direction.x());
+      const bool itself = side == 0 && std::abs(lowest - p.z()) < itself_reach;
+      // Over water, what is lowest beside a wire may be one of the arm above.
+      const bool above = side != 0 && lowest > p.z() + roof_rise;
+      blocked = blocked || (lowest > p.z() - deep && !itself && !above);
+    }
+    open += !blocked;
+    all += 1;
+  }
+  return open / all;
+}
+
+bool
+plausible(const Family& family, bool terrain)
+{
+  const double bend = family.bend / family.weight;
+  // Too short to be seen to bend, what falls off to both sides of a support hangs
+  // there: 4 sag / span at the end of a span.
+  const bool hangs =
+      family.stubs > 0 && family.descent >= 2 * 4 * priors.least_sag * family.stubs;
+  if ((!hangs &&
+       family.bends - family.least < -priors.spread * std::sqrt(family.precision)) ||
+      (terrain && family.open < priors.open * family.length))
+    return false;
+  if (family.drop)
+    return true;
+  if (family.longest >= long_line)
+    return family.joined || family.border || bend >= least_bend;
+  // What the border of the data cuts off may be short, but hardly straight.
+  if (family.border)
+    return (family.joined || straightOverWires(family) < rather_straight) &&
+           (family.wires >= many || family.clean >= clean_part * family.occupied) &&
+           (family.wires > 1 || family.single >= priors.short_line);
+  // Alone, it must be seen to hang.
+  return family.bends > priors.spread * std::sqrt(family.precision) &&
+         (family.clear || (family.single >= priors.short_line && bend >= clear_bend &&
+                           family.occupied >= lone_cover * family.bins &&
+                           family.clean >= clean_part * family.occupied));
+}
+
+void
+addBend(Family& family,
+        const WireWithEnds& wire,
+        const Points& points,
+        const Underside& underside)
+{
+  const SpanModel& m = wire.model();
+  const double weight = std::pow(m.length(), 3);
+  // What the points say, not what the prior of the fit does.
+  const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
+  family.bend += weight * (m.z[2] - vague);
+  family.weight += weight;
+  const Bend own = bendOf(wire.strand.piece, points);
+  const double precision = 1 / (own.spread * own.spread);
+  family.bends += precision * own.value;
+  family.least += precision * priors.leastBend(largestSpan(wire, underside));
+  family.precision += precision;
+}
+
+void
+addDescent(Family& family,
+           const std::vector<WireWithEnds>& wires,
+           std::size_t w,
+           const Underside& underside)
+{
+  for (int side = 0; side < 2; ++side) {
+    const End& end = wires[w].ends[static_cast<std::size_t>(side)];
+    if (end.partner <= static_cast<int>(w))
+      continue;
+    const SpanModel& m = wires[w].model();
+    const SpanModel& other = wires[static_cast<std::size_t>(end.partner)].model();
+    if (!leavesData(m, 1 - side, underside) ||
+        !leavesData(other, 1 - end.partner_side, underside))
+      continue;
+    family.stubs += 1;
+    family.descent -= slopeFrom(m, side) + slopeFrom(other, end.partner_side);
+  }
+}
+
+void
+addEvidence(Family& family,
+            const SpanModel& m,
+            const Evidence& evidence,
+            const Underside& underside)
+{
+  family.clean += evidence.clean;
+  family.occupied += evidence.occupied;
+  family.bins += evidence.bins;
+  family.clear = family.clear || (m.length() >= lone_length &&
+                                  evidence.slope + evidence.chord <= steep &&
+                                  evidence.clean >= lone_clean * evidence.occupied &&
+                                  evidence.occupied >= lone_cover * evidence.bins &&
+                                  openBelow(m, underside) >= lone_open);
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/powerline/power_line_network.h>
+
+#include "powerline/supports/tower.h"
+
+namespace linelet::powerline {
+
+/** \brief The supports that \a towers are, with ids in their order. */
+std::vector<Support>
+describeSupports(const std::vector<Tower>& towers, bool has_terrain);
+
+} // namespace linelet::powerline

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "powerline/pieces/growth.h"
+
+namespace linelet::powerline {
+
+constexpr double flattest = 1e-4; ///< z2 of a wire, 1/meters: a = 5 km
+
+/** \brief z2 of a wire as its points alone have it, without the prior of the fit. */
+struct Bend {
+  double value = 0;
+  double spread = 1; ///< standard deviation
+
+  /** \brief Whether the points rule out a bend of \a least. */
+  bool
+  rulesOut(double least) const
+  {
+    return value + 2.5 * spread < least;
+  }
+
+  bool
+  isAbove(double least) const
+  {
+    return value - 2.5 * spread > least;
+  }
+};
+
+Bend
+bendOf(const Piece& piece, const Points& points);
+
+} // namespace linelet::powerline

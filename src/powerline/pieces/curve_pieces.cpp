@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/pieces/curve_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include <linelet/curves/reconstruct_curves.h>
+
+#include "powerline/pieces/evidence.h"
+#include "powerline/pieces/growth.h"
+#include "powerline/pieces/parallel.h"
+#include "powerline/pieces/profile.h"
+#include "powerline/pieces/span_model.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr double widest = 1;       // meters from a curve to what may be of its bundle
+constexpr double tube_part = 0.95; // of the points of a curve that its tube holds
+// Conductors come in bundles from 220 kV on; those stay 6.7 m above ground at least
+// where they hang lowest (EN 50341-1, 5.9), in the mean higher.
+constexpr double bundle_height = 8;
+constexpr std::size_t fewest = 8; // points of a part
+
+/** A candidate beside a curve. */
+struct Beside {
+  double place;    ///< of its foot along the curve in plan, meters
+  double distance; ///< from the curve
+  Index index;
+};
+
+// The free candidates within reach of a curve, each with its nearest place.
+std::vector<Beside>
+pointsBeside(const Curve& curve, const Growth& growth)
+{
+  std::vector<Beside> all;
+  double begin = 0;
+  for (std::size_t v = 1; v < curve.points.size(); ++v) {
+    const Point &from = curve.points[v - 1], edge = curve.points[v] - from;
+    const double flat = edge.head<2>().norm(), squared = edge.squaredNorm();
+    if (squared > 0)
+      growth.candidates().grid.forEachWithin(
+          from + edge / 2, std::hypot(edge.norm() / 2, widest), [&](Index i, double) {
+            if (growth.owner(i) != Growth::nobody)
+              return;
+            const Point offset = growth.candidates().points[i] - from;
+            const double s = std::clamp(offset.dot(edge) / squared, 0.0, 1.0);
+            const double d = (offset - s * edge).norm();
+            if (d <= widest)
+              all.push_back({begin + s * flat, d, i});
+          });
+    begin += flat;
+  }
+  std::sort(all.begin(), all.end(), [](const Beside& a, const Beside& b) {
+    return a.index != b.index ? a.index < b.index : a.distance < b.distance;
+  });
+  all.erase(
+      std::unique(all.begin(),
+                  all.end(),
+                  [](const Beside& a, const Beside& b) { return a.index == b.index; }),
+      all.end());
+  std::sort(all.begin(), all.end(), [](const Beside& a, const Beside& b) {
+    return a.place != b.place ? a.place < b.place : a.index < b.index;
+  });
+  return all;
+}
+
+// The distance that holds a part of the points of a curve, over a background that is
+// as dense as the outer half of what was looked at.
+double
+distanceOfPart(const std::vector<Beside>& points, double part)
+{
+  std::vector<double> distances;
+  for (const Beside& p : points)
+    distances.push_back(p.distance);
+  std::sort(distances.begin(), distances.end());
+  const double half = widest / std::sqrt(2.0);
+  const auto outside = static_cast<double>(
+      distances.end() - std::lower_bound(distances.begin(), distances.end(), half));
+  const double background = 2 * outside / (widest * widest); // per squared distance
+  const double all =
+      static_cast<double>(distances.size()) - background * widest * widest;
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    if (static_cast<double>(i + 1) - background * distances[i] * distances[i] >=
+        part * all)
+      return distances[i];
+  return widest;
+}
+
+/** Sums of parabolas of all three coordinates over the way in plan. */
+struct PointMoments {
+  std::array<Moments, 3> axes;
+
+  PointMoments
+  operator-(const PointMoments& other) const
+  {
+    return {
+        {axes[0] - other.axes[0], axes[1] - other.axes[1], axes[2] - other.axes[2]}};
+  }
+
+  double
+  squares() const
+  {
+    return axes[0].solve().second + axes[1].solve().second + axes[2].solve().second;
+  }
+};
+
+class Splitter {
+public:
+  Splitter(const std::vector<Beside>& along, const Points& points)
+      : along_(along), before_(along.size() + 1)
+  {
+    const Point origin = along.empty() ? Point::Zero() : points[along.front().index];
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      before_[i + 1] = before_[i];
+      const Point p = points[along[i].index] - origin;
+      for (int axis = 0; axis < 3; ++axis)
+        before_[i + 1].axes[static_cast<std::size_t>(axis)].add(along[i].place,
+                                                                p[axis]);
+    }
+  }
+
+  /** Appends the ends of the parts of [from, to). */
+  void
+  split(std::size_t from, std::size_t to, std::vector<std::size_t>& ends) const
+  {
+    const double n = static_cast<double>(to - from);
+    const double floor = n * least_residual * least_residual;
+    const double whole = squares(from, to) + floor;
+    double best = whole;
+    std::size_t place = to;
+    const std::size_t stride = std::max<std::size_t>(1, (to - from) / 200);
+    for (std::size_t i = from + fewest; i + fewest <= to; i += stride) {
+      const double both = squares(from, i) + squares(i, to) + floor;
+      if (both < best) {
+        best = both;
+        place = i;
+      }
+    }
+    // Nine more coefficients and a place, by the Bayesian information criterion.
+    if (place == to || n * std::log(whole / best) < 10 * std::log(n)) {
+      ends.push_back(to);
+      return;
+    }
+    split(from, place, ends);
+    split(place, to, ends);
+  }
+
+private:
+  double
+  squares(std::size_t from, std::size_t to) const
+  {
+    return (before_[to] - before_[from]).squares();
+  }
+
+  const std::vector<Beside>& along_;
+  std::vector<PointMoments> before_;
+};
+
+} // namespace
+
+std::vector<Piece>
+piecesAlong(const Curve& curve, const Growth& growth)
+{
+  const Points& points = growth.candidates().points;
+  std::vector<Beside> along = pointsBeside(curve, growth);
+  const double reach = distanceOfPart(along, tube_part);
+  along.erase(std::remove_if(along.begin(),
+                             along.end(),
+                             [&](const Beside& p) { return p.distance > reach; }),
+              along.end());
+  std::vector<Piece> pieces;
+  if (along.size() < fewest)
+    return pieces;
+  std::vector<std::size_t> ends;
+  Splitter(along, points).split(0, along.size(), ends);
+  std::size_t from = 0;
+  for (const std::size_t to : ends) {
+    Piece piece;
+    for (std::size_t i = from; i < to; ++i)
+      piece.members.push_back(along[i].index);
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Index i : piece.members)
+      mean += points[i].head<2>() / static_cast<double>(piece.members.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Index i : piece.members) {
+      const Eigen::Vector2d v = points[i].head<2>() - mean;
+      spread += v * v.transpose();
+    }
+    SpanModel& m = piece.model;
+    m.origin = mean;
+    m.direction =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    piece.thickness = reach;
+    from = to;
+    // Twice: the first time, distances are not known yet.
+    if (!fit(m, points, piece.members, std::numeric_limits<double>::infinity()) ||
+        !fit(m, points, piece.members, piece.cut()))
+      continue;
+    if (reach <= widest_wire)
+      piece.thickness = 0;
+    updateExtent(piece, points);
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+namespace {
+
+double
+density(const Piece& piece)
+{
+  return static_cast<double>(piece.members.size()) / piece.model.length();
+}
+
+// Whether a bundle is but what a denser wire in it has left over.
+bool
+isRemainder(const Piece& bundle, const std::vector<Piece>& wires)
+{
+  return std::any_of(wires.begin(), wires.end(), [&](const Piece& wire) {
+    const Parallel parallel = compare(bundle.model, wire.model);
+    return parallel.overlap > 0 &&
+           parallel.distance <= bundle.tolerance() + wire.tolerance() &&
+           density(wire) >= density(bundle);
+  });
+}
+
+// Curves of the free candidates, the longest first.
+std::vector<Curve>
+freeCurves(const Growth& growth,
+           const PowerLineSettings& settings,
+           ProgressMonitor* monitor)
+{
+  const Points& points = growth.candidates().points;
+  Points free;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (growth.owner(static_cast<Index>(i)) == Growth::nobody)
+      free.push_back(points[i]);
+  if (free.size() < fewest ||
+      std::all_of(
+          free.begin(), free.end(), [&](const Point& p) { return p == free.front(); }))
+    return {};
+  ReconstructionSettings curve_settings;
+  curve_settings.threads = settings.threads;
+  std::vector<Curve> curves = reconstructCurves(free, curve_settings, monitor).curves;
+  std::stable_sort(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
+    return length(a) > length(b);
+  });
+  return curves;
+}
+
+} // namespace
+
+std::vector<Curve>
+growAlongCurves(Growth& growth,
+                std::vector<Piece>& wires,
+                const PowerLineSettings& settings,
+                ProgressMonitor* monitor)
+{
+  std::vector<Curve> curves = freeCurves(growth, settings, monitor);
+  for (const Curve& curve : curves)
+    for (Piece& part : piecesAlong(curve, growth))
+      for (Piece& piece : growth.betweenSupports(std::move(part))) {
+        const Evidence evidence = weigh(growth, piece, settings);
+        if (!evidence.accepted ||
+            (piece.thickness > 0 &&
+             (evidence.height < bundle_height || isRemainder(piece, wires))))
+          continue;
+        growth.claim(piece, static_cast<int>(wires.size()));
+        wires.push_back(std::move(piece));
+      }
+  return curves;
+}
+
+} // namespace linelet::powerline

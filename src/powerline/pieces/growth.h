@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <linelet/powerline/power_line_settings.h>
+
+#include "powerline/pieces/candidates.h"
+#include "powerline/pieces/span_model.h"
+#include "powerline/pieces/tangents.h"
+
+namespace linelet::powerline {
+
+/** \brief A wire in the making: a model and the candidates that it explains. */
+struct Piece {
+  SpanModel model;
+  Indices members;      ///< candidates
+  double thickness = 0; ///< radius of a bundle whose conductors cannot be told apart
+
+  /** \brief Residual from which on a point has no weight: a bundle shall be fitted in
+   * its middle, not to the conductor that happens to be nearer. */
+  double
+  cut() const
+  {
+    return std::max(usual_cut, 2 * thickness);
+  }
+
+  /** \brief Largest distance of a point that belongs to it. */
+  double
+  tolerance() const
+  {
+    return std::max(model.tolerance, thickness);
+  }
+};
+
+/** \brief What stands around one bin of a wire. */
+struct Bin {
+  std::size_t tube = 0;       ///< points within the tolerance
+  std::size_t guard_ring = 0; ///< points beyond it, up to twice the tolerance
+  std::size_t ring = 0;       ///< points from the tolerance to \ref ring_radius
+};
+
+constexpr double bin_length = 2;      ///< meters
+constexpr double widest_wire = 0.25;  ///< meters, tolerance of a single wire at most
+constexpr double bundle_radius = 0.5; ///< meters, of a bundle in one vector
+constexpr double growth_gap = 8; ///< meters without a point that are nothing unusual
+constexpr double ring_radius =
+    0.8; ///< meters, of the surroundings a bin is compared with
+
+/// Nats against a wire ahead, from which on it is not looked for. In a scan of one
+/// point per meter some 15 m.
+constexpr double usual_patience = 8;
+
+/** \brief Grows wires from seeds and keeps book of who owns which candidate. */
+class Growth {
+public:
+  static constexpr int nobody = -1;
+
+  /** \param[in] seeds that tell the directions of wires */
+  Growth(const Candidates& candidates,
+         const PowerLineSettings& settings,
+         const std::vector<Seed>& seeds = {});
+
+  /** \brief Grows a wire from \a seed to both sides; its parts between supports.
+   * Nothing is claimed. Empty where nothing grows. */
+  std::vector<Piece>
+  grow(const Seed& seed) const;
+
+  /** \brief The parts of \a piece between supports that it passes, each collected,
+   * fitted and extended by itself. */
+  std::vector<Piece>
+  betweenSupports(Piece piece) const;
+
+  /** \brief Extends \a piece at both ends, not beyond \a low and \a high, as long as
+   * what is seen ahead makes up for what is not seen before it: a wire shows with the
+   * density of the piece, or is hidden. It stops where that many nats (\a patience)
+   * speak against it, or where nobody can tell any more where the wire would be.
+   * \param[in] lock shift it to the strongest of the wires around once it is long
+   * enough to tell them apart
+   * \return false when nothing of it is left */
+  bool
+  extend(Piece& piece,
+         double low = -std::numeric_limits<double>::infinity(),
+         double high = std::numeric_limits<double>::infinity(),
+         bool lock = false,
+         double patience = usual_patience) const;
+
+  /** \brief Takes as members the free points within \a reach of the model, begin to
+   * end, and fits again. False when too few are left. */
+  bool
+  collect(Piece& piece, double reach) const;
+
+  /** \brief Counts around the stretch [\a from, \a to] of \a model; the free points of
+   * the tube go to \a members unless null. Points of \a self count as free. */
+  Bin
+  look(const SpanModel& model,
+       double from,
+       double to,
+       double tolerance,
+       Indices* members = nullptr) const;
+
+  /** \brief Makes \a owner the owner of all members of \a piece. */
+  void
+  claim(const Piece& piece, int owner);
+
+  int
+  owner(Index candidate) const
+  {
+    return owner_[candidate];
+  }
+
+  const Candidates&
+  candidates() const
+  {
+    return candidates_;
+  }
+
+private:
+  /** What lies ahead of an end and is not yet part of the piece. */
+  struct Ahead {
+    bool open = true;    ///< whether to look on
+    double gap = 0;      ///< meters looked at
+    double evidence = 0; ///< of a wire in them, never positive
+    Indices points;      ///< in the tube there
+  };
+
+  void
+  advance(Piece& piece, int side, double limit, double patience, Ahead& ahead) const;
+
+  bool
+  lockOnStrongestWire(Piece& piece) const;
+
+  /** The parts of \a piece between the downward breaks of all wires around it. */
+  std::vector<Piece>
+  betweenBreaks(const Piece& piece) const;
+
+  const Candidates& candidates_;
+  const PowerLineSettings& settings_;
+  std::vector<int> owner_;
+  Tangents tangents_;
+};
+
+/** \brief Lets the model of \a piece begin and end where its members do. */
+void
+updateExtent(Piece& piece, const Points& points);
+
+} // namespace linelet::powerline

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "powerline/spans/completion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "powerline/line_priors.h"
+#include "powerline/pieces/candidates.h"
+#include "powerline/pieces/data_border.h"
+#include "powerline/pieces/evidence.h"
+#include "powerline/pieces/find_pieces.h"
+#include "powerline/pieces/growth.h"
+#include "powerline/pieces/parallel.h"
+#include "powerline/pieces/span_model.h"
+#include "powerline/spans/joints.h"
+#include "powerline/spans/wire_with_ends.h"
+#include "powerline/terrain/underside.h"
+
+namespace linelet::powerline {
+
+namespace {
+
+constexpr LinePriors priors;
+constexpr double company_part = 0.7; // of the length of the wire that is to grow
+constexpr double thin_cover = 0.1;   // of the bins of a wire beside others
+constexpr double thin_clean = 0.9;   // of those, clean
+constexpr double patience = 40;      // nats against a wire, whose place is known
+constexpr double overshoot = 1;      // meters beyond the end of the company
+constexpr double stub_reach = 8;     // meters from the end of a wire to its stub
+constexpr double stub_gap = 0.5;     // meters between them where they meet
+constexpr double least_stub = 4;     // meters
+constexpr double least_cosine = 0.99;
+
+// A stub has the length that the data leave it.
+bool
+goesOn(const std::vector<WireWithEnds>& wires,
+       const WireWithEnds& stub,
+       const Underside& underside)
+{
+  const SpanModel& m = stub.model();
+  for (int side = 0; side < 2; ++side) {
+    if (!leavesData(m, 1 - side, underside))
+      continue;
+    const Point near = m.at(stub.edge(side));
+    for (const WireWithEnds& wire : wires) {
+      for (int other = 0; other < 2; ++other) {
+        if ((wire.model().at(wire.edge(other)) - near).norm() > stub_reach ||
+            wire.outward(other).dot(stub.outward(side)) > -0.5)
+          continue;
+        const Meeting meeting = meet(wire, other, stub, side);
+        if (meeting.gap <= stub_gap &&
+            std::abs(meeting.b - stub.edge(side)) <= stub_reach)
+          return true;
+      }
+      const Parallel parallel = compare(m, wire.model());
+      if (parallel.overlap >= company_part * m.length() &&
+          parallel.distance <= priors.company_reach &&
+          std::abs(m.direction.dot(wire.model().direction)) >= least_cosine)
+        return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+void
+completeByCompany(std::vector<WireWithEnds>& wires,
+                  Growth& growth,
+                  const PowerLineSettings& settings)
+{
+  for (WireWithEnds& wire : wires) {
+    Piece& piece = wire.strand.piece;
+    const SpanModel& m = piece.model;
+    double low = m.begin, high = m.end;
+    for (const WireWithEnds& other : wires) {
+      if (&other == &wire)
+        continue;
+      const Parallel parallel = compare(m, other.model());
+      if (parallel.overlap < company_part * m.length() ||
+          parallel.distance > priors.company_reach)
+        continue;
+      const double from = m.along(other.model().at(other.model().begin));
+      const double to = m.along(other.model().at(other.model().end));
+      low = std::min({low, from, to});
+      high = std::max({high, from, to});
+    }
+    if (low > m.begin - bin_length && high < m.end + bin_length)
+      continue;
+    Piece longer = piece;
+    growth.claim(piece, Growth::nobody);
+    if (growth.extend(longer, low - overshoot, high + overshoot, false, patience) &&
+        longer.model.length() > m.length()) {
+      // Beside others a wire may be thinly covered, if nothing else is near it.
+      const Evidence e = weigh(growth, longer, settings);
+      if (e.likelihood >= priors.in_company &&
+          (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&
+                          e.clean >= thin_clean * e.occupied)))
+        piece = std::move(longer);
+    }
+    growth.claim(piece, 0);
+  }
+}
+
+void
+addStubs(std::vector<WireWithEnds>& wires,
+         Growth& growth,
+         const std::vector<Seed>& seeds,
+         const Underside& underside,
+         const PowerLineSettings& settings)
+{
+  PowerLineSettings relaxed = settings;
+  relaxed.min_length = std::min(least_stub, settings.min_length);
+  const Points& points = growth.candidates().points;
+  std::vector<char> tried(points.size(), 0);
+  const std::size_t count = wires.size();
+  for (const Seed& seed : seeds) {
+    const Point& p = points[seed.candidate];
+    if (tried[seed.candidate] != 0 || growth.owner(seed.candidate) != Growth::nobody)
+      continue;
+    const bool near = std::any_of(wires.begin(),
+                                  wires.begin() + static_cast<std::ptrdiff_t>(count),
+                                  [&](const WireWithEnds& w) {
+                                    return std::min((w.ends[0].place - p).norm(),
+                                                    (w.ends[1].place - p).norm()) <
+                                           2 * stub_reach + settings.min_length;
+                                  });
+    if (!near)
+      continue;
+    for (Piece& piece : growth.grow(seed)) {
+      for (const Index i : piece.members)
+        tried[i] = 1;
+      WireWithEnds stub;
+      stub.strand.piece = std::move(piece);
+      if ((!weigh(growth, stub.strand.piece, relaxed).accepted &&
+           !becomesBundle(growth, stub.strand.piece, relaxed)) ||
+          !goesOn(wires, stub, underside))
+        continue;
+      growth.claim(stub.strand.piece, 0);
+      wires.push_back(std::move(stub));
+    }
+  }
+}
+
+} // namespace linelet::powerline

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/powerline/power_line_settings.h>
+
+#include "powerline/pieces/candidates.h"
+#include "powerline/pieces/growth.h"
+#include "powerline/spans/wire_with_ends.h"
+#include "powerline/terrain/underside.h"
+
+namespace linelet::powerline {
+
+/** \brief Carries wires on, across gaps, as far as those beside them reach. */
+void
+completeByCompany(std::vector<WireWithEnds>& wires,
+                  Growth& growth,
+                  const PowerLineSettings& settings);
+
+/** \brief Adds wires that are short because the data end: they go on from the end of
+ * another wire, or run beside one. */
+void
+addStubs(std::vector<WireWithEnds>& wires,
+         Growth& growth,
+         const std::vector<Seed>& seeds,
+         const Underside& underside,
+         const PowerLineSettings& settings);
+
+} // namespace linelet::powerline

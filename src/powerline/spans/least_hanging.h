@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+
+#include "powerline/pieces/span_model.h"
+
+namespace linelet::powerline {
+
+/** \brief Least way in plan between the attachment points of \a model, meters: what
+ * its points show of it, not most of which is beyond a support. */
+inline double
+leastHanging(const SpanModel& model)
+{
+  constexpr double least = 3, part = 0.5; // meters; of the stretch with points
+  return std::max(least, part * model.length());
+}
+
+} // namespace linelet::powerline

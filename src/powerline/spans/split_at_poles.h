@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "powerline/pieces/growth.h"
+#include "powerline/spans/wire_with_ends.h"
+
+namespace linelet::powerline {
+
+/** \brief Splits low wires where a pole stands below them: in a dip of the terrain a
+ * line runs over its poles without a kink. What sticks out beyond a last pole is cut
+ * off. */
+void
+splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth);
+
+} // namespace linelet::powerline

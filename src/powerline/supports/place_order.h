@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "powerline/spans/wire_with_ends.h"
+#include "powerline/supports/tower.h"
+
+namespace linelet::powerline {
+
+/** \brief Places of \a wires in their list, from west to east by their ends: an order
+ * that depends on nothing but where they are. */
+std::vector<std::size_t>
+orderByPlace(const std::vector<WireWithEnds>& wires);
+
+/** \brief Puts wires into that order, and the supports likewise by their axes. */
+void
+sortByPlace(std::vector<WireWithEnds>& wires, std::vector<Tower>& towers);
+
+} // namespace linelet::powerline
