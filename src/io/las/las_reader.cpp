@@ -4,9 +4,8 @@
 #include "las_reader.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstring>
+#include <memory>
 
 #include <linelet/io/whole_shift.h>
 
@@ -14,70 +13,13 @@
 #include "io/wanted_attributes.h"
 #include "io/window.h"
 #include "las_blocks.h"
+#include "las_columns.h"
 #include "las_compatible.h"
-#include "las_layers.h"
 #include "las_reference.h"
 
 namespace linelet::io {
 
 namespace {
-
-void
-readField(const LasField& field, const RecordBlock& block, Column& column)
-{
-  const char* at = block.records + field.byte;
-  if (field.bits != 0) {
-    auto* out = std::get<std::vector<std::uint8_t>>(column.values).data() + block.first;
-    const unsigned mask = (1U << field.bits) - 1U;
-    for (std::size_t i = 0; i < block.count; ++i, at += block.stride)
-      out[i] = static_cast<std::uint8_t>(
-          (static_cast<unsigned char>(*at) >> field.shift) & mask);
-    return;
-  }
-  if (field.isAngleStep()) {
-    auto* out = std::get<std::vector<float>>(column.values).data() + block.first;
-    for (std::size_t i = 0; i < block.count; ++i, at += block.stride)
-      out[i] = static_cast<float>(load<std::int16_t>(at) * las_angle_step);
-    return;
-  }
-  std::visit(
-      [&](auto& values) {
-        using T = typename std::decay_t<decltype(values)>::value_type;
-        T* out = values.data() + block.first;
-        for (std::size_t i = 0; i < block.count; ++i, at += block.stride)
-          out[i] = load<T>(at);
-      },
-      column.values);
-}
-
-/** Reads component \a c of an extra entry; false where scaling loses the raw value. */
-bool
-readExtra(const LasExtra& extra,
-          std::size_t c,
-          const char* at,
-          RecordBlock block,
-          Column& column)
-{
-  at += c * sizeOf(extra.type);
-  return withType(extra.type, [&](auto zero) {
-    using T = decltype(zero);
-    if (!extra.scaled[c]) {
-      T* out = std::get<std::vector<T>>(column.values).data() + block.first;
-      for (std::size_t i = 0; i < block.count; ++i, at += block.stride)
-        out[i] = load<T>(at);
-      return true;
-    }
-    double* out = std::get<std::vector<double>>(column.values).data() + block.first;
-    bool exact = true;
-    for (std::size_t i = 0; i < block.count; ++i, at += block.stride) {
-      const T raw = load<T>(at);
-      out[i] = static_cast<double>(raw) * extra.scale[c] + extra.offset[c];
-      const T back = nearest<T>((out[i] - extra.offset[c]) / extra.scale[c]);
-      exact = exact && std::memcmp(&back, &raw, sizeof raw) == 0;
-    }
-    return exact;
-  });
-}
 
 class Reader {
 public:
@@ -86,7 +28,8 @@ public:
         window_(windowOf(source.options)),
         origin_(std::make_shared<LasOrigin>()),
         header_(readLasHeader(source, *origin_)),
-        blocks_(findBlocks())
+        blocks_(findBlocks()),
+        columns_(source, header_, *origin_, cloud_)
   {
     blocks_.keep(source.first, source.behind);
     if (source.passed != nullptr)
@@ -95,9 +38,7 @@ public:
       select();
     else
       header_.count = blocks_.points();
-    findExtras();
-    makeColumns();
-    makeRoomForRaw();
+    columns_.makeRoom();
   }
 
   Cloud
@@ -108,9 +49,10 @@ public:
     if (window_.limits())
       readSelected();
     else
-      blocks_.forEach(
-          layers_, [this](std::size_t, const RecordBlock& block) { readBlock(block); });
-    dropRaw();
+      blocks_.forEach(columns_.layers(), [this](std::size_t, const RecordBlock& block) {
+        readBlock(block);
+      });
+    columns_.finish();
     cloud_.format = formatName(header_, *origin_);
     if (const int format = restoreCompatible(cloud_, *origin_); format != 0)
       cloud_.format += ", which stands for point format " + std::to_string(format);
@@ -171,7 +113,7 @@ private:
       return false;
     };
     blocks_.forEach(
-        layers_,
+        columns_.layers(),
         [this](std::size_t number, const RecordBlock& block) {
           for (std::size_t i = 0; i < block.count; ++i)
             if (isInWindow(block.record(i)))
@@ -211,84 +153,7 @@ private:
   readBlock(const RecordBlock& block)
   {
     readCoordinates(block);
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-      readField(fields_[i], block, cloud_.columns[i]);
-    readExtras(block);
-  }
-
-  void
-  findExtras()
-  {
-    std::string text;
-    for (const auto* records : {&origin_->records, &origin_->extended})
-      for (const LasRecord& record : *records)
-        if (record.is("LASF_Spec", 4))
-          text += record.data;
-    bool complete = true;
-    origin_->extras = parseLasExtras(
-        text, header_.record_length - lasRecordLength(origin_->format), complete);
-    if (!complete)
-      source_.warn("the extra bytes record describes more than the point records hold; "
-                   "bytes it does not place are kept unread");
-  }
-
-  /** Whether the column \a name is read. What a file in compatibility mode stands for
-   * is made of columns of other names. */
-  bool
-  reads(std::string_view name) const
-  {
-    return isCompatible(*origin_) || isWanted(source_.options, name);
-  }
-
-  void
-  makeColumns()
-  {
-    UniqueNames names;
-    for (const LasField& field : lasFields(origin_->format)) {
-      const ValueType type = field.isAngleStep() ? ValueType::Float32 : field.type;
-      const std::string name = names.take(std::string(field.name));
-      if (!reads(name))
-        continue;
-      fields_.push_back(field);
-      layers_ |= layersOf(field);
-      cloud_.columns.push_back({name, makeValues(type, header_.count), {}});
-    }
-    for (LasExtra& extra : origin_->extras) {
-      const std::string_view text(&extra.descriptor[160], 32);
-      for (std::size_t c = 0; c < extra.columns.size(); ++c) {
-        std::string& name = extra.columns[c];
-        name = names.take(name.empty() ? "extra" : name);
-        extra_columns_.push_back(reads(name) ? cloud_.columns.size() : unread);
-        if (!reads(name))
-          continue;
-        layers_ |= laz::field::extra_bytes;
-        const ValueType type = extra.scaled[c] ? ValueType::Float64 : extra.type;
-        cloud_.columns.push_back({name,
-                                  makeValues(type, header_.count),
-                                  cleanName(text.substr(0, text.find('\0')))});
-      }
-    }
-  }
-
-  /** For what the columns may not tell of the extra bytes, where these are read whole.
-   */
-  void
-  makeRoomForRaw()
-  {
-    for (LasExtra& extra : origin_->extras) {
-      inexact_.push_back(std::make_unique<std::atomic<bool>>(extra.columns.empty()));
-      const bool scaled = extra.scaled[0] || extra.scaled[1] || extra.scaled[2];
-      const bool whole =
-          extra.columns.empty()
-              ? !source_.options.attributes
-              : std::all_of(extra.columns.begin(),
-                            extra.columns.end(),
-                            [this](const std::string& name) { return reads(name); });
-      if (!whole || !(extra.columns.empty() || scaled))
-        continue;
-      extra.raw.resize(extra.bytes * header_.count);
-      layers_ |= laz::field::extra_bytes;
-    }
+    columns_.read(block);
   }
 
   /** Puts the shift near the box of the points, so that a part of a cloud can have that
@@ -333,34 +198,6 @@ private:
       }
   }
 
-  void
-  readExtras(const RecordBlock& block)
-  {
-    const char* at = block.records + lasRecordLength(origin_->format);
-    std::size_t column = 0;
-    for (std::size_t e = 0; e < origin_->extras.size(); ++e) {
-      LasExtra& extra = origin_->extras[e];
-      for (std::size_t c = 0; c < extra.columns.size(); ++c)
-        if (const std::size_t to = extra_columns_[column++];
-            to != unread && !readExtra(extra, c, at, block, cloud_.columns[to]))
-          *inexact_[e] = true;
-      for (std::size_t i = 0; i < block.count && !extra.raw.empty(); ++i)
-        std::memcpy(&extra.raw[(block.first + i) * extra.bytes],
-                    at + i * block.stride,
-                    extra.bytes);
-      at += extra.bytes;
-    }
-  }
-
-  /** Drops the raw bytes that the columns represent. */
-  void
-  dropRaw()
-  {
-    for (std::size_t e = 0; e < origin_->extras.size(); ++e)
-      if (!*inexact_[e])
-        origin_->extras[e].raw.clear();
-  }
-
   const Source& source_;
   Window window_;
   std::shared_ptr<LasOrigin> origin_;
@@ -368,11 +205,7 @@ private:
   LasBlocks blocks_;
   std::vector<std::string> selected_; ///< records in the window, by block
   Cloud cloud_;
-  std::vector<LasField> fields_;           ///< of the first columns
-  laz::Fields layers_ = 0;                 ///< of all columns
-  std::vector<std::size_t> extra_columns_; ///< of the components of the extra entries
-  static constexpr std::size_t unread = static_cast<std::size_t>(-1);
-  std::vector<std::unique_ptr<std::atomic<bool>>> inexact_; // one an extra entry
+  LasColumns columns_;
 };
 
 } // namespace

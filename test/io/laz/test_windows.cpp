@@ -42,6 +42,24 @@ placesIn(const Cloud& cloud, const std::vector<double>& box)
   return places;
 }
 
+/** \brief Place and attributes of every point in \a box. */
+std::multiset<std::vector<double>>
+recordsIn(const Cloud& cloud, const std::vector<double>& box)
+{
+  std::multiset<std::vector<double>> records;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Point p = cloud.shift + cloud.points[i];
+    if (p.x() < box[0] || p.x() > box[2] || p.y() < box[1] || p.y() > box[3])
+      continue;
+    std::vector<double> record = {p.x(), p.y(), p.z()};
+    for (const Column& column : cloud.columns)
+      std::visit([&](const auto& v) { record.push_back(static_cast<double>(v[i])); },
+                 column.values);
+    records.insert(std::move(record));
+  }
+  return records;
+}
+
 /** \brief Grid coordinates of the points of a LAS 1.4 file, sorted. */
 std::vector<std::array<std::int32_t, 3>>
 stepsOf(const std::string& las)
@@ -105,6 +123,28 @@ TEST(Windows, HoldThePointsThatTheWholeFileHasThere)
       EXPECT_TRUE(placesIn(whole, options.bounds) == placesIn(part, options.bounds));
       EXPECT_EQ(part.points.size(), placesIn(whole, options.bounds).size());
     }
+  }
+}
+
+// A window once read only the coordinates of layered LAZ: every class in it was 0.
+TEST(Windows, HoldTheAttributesThatTheWholeFileHasThere)
+{
+  LINELET_NEEDS_DATA("readers/copc");
+  LINELET_NEEDS_DATA("lidar/laz");
+  for (const char* name : {"readers/copc/laspy_simple.copc.laz",
+                           "readers/laz/pt1_v1_pointwise.laz",
+                           "lidar/laz/AHN4corridor_12AN2_20.laz"}) {
+    SCOPED_TRACE(name);
+    const std::string path = dataPath(name).string();
+    const Cloud whole = readCloud(path);
+    const Point middle = whole.shift + whole.points[whole.points.size() / 2];
+    ReadOptions options;
+    options.bounds = {
+        middle.x() - 40, middle.y() - 40, middle.x() + 40, middle.y() + 40};
+    options.shift = whole.shift;
+    const Cloud part = readCloud(path, options);
+    ASSERT_GT(part.points.size(), 0U);
+    EXPECT_TRUE(recordsIn(whole, options.bounds) == recordsIn(part, options.bounds));
   }
 }
 
