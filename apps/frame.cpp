@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <set>
 
 #include <unistd.h>
 
@@ -250,17 +252,19 @@ Frame::inputs() const
 void
 Frame::checkOutputs(const std::vector<std::string>& outputs) const
 {
-  const std::vector<std::string> read = inputs();
-  std::vector<std::string> written;
+  std::map<std::string, std::string> read; // by identity
+  for (const std::string& input : inputs())
+    read.emplace(io::identityOf(input), input);
+  std::set<std::string> written;
   const auto check = [&](const std::string& path) {
-    for (const std::string& input : read)
-      if (io::isSameFile(path, input))
-        throw inputAsOutput(path, input);
-    for (const std::string& other : written)
-      if (io::isSameFile(path, other))
-        throw io::FileError(path + ": is named for two outputs; name another file "
-                                   "for one of them");
-    written.push_back(path);
+    const std::string identity = io::identityOf(path);
+    if (identity.empty())
+      return;
+    if (const auto input = read.find(identity); input != read.end())
+      throw inputAsOutput(path, input->second);
+    if (!written.insert(identity).second)
+      throw io::FileError(path + ": is named for two outputs; name another file "
+                                 "for one of them");
   };
   for (const std::string& path : outputs)
     check(path);

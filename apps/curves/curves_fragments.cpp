@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <linelet/curves/curve_blocks.h>
 #include <linelet/fragments/records.h>
 
 #include "curves_part.h"
@@ -15,20 +16,14 @@ namespace linelet::apps {
 
 namespace {
 
-// In D: how far fragments overlap beside the longest gap, and how far cut curves are
-// noted beyond the border. The shape of a point takes 17, the evidence of a curve the
-// rest: with 100, one tiling in seven told one curve more in a bundle at a border.
-constexpr double overlap = 200, noted = 20;
-// Of D: pieces of one curve lie closer at a border.
-constexpr double same_curve = 0.5;
-
 CloudTraits
 traitsIn(const Figures& measures)
 {
   return {measures.at("scale_unit"),
           measures.at("linear_share"),
           measures.at("points"),
-          measures.at("extent")};
+          {measures.at("low_x"), measures.at("low_y"), measures.at("low_z")},
+          {measures.at("high_x"), measures.at("high_y"), measures.at("high_z")}};
 }
 
 } // namespace
@@ -41,49 +36,52 @@ CurvesJob::measures()
   return {{"scale_unit", std::isfinite(traits.scale_unit) ? traits.scale_unit : 0},
           {"linear_share", traits.linear_share},
           {"points", traits.points},
-          {"extent", traits.extent}};
+          {"low_x", traits.low.x()},
+          {"low_y", traits.low.y()},
+          {"low_z", traits.low.z()},
+          {"high_x", traits.high.x()},
+          {"high_y", traits.high.y()},
+          {"high_z", traits.high.z()}};
 }
 
 double
 CurvesJob::ghost(const Figures& measures)
 {
-  return buffer_ > 0
-             ? buffer_
-             : overlap * traitsIn(measures).scale_unit + settings_.distance_cutoff;
+  return CurveBlocks(traitsIn(measures)).reach();
 }
 
 Figures
 CurvesJob::compute(const FragmentTask& task)
 {
-  ReconstructionSettings settings = settings_;
+  RefinedSettings settings = refinedSettings(settings_);
   settings.threads = frame_.threads; // of this worker
   settings.whole = traitsIn(task.plan.measures);
-  const PartOwner owner = [&](const Point& p) {
-    return task.plan.tiling.owner(p.x() + task.plan.shift.x(),
-                                  p.y() + task.plan.shift.y());
-  };
-  CurveNetwork network;
-  if (settings.whole.scale_unit > 0)
-    network = reconstructCurves(task.fragment.points, settings, task.monitor);
-  saveCurvePart(
-      task.result,
-      ownedBy(network, task.fragment.number, owner, noted * settings.whole.scale_unit));
+  const CurveBlocks blocks(settings.whole);
+  std::vector<BlockPart> parts;
+  for (std::size_t block = 0; block < blocks.count(); ++block) {
+    const Point middle = blocks.middle(block) + task.plan.shift;
+    if (task.plan.tiling.owner(middle.x(), middle.y()) == task.fragment.number)
+      parts.push_back(
+          {block, curvesOfBlock(task.fragment.points, block, settings, task.monitor)});
+  }
+  saveBlockParts(task.result, std::move(parts));
   return {};
 }
 
 Figures
 CurvesJob::write(const OutputTask& task)
 {
-  std::vector<CurvePart> parts(task.usable.size());
+  const CloudTraits traits = traitsIn(task.plan.measures);
+  std::vector<CurvePart> parts(CurveBlocks(traits).count());
   for (std::size_t f = 0; f < task.usable.size(); ++f)
     if (task.usable[f])
-      parts[f] = loadCurvePart(fragments::resultPath(task.folder, f));
-  const CloudTraits traits = traitsIn(task.plan.measures);
+      for (BlockPart& part : loadBlockParts(fragments::resultPath(task.folder, f)))
+        parts.at(part.block) = std::move(part.curves);
   std::string wkt;
   for (const io::FileSummary& file : input_.summaries())
     if (wkt.empty())
       wkt = file.wkt;
-  finish(joinParts(std::move(parts), same_curve * traits.scale_unit),
+  finish(joinBlocks(std::move(parts), traits),
          traits.points,
          task.plan.shift,
          wkt,

@@ -4,7 +4,6 @@
 #include "curves_job.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <numeric>
@@ -14,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <linelet/curves/curve_blocks.h>
 #include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
 
@@ -21,6 +21,7 @@
 #include "fragments/run_job.h"
 #include "given_tensors.h"
 #include "options.h"
+#include "traits_of_files.h"
 
 namespace linelet::apps {
 
@@ -81,10 +82,6 @@ CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
       "of a diffusion tensor image say, instead of measuring shapes");
   addOptions(frame_.app, vectors_);
   addOptions(frame_.app, fragments_);
-  add("buffer",
-      buffer_,
-      "Fragments: how far they overlap, unit of the file; 0: chosen by the spacing of "
-      "the points");
   frame_.parse(arguments);
   settings_.threads = frame_.threads;
 }
@@ -112,7 +109,12 @@ CurvesJob::runWhole()
       points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });
   if (tensors_ && isPublished(settings_.preset))
     settings_.tensors = givenTensors(cloud, input_.path());
+  const bool is_published = isPublished(settings_.preset);
+  if (!is_published) // as in fragments
+    settings_.whole = traitsOfCloud(input_, points, cloud.shift, frame_.threads);
   CurveNetwork network = reconstructCurves(points, settings_, &frame_.monitor);
+  if (!is_published && CurveBlocks(settings_.whole).count() == 1)
+    network = inOrderOfPlaces(network);
   frame_.lap("curves");
   frame_.summary["withheld"] = usable.withheld();
   frame_.summary["ignored"] = usable.ignored();
@@ -186,8 +188,6 @@ CurvesJob::check()
     throw io::FileError(output_ + ": holds all points, which are not written in "
                                   "fragments; name .gpkg or another ending, or give "
                                   "more --memory");
-  if (!(buffer_ >= 0) || !std::isfinite(buffer_))
-    throw std::runtime_error("--buffer must be a length, or 0");
   warnOfUnusedOptions();
 }
 

@@ -54,7 +54,6 @@ private:
   std::string output_;
   SimplifyTolerance simplify_{"auto"};
   io::VectorOptions vectors_;
-  double buffer_ = 0;
   bool tensors_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "curves_part.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "fragments/part_archive.h"
 
@@ -13,8 +14,10 @@ namespace {
 
 template <class Archive>
 void
-pass(Archive& archive, CurvePart& part)
+pass(Archive& archive, BlockPart& one_block)
 {
+  archive.all(one_block.block);
+  CurvePart& part = one_block.curves;
   const auto plain = [&](auto& one) { archive.all(one); };
   archive.list(part.pieces, [&](CurvePiece& piece) {
     Curve& c = piece.curve;
@@ -35,23 +38,23 @@ pass(Archive& archive, CurvePart& part)
 } // namespace
 
 void
-saveCurvePart(const std::string& result, CurvePart part)
+saveBlockParts(const std::string& result, std::vector<BlockPart> parts)
 {
   std::error_code ignored; // the file tells
   std::filesystem::create_directories(std::filesystem::path(result).parent_path(),
                                       ignored);
   Saver saver;
-  pass(saver, part);
+  saver.list(parts, [&](BlockPart& part) { pass(saver, part); });
   saver.save(result);
 }
 
-CurvePart
-loadCurvePart(const std::string& result)
+std::vector<BlockPart>
+loadBlockParts(const std::string& result)
 {
   Loader loader(result);
-  CurvePart part;
-  pass(loader, part);
-  return part;
+  std::vector<BlockPart> parts;
+  loader.list(parts, [&](BlockPart& part) { pass(loader, part); });
+  return parts;
 }
 
 } // namespace linelet::apps

@@ -3,18 +3,26 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <linelet/curves/curve_parts.h>
 
 namespace linelet::apps {
 
+/** \brief What a fragment found in one of its blocks. */
+struct BlockPart {
+  std::size_t block = 0;
+  CurvePart curves;
+};
+
 /** \brief Writes the result of a fragment. \throws io::FileError */
 void
-saveCurvePart(const std::string& result, CurvePart part);
+saveBlockParts(const std::string& result, std::vector<BlockPart> parts);
 
 /** \brief Reads it. \throws io::FileError where it is missing or damaged */
-CurvePart
-loadCurvePart(const std::string& result);
+std::vector<BlockPart>
+loadBlockParts(const std::string& result);
 
 } // namespace linelet::apps

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <linelet/io/cloud_sink.h>
 #include <linelet/io/point_stream.h>
 
 namespace linelet::apps {
@@ -20,10 +21,13 @@ constexpr double most = 1e6, of_square = 1e4; // points
 /** \brief Some of the squares of the plane. */
 class RandomSquares {
 public:
-  explicit RandomSquares(CloudInput& input)
+  /** \brief All of them. */
+  RandomSquares() = default;
+
+  explicit RandomSquares(const std::vector<io::FileSummary>& files)
   {
     double points = 0, area = 0;
-    for (const io::FileSummary& file : input.summaries()) {
+    for (const io::FileSummary& file : files) {
       points += static_cast<double>(file.points);
       area += (file.high.x() - file.low.x()) * (file.high.y() - file.low.y());
     }
@@ -52,17 +56,50 @@ private:
   std::uint64_t every_ = 1;
 };
 
+/** \brief The points by which a cloud is judged, one after the other. */
+class Sample {
+public:
+  explicit Sample(const RandomSquares& squares) : squares_(squares) {}
+
+  /** \param[in] p by \a shift */
+  void
+  add(const Point& p, const Point& shift)
+  {
+    if (!p.allFinite())
+      return;
+    ++count_;
+    box_.extend(p);
+    if (squares_.hold(p + shift))
+      some_.push_back(p);
+  }
+
+  CloudTraits
+  traits(unsigned threads) const
+  {
+    CloudTraits traits = cloudTraits(some_, threads);
+    traits.points = count_;
+    if (!box_.isEmpty()) {
+      traits.low = box_.min();
+      traits.high = box_.max();
+    }
+    return traits;
+  }
+
+private:
+  RandomSquares squares_;
+  Points some_;
+  double count_ = 0;
+  Eigen::AlignedBox3d box_;
+};
+
 } // namespace
 
 CloudTraits
 traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor)
 {
-  const RandomSquares squares(input);
+  Sample sample{RandomSquares(input.summaries())};
   io::ReadOptions options = input.readOptions();
   options.shift = input.shift();
-  Points some;
-  double count = 0;
-  Eigen::AlignedBox3d box;
   for (const std::string& file : input.files()) {
     io::PointStream stream(file, options, 400000, nullptr, monitor);
     io::Cloud cloud;
@@ -70,18 +107,26 @@ traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor)
       throwIfCanceled(monitor);
       const io::UsablePoints usable(cloud, nullptr, input.classes());
       for (const Point& p : usable.points())
-        if (p.allFinite()) {
-          ++count;
-          box.extend(p);
-          if (squares.hold(p + cloud.shift))
-            some.push_back(p);
-        }
+        sample.add(p, cloud.shift);
     }
   }
-  CloudTraits traits = cloudTraits(some, threads);
-  traits.points = std::max(traits.points, count);
-  traits.extent = box.isEmpty() ? 0 : box.diagonal().norm();
-  return traits;
+  return sample.traits(threads);
+}
+
+CloudTraits
+traitsOfCloud(CloudInput& input,
+              const Points& points,
+              const Point& shift,
+              unsigned threads)
+{
+  // As fragments see it: they are of such files, of which headers are quickly read.
+  const bool choose =
+      static_cast<double>(points.size()) > most &&
+      std::all_of(input.files().begin(), input.files().end(), io::CloudSink::takes);
+  Sample sample(choose ? RandomSquares(input.summaries()) : RandomSquares());
+  for (const Point& p : points)
+    sample.add(p, shift);
+  return sample.traits(threads);
 }
 
 } // namespace linelet::apps

@@ -17,4 +17,12 @@ namespace linelet::apps {
 CloudTraits
 traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor);
 
+/** \brief The same, of the cloud that \a input was read as.
+ * \param[in] points by \a shift; those that take no part are not finite */
+CloudTraits
+traitsOfCloud(CloudInput& input,
+              const Points& points,
+              const Point& shift,
+              unsigned threads);
+
 } // namespace linelet::apps

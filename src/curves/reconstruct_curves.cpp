@@ -22,17 +22,24 @@ reconstruct(const NeighborSearch* search,
   if (isPublished(settings.preset))
     return search != nullptr ? reconstructPublished(*search, points, settings, monitor)
                              : reconstructPublished(points, settings, monitor);
+  const RefinedSettings refined = refinedSettings(settings);
+  return search != nullptr ? reconstructRefined(*search, points, refined, monitor)
+                           : reconstructRefined(points, refined, monitor);
+}
+
+} // namespace
+
+RefinedSettings
+refinedSettings(const ReconstructionSettings& settings)
+{
   RefinedSettings refined;
   refined.start_points = settings.start_points;
   refined.max_iterations = settings.max_iterations;
   refined.distance_cutoff = settings.distance_cutoff;
   refined.threads = settings.threads;
   refined.whole = settings.whole;
-  return search != nullptr ? reconstructRefined(*search, points, refined, monitor)
-                           : reconstructRefined(points, refined, monitor);
+  return refined;
 }
-
-} // namespace
 
 CurveNetwork
 reconstructCurves(const Points& points,

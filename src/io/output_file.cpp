@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <filesystem>
 
+#include <sys/stat.h>
+
 #include <linelet/io/file_error.h>
 #include <linelet/io/output_check.h>
 
@@ -24,14 +26,24 @@ checkWritable(const std::string& path)
 bool
 isSameFile(const std::string& one, const std::string& other)
 {
+  const std::string identity = identityOf(one);
+  return !identity.empty() && identity == identityOf(other);
+}
+
+std::string
+identityOf(const std::string& path)
+{
   namespace fs = std::filesystem;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    const bool is_kept = S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
+    return is_kept ? "file " + std::to_string(status.st_dev) + " " +
+                         std::to_string(status.st_ino)
+                   : std::string();
+  }
   std::error_code error;
-  if (fs::is_other(one, error) || fs::is_other(other, error))
-    return false;
-  if (fs::exists(one, error) && fs::exists(other, error))
-    return fs::equivalent(one, other, error);
-  const fs::path place = fs::weakly_canonical(fs::absolute(one, error), error);
-  return !error && place == fs::weakly_canonical(fs::absolute(other, error), error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? std::string() : place.string();
 }
 
 OutputFile::OutputFile(const std::string& path)

@@ -47,7 +47,7 @@ struct Names<Preset> {
  * other parameters are those of the published presets. */
 struct ReconstructionSettings : StreamlineSettings {
   Preset preset = Preset::Refined;
-  CloudTraits whole; ///< of the cloud that the points are a part of; refined only
+  CloudTraits whole; ///< of the cloud, if known; refined only
 };
 
 template <class Visit>
@@ -57,6 +57,10 @@ describe(ReconstructionSettings& settings, Visit&& visit)
   visit("preset", settings.preset, "method");
   describe(static_cast<StreamlineSettings&>(settings), visit);
 }
+
+/** \brief Those of \a settings that the refined reconstruction knows. */
+RefinedSettings
+refinedSettings(const ReconstructionSettings& settings);
 
 /** \brief Curves that run through \a points.
  * \param[in] points any points; those with a coordinate that is not finite are left out

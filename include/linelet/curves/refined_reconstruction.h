@@ -14,10 +14,11 @@ namespace LINELET_PUBLIC linelet {
 /** \brief What a cloud is like as a whole, so that curves are looked for in each of its
  * parts as in all of it. */
 struct CloudTraits {
-  double scale_unit = 0;   ///< D, unit of the points
-  double linear_share = 0; ///< share of the points around which it is linear
-  double points = 0;       ///< number of points; 0: nothing is known
-  double extent = 0;       ///< diagonal of the box around them
+  double scale_unit = 0;      ///< D, unit of the points
+  double linear_share = 0;    ///< share of the points around which it is linear
+  double points = 0;          ///< number of points; 0: nothing is known
+  Point low = Point::Zero();  ///< corners of the box around them
+  Point high = Point::Zero(); ///< likewise
 };
 
 /** \brief The traits of \a points, of which those that are not finite do not count.
@@ -35,11 +36,14 @@ struct RefinedSettings {
       0;                ///< widest gap that is bridged, in the unit of the points;
                         ///< 0: an eighth of the length, where directions agree
   unsigned threads = 0; ///< threads; 0: all
-  CloudTraits whole;    ///< of the cloud that the points are a part of
+  CloudTraits whole;    ///< of the cloud, if known
 };
 
 /** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the
  * geometry.
+ *
+ * In a scene in which most points are on no curve, curves are followed through what
+ * surrounds them, block by block (\ref CurveBlocks). What follows is about the others.
  *
  * Every connected component of the cloud is worked on by itself. Ridges of its smoothed
  * density are traced at several bandwidths; each result is refitted as a mixture of

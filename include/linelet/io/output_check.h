@@ -25,5 +25,10 @@ checkCurvesOutput(const std::string& path);
 bool
 isSameFile(const std::string& one, const std::string& other);
 
+/** \brief What all names of the same file (\ref isSameFile) have in common; empty for
+ * devices and pipes. */
+std::string
+identityOf(const std::string& path);
+
 } // namespace io
 } // namespace linelet

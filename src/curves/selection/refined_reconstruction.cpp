@@ -15,11 +15,13 @@
 
 #include <Eigen/Geometry>
 
+#include <linelet/curves/curve_blocks.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/search/subset_search.h>
 #include <linelet/support/text.h>
 #include <linelet/support/threads.h>
 
+#include "cloud_kind.h"
 #include "curves/network/bridging.h"
 #include "curves/network/model_network.h"
 #include "curves/ridges/connected_components.h"
@@ -43,10 +45,9 @@ constexpr std::size_t least_component = 5;
 // this along the curves.
 constexpr std::size_t most_varied = 60000;
 constexpr double uneven = 2.5;
-// A cloud is one of curves alone if it is linear around this share of its points; small
-// ones, noisy beside their extent, are if curves explain this share.
-constexpr double curves_alone = 0.9, least_explained = 0.5;
-constexpr double most_tried_twice = 5000; // points
+// A cloud that is linear around this share of its points, or small, may be one of
+// curves noisy beside their extent; it is if curves explain this share.
+constexpr double least_explained = 0.5;
 // Curves that lie nearer to their points than this, in mean distances along them, blur
 // nothing. Thinner ones by this factor, with this many times the evidence needed, do
 // not come about by chance.
@@ -182,16 +183,6 @@ standOut(const ModelCurves& mixed, const ModelCurves& alone, double points)
   return !sure.empty() && blurred * thicknessOf(sure) < thicknessOf(alone);
 }
 
-/** \brief Diagonal of the box around \a points, 0 of none. */
-double
-extentOf(const Points& points)
-{
-  Eigen::AlignedBox3d box;
-  for (const Point& p : points)
-    box.extend(p);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
 /** \brief Curves of a cloud of hardly anything else, each connected component by
  * itself.
  * \param[in] search over \a points, or null */
@@ -229,13 +220,6 @@ componentCurves(const Points& points,
       curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit);
 }
 
-/** \brief Whether both ways are tried; a larger cloud is looked at first. */
-bool
-isSmall(const CloudTraits& traits)
-{
-  return traits.points <= most_tried_twice;
-}
-
 /** \brief \a known, and what is not known of it by \a points, all different. */
 CloudTraits
 traitsOf(const Points& points,
@@ -247,19 +231,58 @@ traitsOf(const Points& points,
     return known;
   CloudTraits traits;
   traits.points = static_cast<double>(points.size());
-  traits.extent = extentOf(points);
+  Eigen::AlignedBox3d box;
+  for (const Point& p : points)
+    box.extend(p);
+  if (!box.isEmpty()) {
+    traits.low = box.min();
+    traits.high = box.max();
+  }
   traits.scale_unit = search != nullptr ? scaleUnit(*search, points, 1024, 1, threads)
                                         : scaleUnit(points, 1024, 1, threads);
-  if (traits.scale_unit > 0 && std::isfinite(traits.scale_unit))
+  if (hasScale(traits))
     traits.linear_share =
         isSmall(traits) ? 1 : linearShare(points, traits.scale_unit, threads);
   return traits;
 }
 
+/** \brief Passes on that work is to end; progress is by block. */
+class BlockMonitor : public ProgressMonitor {
+public:
+  explicit BlockMonitor(const ProgressMonitor* outer) : outer_(outer) {}
+
+  bool
+  canceled() const override
+  {
+    return outer_ != nullptr && outer_->canceled();
+  }
+
+private:
+  const ProgressMonitor* outer_;
+};
+
+CurveNetwork
+curvesByBlocks(const Points& points,
+               std::size_t count,
+               const RefinedSettings& settings,
+               ProgressMonitor* monitor)
+{
+  if (monitor)
+    monitor->begin("curves", count);
+  BlockMonitor inner(monitor);
+  std::vector<CurvePart> parts;
+  for (std::size_t block = 0; block < count; ++block) {
+    parts.push_back(curvesOfBlock(points, block, settings, &inner));
+    if (monitor)
+      monitor->advance(1);
+  }
+  return joinBlocks(std::move(parts), settings.whole);
+}
+
 CurveNetwork
 reconstruct(const Points& all,
             const NeighborSearch* search,
-            const RefinedSettings& settings,
+            RefinedSettings settings,
             ProgressMonitor* monitor)
 {
   if (!(settings.distance_cutoff >= 0))
@@ -272,18 +295,22 @@ reconstruct(const Points& all,
   if (search != nullptr && points.size() < all.size())
     search = &subset.emplace(*search, all, different);
   const CloudTraits traits = traitsOf(points, search, settings.whole, settings.threads);
-  const double scale_unit = traits.scale_unit;
-  if (!(scale_unit > 0) || !std::isfinite(scale_unit) || points.empty())
+  if (!hasScale(traits) || points.empty())
     return {};
-  const bool small = isSmall(traits);
-  const double linear = traits.linear_share;
+  settings.whole = traits;
+  const double scale_unit = traits.scale_unit;
   ModelCurves curves;
-  if (linear < curves_alone)
+  const std::size_t blocks = CurveBlocks(traits).count();
+  if (blocks > 1) {
+    CurveNetwork network = curvesByBlocks(points, blocks, settings, monitor);
+    if (!network.curves.empty() || traits.linear_share < least_explained)
+      return network;
+  }
+  else if (!isOfCurvesAlone(traits))
     curves = mixedCurves(points, scale_unit, settings, monitor);
   // Curves too noisy to be followed may be most of a cloud still.
-  const bool is_part = settings.whole.points > 0;
-  if (linear >= curves_alone ||
-      (curves.empty() && linear >= least_explained && !is_part)) {
+  if (isOfCurvesAlone(traits) ||
+      (curves.empty() && traits.linear_share >= least_explained)) {
     const Indices kept = thinned(points, scale_unit);
     std::optional<SubsetSearch> thin;
     if (search != nullptr && kept.size() < points.size())
@@ -293,10 +320,10 @@ reconstruct(const Points& all,
   }
   const double explained = explainedBy(curves);
   const bool little = explained < least_explained * static_cast<double>(points.size());
-  if (small && (little || thicknessOf(curves) > sharp)) {
+  if (isSmall(traits) && (little || thicknessOf(curves) > sharp)) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
     if ((little && explainedBy(mixed) > explained) ||
-        (traits.extent > scene_extent * scale_unit &&
+        ((traits.high - traits.low).norm() > scene_extent * scale_unit &&
          standOut(mixed, curves, traits.points)))
       curves = std::move(mixed);
   }

@@ -279,10 +279,9 @@ mixedCurves(const Points& all,
   if (monitor)
     monitor->begin("curves", std::size(bendings) * seeds.size());
   // Of the whole cloud, if this is a part of it.
-  const double share = settings.whole.points > 0
-                           ? settings.whole.points / static_cast<double>(all.size())
-                           : 1;
-  const double points = share * static_cast<double>(scene.points().size());
+  const double points = settings.whole.points > 0
+                            ? settings.whole.points
+                            : static_cast<double>(scene.points().size());
   SceneCurves curves(scene, settings, points, monitor);
   for (const TrackBending& bending : bendings)
     curves.follow(seeds, bending);

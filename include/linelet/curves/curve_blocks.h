@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <linelet/curves/curve_parts.h>
+#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
+#include <linelet/support/visibility.h>
+
+namespace LINELET_PUBLIC linelet {
+
+/** \brief The rectangles in plan that a scene is divided into when curves are looked
+ * for in it.
+ *
+ * What is found in a block depends on the points in it and in a margin around it, on
+ * none beyond: whoever has these finds the same curves there, to the last digit,
+ * whatever else of the cloud is known. A scene that is not larger than a block, a small
+ * cloud, and one of curves alone, whose connected components know no borders, are one
+ * block. */
+class CurveBlocks {
+public:
+  /** \param[in] whole of the cloud */
+  explicit CurveBlocks(const CloudTraits& whole);
+
+  std::size_t
+  count() const
+  {
+    return numbers_[0] * numbers_[1];
+  }
+
+  /** \brief The block that owns \a p; every place has one owner. */
+  std::size_t
+  owner(const Point& p) const;
+
+  /** \brief The middle of \a block in plan; its height is 0. */
+  Point
+  middle(std::size_t block) const;
+
+  /** \brief Whether a point at \a p takes part in \a block. */
+  bool
+  takesPart(const Point& p, std::size_t block) const;
+
+  /** \brief Along x and y, no point that takes part in a block is farther from its
+   * middle. */
+  double
+  reach() const;
+
+private:
+  std::array<double, 2> low_{}, sides_{};
+  std::array<std::size_t, 2> numbers_{1, 1};
+  double margin_ = 0;
+};
+
+/** \brief The curves of one block, as far as it owns them.
+ * \param[in] points of the cloud, in its order; all that take part in the block, and
+ * maybe others
+ * \param[in] settings with the traits of the whole cloud
+ * \throws as \ref reconstructRefined */
+CurvePart
+curvesOfBlock(const Points& points,
+              std::size_t block,
+              const RefinedSettings& settings,
+              ProgressMonitor* monitor = nullptr);
+
+/** \brief The curves of the whole cloud.
+ * \param[in] parts by block
+ * \param[in] whole of the cloud */
+CurveNetwork
+joinBlocks(std::vector<CurvePart> parts, const CloudTraits& whole);
+
+/** \brief \a found, curves of the whole cloud, as \ref joinBlocks gives them. */
+CurveNetwork
+inOrderOfPlaces(const CurveNetwork& found);
+
+} // namespace linelet
