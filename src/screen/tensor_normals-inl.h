@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet::screen {
 namespace HWY_NAMESPACE {
 
-/** \brief Sums of outer products of directions. */
+/** \brief Sums of outer products of directions, over their lengths. */
 struct Tensors {
   float xx[block], xy[block], xz[block], yy[block], yz[block], zz[block];
 };
@@ -40,7 +40,7 @@ addDirections(const float* HWY_RESTRICT x,
     const float dx = x[i] - cx[i], dy = y[i] - cy[i], dz = z[i] - cz[i];
     const float square = (dx * dx + dy * dy) + dz * dz;
     const bool counts = (square > 0) & (square <= limit);
-    const float weight = 1 / (counts ? square : 1);
+    const float weight = 1 / std::sqrt(counts ? square : 1);
     const float a = counts ? dx : 0, b = counts ? dy : 0, c = counts ? dz : 0;
     const float wa = weight * a, wb = weight * b, wc = weight * c;
     t.xx[i] += wa * a;
@@ -136,24 +136,23 @@ inline void
 tensorNormals(
     const PaddedSamples& s, int rings, float limit, std::ptrdiff_t at, NormalBlock& out)
 {
+  // The pixel's own samples differ from their mean along the ray, and would only turn
+  // the plane towards it.
   Tensors t = {};
-  const auto add = [&](std::ptrdiff_t place) {
-    for (int layer = 0; layer < s.layers; ++layer) {
-      const std::ptrdiff_t from = layer * s.layer + place;
-      addDirections(s.x.data() + from,
-                    s.y.data() + from,
-                    s.z.data() + from,
-                    s.cx.data() + at,
-                    s.cy.data() + at,
-                    s.cz.data() + at,
-                    limit,
-                    t);
-    }
-  };
-  add(at);
   for (int ring = 0; ring < rings; ++ring)
     for (const auto& place : ring_places[ring])
-      add(at + place[1] * s.stride + place[0]);
+      for (int layer = 0; layer < s.layers; ++layer) {
+        const std::ptrdiff_t from =
+            layer * s.layer + at + place[1] * s.stride + place[0];
+        addDirections(s.x.data() + from,
+                      s.y.data() + from,
+                      s.z.data() + from,
+                      s.cx.data() + at,
+                      s.cy.data() + at,
+                      s.cz.data() + at,
+                      limit,
+                      t);
+      }
   smallest(t, out);
 }
 

@@ -19,7 +19,7 @@ enum class ScreenNormalMethod {
   LocalDerivatives, ///< LD: the steps to the next pixels, n = d/dy x d/dx
   PlaneDiagonals,   ///< PD: cross products of diagonals between opposite samples
   PlaneCircle,      ///< PC: mean of the normals of the triangles around the center
-  Tensor            ///< TI: smallest eigenvector of sum d (x) d / |d|^2
+  Tensor            ///< TI: smallest eigenvector of sum d (x) d / |d|
 };
 
 template <>
@@ -34,10 +34,13 @@ struct Names<ScreenNormalMethod> {
 
 /** \brief How normals of a picture are estimated (Schiffner et al. 2013).
  *
- * Under noise along the rays, derivatives are by far the worst. The diagonals, longer
- * ones weighing more, come closest to a fitted plane and are the best; the tensor, to
- * which near and far samples count alike, is about as good as triangles, but makes use
- * of every sample beside gaps, where diagonals and triangles need whole ones. */
+ * Under noise, derivatives are by far the worst, and triangles worse than the other
+ * two. The diagonals are the least-squares slope of their samples, the best there is on
+ * a plane; the tensor comes close to them, and makes use of every sample beside edges,
+ * gaps and the distance limit, where triangles need pairs and diagonals four.
+ *
+ * The weight of the tensor is 1/|d|: the text at hand prints the norm with a 2 beside
+ * it, which is its kind or its square, and with the square errors are larger. */
 struct ScreenNormalSettings {
   ScreenNormalMethod method = ScreenNormalMethod::Tensor;
   /// Pixels that take part: 5, 9, 17 or 25. The positions in the publication are in a

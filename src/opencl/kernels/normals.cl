@@ -133,15 +133,15 @@ screenNormals(constant Picture* picture,
   }
   else if (picture->method == 3) { // TI
     float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    for (int k = -1; k < 4 * picture->rings; ++k) {
+    for (int k = 0; k < 4 * picture->rings; ++k) {
       const int place =
-          k < 0 ? at : at + ring_places[k / 4][k % 4][1] * stride + ring_places[k / 4][k % 4][0];
+          at + ring_places[k / 4][k % 4][1] * stride + ring_places[k / 4][k % 4][0];
       for (int layer = 0; layer < picture->layers; ++layer) {
         const float3 d = sampleAt(x, y, z, layer * picture->layer + place) - c;
         const float square = squareOf(d);
         if (!(square > 0 && square <= limit))
           continue;
-        const float3 weighted = d * (1 / square);
+        const float3 weighted = d * (1 / sqrt(square));
         xx += weighted.x * d.x;
         xy += weighted.x * d.y;
         xz += weighted.x * d.z;
