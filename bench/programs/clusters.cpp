@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Clusters beside pcl::VoxelGrid and pcl::ApproximateVoxelGrid.
+// Clusters beside pcl::VoxelGrid, pcl::ApproximateVoxelGrid and the centroids of PCL's
+// octree.
 //   benchmark_clusters quality FILE LEAF...     equal numbers of representatives
 //   benchmark_clusters speed FILE POINTS...     copies of a tile side by side
 #include <algorithm>
@@ -16,6 +17,7 @@
 
 #include <pcl/filters/approximate_voxel_grid.h>
 #include <pcl/filters/voxel_grid.h>
+#include <pcl/octree/octree_pointcloud_voxelcentroid.h>
 
 #include <linelet/clustering/cluster_points.h>
 #include <linelet/io/point_file.h>
@@ -303,6 +305,18 @@ compareSpeed(const std::string& file, std::size_t count)
   candidates.push_back(
       {"pcl::ApproximateVoxelGrid, the same",
        [&] { return filtered(pcl::ApproximateVoxelGrid<pcl::PointXYZ>()); },
+       {}});
+  candidates.push_back(
+      {"pcl::octree, voxel centroids, cubes as wide",
+       [&] {
+         pcl::octree::OctreePointCloudVoxelCentroid<pcl::PointXYZ> tree(leaf.x());
+         tree.setInputCloud(cloud);
+         tree.defineBoundingBox();
+         tree.addPointsFromInputCloud();
+         pcl::octree::OctreePointCloudVoxelCentroid<pcl::PointXYZ>::AlignedPointTVector
+             centroids;
+         return static_cast<std::size_t>(tree.getVoxelCentroids(centroids));
+       },
        {}});
   race(candidates);
   for (const Candidate& candidate : candidates)

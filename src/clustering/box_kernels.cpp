@@ -7,7 +7,35 @@
 #include "box_kernels.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <limits>
+
+#ifndef LINELET_CLUSTERING_SET_BITS
+#define LINELET_CLUSTERING_SET_BITS
+
+namespace linelet::clustering {
+
+/** \brief The places of the bits set in a byte, one after the other, a byte each. */
+struct SetBits {
+  std::uint8_t places[256][8] = {};
+
+  constexpr SetBits()
+  {
+    for (unsigned bits = 0; bits < 256; ++bits) {
+      unsigned count = 0;
+      for (std::uint8_t place = 0; place < 8; ++place)
+        if (((bits >> place) & 1U) != 0)
+          places[bits][count++] = place;
+    }
+  }
+};
+
+inline constexpr SetBits set_bits;
+
+} // namespace linelet::clustering
+
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "clustering/box_kernels.cpp"
@@ -72,8 +100,10 @@ extend(const Point* points, std::size_t count, const Corners& corners)
 struct Axis {
   Axis(const CellFrame& frame, int axis)
       : low(hn::Set(doubles, frame.low[axis])),
+        size(hn::Set(doubles, frame.size[axis])),
         inverse(hn::Set(doubles, frame.inverse[axis])),
         last(hn::Set(doubles, frame.cells[static_cast<std::size_t>(axis)] - 1)),
+        bricks(hn::Set(doubles, (frame.cells[static_cast<std::size_t>(axis)] + 7) / 8)),
         many(frame.cells[static_cast<std::size_t>(axis)] > 1)
   {
   }
@@ -91,7 +121,15 @@ struct Axis {
     return cell;
   }
 
-  Vector low, inverse, last;
+  /** \brief CellOrigin::middle of cells. */
+  Vector
+  middleOf(Vector cell) const
+  {
+    const Vector half = hn::Set(doubles, 0.5);
+    return hn::Add(low, hn::Mul(hn::Add(cell, half), size));
+  }
+
+  Vector low, size, inverse, last, bricks;
   bool many;
 };
 
@@ -127,6 +165,25 @@ struct Faces {
   Vector border, step_scale;
 };
 
+/** \brief CellDirectory::keyOf; all numbers are far below 2^53. */
+inline Vector
+keyOf(const Axis axes[3], const Vector cell[3])
+{
+  const Vector eight = hn::Set(doubles, 8);
+  Vector brick[3], within[3];
+  for (int a = 0; a < 3; ++a) {
+    brick[a] = hn::Trunc(hn::Mul(cell[a], hn::Set(doubles, 0.125)));
+    within[a] = hn::NegMulAdd(brick[a], eight, cell[a]);
+  }
+  const Vector row = hn::MulAdd(brick[2], axes[1].bricks, brick[1]);
+  const Vector number = hn::MulAdd(row, axes[0].bricks, brick[0]);
+  const Vector inside =
+      hn::MulAdd(hn::MulAdd(within[2], eight, within[1]), eight, within[0]);
+  return hn::MulAdd(
+      number, hn::Set(doubles, double{CellDirectory::brick_cells}), inside);
+}
+
+/** \brief Calls finish(place, coordinates, cells, parts, located or not). */
 template <class Finish>
 inline void
 locateAnd(const CellFrame& frame,
@@ -136,89 +193,124 @@ locateAnd(const CellFrame& frame,
           const Finish& finish)
 {
   const Axis axes[3] = {{frame, 0}, {frame, 1}, {frame, 2}};
-  const Vector row = hn::Set(doubles, frame.cells[0]);
-  const Vector column = hn::Set(doubles, frame.cells[1]);
   block.count = count;
   forVectors(
       points, static_cast<std::size_t>(count), [&](std::size_t i, const double* from) {
         Vector at[3], part[3], cell[3];
         hn::LoadInterleaved3(doubles, from, at[0], at[1], at[2]);
-        hn::StoreU(at[0], doubles, block.x + i);
-        hn::StoreU(at[1], doubles, block.y + i);
-        hn::StoreU(at[2], doubles, block.z + i);
-        Mask inside = hn::Eq(row, row);
+        Mask inside = hn::Eq(axes[0].low, axes[0].low);
         for (int a = 0; a < 3; ++a)
           cell[a] = axes[a].cellOf(at[a], inside, part[a]);
-        // Below 2^40: exact.
-        const Vector number =
-            hn::Add(hn::Mul(hn::Add(hn::Mul(cell[2], column), cell[1]), row), cell[0]);
-        hn::StoreU(
-            hn::IfThenElse(inside, number, hn::Set(doubles, PointBlock::nowhere)),
-            doubles,
-            block.cell + i);
-        finish(i, part, inside);
+        hn::StoreU(hn::IfThenElse(inside,
+                                  keyOf(axes, cell),
+                                  hn::Set(doubles, PointBlock::nowhere)),
+                   doubles,
+                   block.key + i);
+        finish(i, at, cell, part, inside);
       });
 }
 
 void
 locate(const CellFrame& frame, const Point* points, int count, PointBlock& block)
 {
-  locateAnd(frame, points, count, block, [](std::size_t, const Vector*, Mask) {});
+  locateAnd(frame,
+            points,
+            count,
+            block,
+            [](std::size_t, const Vector*, const Vector*, const Vector*, Mask) {});
+}
+
+/** \brief Offsets from the middles of cells. */
+struct Offsets {
+  Offsets(const CellFrame& frame, int bits) : axes{{frame, 0}, {frame, 1}, {frame, 2}}
+  {
+    for (int a = 0; a < 3; ++a)
+      scale[a] = hn::Set(doubles, std::ldexp(1 / frame.size[a], bits));
+  }
+
+  void
+  store(std::size_t i, const Vector* at, const Vector* cell, PointBlock& block) const
+  {
+    for (int a = 0; a < 3; ++a)
+      hn::StoreU(
+          hn::Round(hn::Mul(hn::Sub(at[a], axes[a].middleOf(cell[a])), scale[a])),
+          doubles,
+          block.offset[a] + i);
+  }
+
+  Axis axes[3];
+  Vector scale[3];
+};
+
+void
+locateMembers(
+    const CellFrame& frame, int bits, const Point* points, int count, PointBlock& block)
+{
+  const Offsets offsets(frame, bits);
+  locateAnd(
+      frame,
+      points,
+      count,
+      block,
+      [&](std::size_t i, const Vector* at, const Vector* cell, const Vector*, Mask) {
+        offsets.store(i, at, cell, block);
+      });
 }
 
 void
 locateWithFaces(const CellFrame& frame,
+                int bits,
                 double border,
                 const Point* points,
                 int count,
                 PointBlock& block)
 {
+  const Offsets offsets(frame, bits);
   const Faces faces_of(border);
   const hn::Rebind<std::int32_t, Doubles> integers;
-  locateAnd(
-      frame, points, count, block, [&](std::size_t i, const Vector* part, Mask inside) {
-        hn::StoreU(hn::DemoteTo(integers, faces_of.nearest(part, inside)),
-                   integers,
-                   block.face + i);
-      });
+  locateAnd(frame,
+            points,
+            count,
+            block,
+            [&](std::size_t i,
+                const Vector* at,
+                const Vector* cell,
+                const Vector* part,
+                Mask inside) {
+              offsets.store(i, at, cell, block);
+              hn::StoreU(hn::DemoteTo(integers, faces_of.nearest(part, inside)),
+                         integers,
+                         block.face + i);
+            });
 }
 
 void
 findRuns(PointBlock& block)
 {
-  block.runs = 0;
-  const auto end = [&](int place) { block.ends[block.runs++] = place; };
   const int lanes = static_cast<int>(hn::Lanes(doubles));
+  std::size_t runs = 0;
+  if (block.count > 0)
+    block.starts[runs++] = 0;
   for (int i = 0; i + 1 < block.count; i += lanes) {
     const Mask change =
-        hn::And(hn::Ne(hn::LoadU(doubles, block.cell + i),
-                       hn::LoadU(doubles, block.cell + i + 1)),
+        hn::And(hn::Ne(hn::LoadU(doubles, block.key + i),
+                       hn::LoadU(doubles, block.key + i + 1)),
                 hn::FirstN(doubles, static_cast<std::size_t>(block.count - 1 - i)));
-    if (hn::AllFalse(doubles, change))
-      continue;
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(doubles, change, bits);
-    for (int lane = 0; lane < lanes; ++lane)
-      if (((bits[0] >> lane) & 1) != 0)
-        end(i + lane + 1);
+    // No branch for a change: in fine grids there is no telling where they are.
+    std::uint64_t places = 0;
+    std::memcpy(&places, set_bits.places[bits[0]], sizeof(places));
+    places += 0x0101010101010101U * static_cast<std::uint64_t>(i + 1);
+    std::memcpy(block.starts + runs, &places, sizeof(places));
+    runs += hn::CountTrue(doubles, change);
   }
-  if (block.count > 0)
-    end(block.count);
+  block.runs = static_cast<int>(runs);
 }
 
 void
-add(const PointBlock& block,
-    int first,
-    int count,
-    const CellOrigin& origin,
-    CellSums& sums)
+add(const PointBlock& block, int first, int count, CellSums& sums)
 {
-  const double* from[3] = {block.x + first, block.y + first, block.z + first};
-  Vector middle[3], scale[3];
-  for (std::size_t a = 0; a < 3; ++a) {
-    middle[a] = hn::Set(doubles, origin.middle[a]);
-    scale[a] = hn::Set(doubles, origin.scale[a]);
-  }
   const Vector zero = hn::Zero(doubles);
   Vector x = zero, y = zero, z = zero;
   Vector xx = zero, xy = zero, xz = zero, yy = zero, yz = zero, zz = zero;
@@ -226,9 +318,7 @@ add(const PointBlock& block,
   for (int i = 0; i < count; i += lanes) {
     const Mask these = hn::FirstN(doubles, static_cast<std::size_t>(count - i));
     const auto offset = [&](int a) {
-      const Vector at =
-          hn::Mul(hn::Sub(hn::LoadU(doubles, from[a] + i), middle[a]), scale[a]);
-      return hn::IfThenElseZero(these, hn::Round(at));
+      return hn::IfThenElseZero(these, hn::LoadU(doubles, block.offset[a] + first + i));
     };
     const Vector u = offset(0), v = offset(1), w = offset(2);
     x = hn::Add(x, u);
@@ -259,7 +349,7 @@ add(const PointBlock& block,
 BoxKernels
 kernels()
 {
-  return {extend, locate, locateWithFaces, findRuns, add};
+  return {extend, locate, locateMembers, locateWithFaces, findRuns, add};
 }
 
 } // namespace HWY_NAMESPACE

@@ -15,16 +15,16 @@ namespace linelet::clustering {
 
 /** \brief So many points, one after the other, and the cells they are in. */
 struct PointBlock {
-  static constexpr int size = 256;
+  static constexpr int size = 256; ///< whose numbers fit into a byte
   static constexpr int margin = 8; ///< that whole vectors can be read beyond the end
   static constexpr double nowhere = -1;
 
   int count = 0;
-  double x[size + margin], y[size + margin], z[size + margin];
-  double cell[size + margin];       ///< number of the cell in the grid, or \ref nowhere
+  double key[size + margin];        ///< see CellDirectory::keyOf; or \ref nowhere
+  double offset[3][size + margin];  ///< from the middle of the cell, in its integers
   std::int32_t face[size + margin]; ///< see \ref nearestFace
   int runs = 0;
-  std::int32_t ends[size + margin]; ///< of runs of points in one cell
+  std::uint8_t starts[size + margin]; ///< of runs of points in one cell
 };
 
 /** \brief Three coordinates each; infinite the wrong way round if the box is empty. */
@@ -38,11 +38,16 @@ struct BoxKernels {
   /// Widens the corners by the points all of whose coordinates are finite.
   void (*extend)(const Point* points, std::size_t count, const Corners& corners);
 
-  /// Fills the block with up to PointBlock::size points and their cells.
+  /// Finds the cells of up to PointBlock::size points, and nothing else.
   void (*locate)(const CellFrame& frame, const Point* points, int count, PointBlock&);
 
-  /// Finds the faces of points as \ref locate does their cells.
+  /// The same, and the offsets in so many bits, see \ref CellOrigin.
+  void (*locateMembers)(
+      const CellFrame& frame, int bits, const Point* points, int count, PointBlock&);
+
+  /// The same, and the nearest faces.
   void (*locateWithFaces)(const CellFrame& frame,
+                          int bits,
                           double border,
                           const Point* points,
                           int count,
@@ -53,11 +58,7 @@ struct BoxKernels {
 
   /// Adds the points from \a first on to the sums. All partial sums must stay below
   /// 2^53, see \ref exact_bits.
-  void (*add)(const PointBlock&,
-              int first,
-              int count,
-              const CellOrigin& origin,
-              CellSums& sums);
+  void (*add)(const PointBlock&, int first, int count, CellSums& sums);
 };
 
 /** \brief Offsets of so many bits, see \ref offsetBits, add up exactly in double over a

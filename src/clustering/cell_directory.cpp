@@ -27,29 +27,30 @@ CellDirectory::CellDirectory(const Cell& cells) : cells_(cells)
 }
 
 bool
-CellDirectory::makeDense(std::size_t points)
+CellDirectory::markAll(std::size_t points)
 {
-  constexpr std::size_t most = 1U << 18;
-  const std::size_t all = bricks_[0] * bricks_[1] * bricks_[2] * brick_cells;
-  if (all > most || all > points / 16)
+  constexpr std::size_t cells_of_word = 32, few = 1U << 16;
+  if (keys() / cells_of_word > points + few)
     return false;
-  dense_ = true;
   std::fill(marked.words.begin(), marked.words.end(), ~0U);
-  const std::size_t beyond = marked.words.size() * 32 - all / brick_cells;
-  marked.words.back() >>= beyond;
+  marked.words.back() >>= marked.words.size() * 32 - keys() / brick_cells;
   marked.rank();
+  all_marked_ = true;
   return true;
 }
 
-bool
-CellDirectory::markAll(std::size_t points)
+void
+CellDirectory::fillWith(const std::vector<std::vector<std::uint64_t>>& keys)
 {
-  constexpr std::size_t words_of_brick = brick_cells / 32;
-  if (marked.words.size() * 32 * words_of_brick > points + (1U << 16))
-    return false;
-  std::fill(marked.words.begin(), marked.words.end(), ~0U);
+  for (const auto& some : keys)
+    for (const std::uint64_t key : some)
+      marked.add(key / brick_cells);
   marked.rank();
-  return true;
+  occupied.words.assign(marked.count * brick_cells / 32, 0);
+  for (const auto& some : keys)
+    for (const std::uint64_t key : some)
+      occupied.add(bit(key));
+  occupied.rank();
 }
 
 Index
@@ -58,11 +59,9 @@ CellDirectory::find(const Cell& cell) const
   for (std::size_t a = 0; a < 3; ++a)
     if (cell[a] < 0 || cell[a] >= cells_[a])
       return none;
-  if (dense_)
-    return slot(cell);
   if (!marked.has(brick(cell)))
     return none;
-  const std::uint64_t number = bit(cell);
+  const std::uint64_t number = bit(keyOf(cell));
   return occupied.has(number) ? occupied.smaller(number) : none;
 }
 
@@ -83,11 +82,15 @@ CellDirectory::all() const
     const Cell corner = {part(number % bricks_[0] * 8),
                          part(number / bricks_[0] % bricks_[1] * 8),
                          part(number / bricks_[0] / bricks_[1] * 8)};
-    for (std::uint32_t inside = 0; inside < brick_cells; ++inside)
-      if (dense_ || occupied.has(place * brick_cells + inside))
+    for (std::uint32_t inside = 0; inside < brick_cells; ++inside) {
+      const std::uint64_t bit_number = place * brick_cells + inside;
+      if (occupied.words[bit_number / 32] == 0)
+        inside |= 31;
+      else if (occupied.has(bit_number))
         cells.push_back({corner[0] + part(inside & 7),
                          corner[1] + part((inside >> 3) & 7),
                          corner[2] + part(inside >> 6)});
+    }
     ++place;
   }
   return cells;

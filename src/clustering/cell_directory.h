@@ -23,6 +23,12 @@ struct RankedBits {
   void
   rank();
 
+  void
+  add(std::uint64_t number)
+  {
+    words[number / 32] |= 1U << (number % 32);
+  }
+
   bool
   has(std::uint64_t number) const
   {
@@ -75,26 +81,42 @@ public:
                                       ((cell[2] & 7) << 6));
   }
 
-  /** \brief Number of the bit of a cell whose brick is marked. */
+  /** \brief Number of \a cell in the grid, brick by brick. */
   std::uint64_t
-  bit(const Cell& cell) const
+  keyOf(const Cell& cell) const
   {
-    return std::uint64_t{brick_cells} * marked.smaller(brick(cell)) + within(cell);
+    return brick(cell) * brick_cells + within(cell);
   }
 
-  /** \brief Number of slots: cells that hold points, or all of them. */
+  /** \brief Number of all keys. */
+  std::uint64_t
+  keys() const
+  {
+    return bricks_[0] * bricks_[1] * bricks_[2] * brick_cells;
+  }
+
+  /** \brief Number of the bit of a cell whose brick is marked. */
+  std::uint64_t
+  bit(std::uint64_t key) const
+  {
+    return all_marked_
+               ? key
+               : std::uint64_t{brick_cells} * marked.smaller(key / brick_cells) +
+                     key % brick_cells;
+  }
+
+  /** \brief Number of slots: cells that hold points. */
   std::size_t
   slots() const
   {
-    return dense_ ? marked.count * brick_cells : occupied.count;
+    return occupied.count;
   }
 
-  /** \brief The number of a cell that holds points, by order of bits. */
+  /** \brief The number of a cell that holds points, by order of keys. */
   Index
-  slot(const Cell& cell) const
+  slot(std::uint64_t key) const
   {
-    return dense_ ? static_cast<Index>(brick(cell) * brick_cells + within(cell))
-                  : occupied.smaller(bit(cell));
+    return occupied.smaller(bit(key));
   }
 
   /** \brief The same for any cell, even outside of the grid; \ref none where it has no
@@ -109,20 +131,13 @@ public:
   RankedBits marked;   ///< bricks that may hold points
   RankedBits occupied; ///< cells of these bricks that do
 
-  /** \brief Whether all cells have a slot, since they are few beside \a points points.
-   */
-  bool
-  makeDense(std::size_t points);
-
-  /** \brief Marks all bricks where that costs little beside \a points points. */
+  /** \brief Marks all bricks, if that costs little beside \a points points. */
   bool
   markAll(std::size_t points);
 
-  bool
-  dense() const
-  {
-    return dense_;
-  }
+  /** \brief Marks and ranks the bricks and cells with these keys. */
+  void
+  fillWith(const std::vector<std::vector<std::uint64_t>>& keys);
 
   const std::array<std::uint64_t, 3>&
   bricks() const
@@ -133,7 +148,7 @@ public:
 private:
   Cell cells_;
   std::array<std::uint64_t, 3> bricks_;
-  bool dense_ = false;
+  bool all_marked_ = false;
 };
 
 } // namespace linelet::clustering

@@ -18,6 +18,7 @@
 #include "host_passes.h"
 #include "leaf_for_count.h"
 #include "moves.h"
+#include "support/huge_pages.h"
 
 namespace linelet {
 
@@ -76,8 +77,10 @@ originsOf(const CellFrame& frame,
           std::size_t points,
           int threads)
 {
-  const int bits = offsetBits(points);
-  std::vector<CellOrigin> origins(cells.size());
+  const double units = std::ldexp(1., offsetBits(points));
+  std::vector<CellOrigin> origins;
+  reserveHuge(origins, cells.size());
+  origins.resize(cells.size());
 #pragma omp parallel for num_threads(threads)
   for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(cells.size()); ++k) {
     const Cell& cell = cells[static_cast<std::size_t>(k)];
@@ -85,7 +88,7 @@ originsOf(const CellFrame& frame,
     const Point middle = frame.middle(cell), reach = frame.reach(cell);
     for (std::size_t a = 0; a < 3; ++a) {
       origin.middle[a] = middle[static_cast<Eigen::Index>(a)];
-      origin.scale[a] = std::ldexp(1 / reach[static_cast<Eigen::Index>(a)], bits);
+      origin.scale[a] = 1 / reach[static_cast<Eigen::Index>(a)] * units;
     }
   }
   return origins;
@@ -150,18 +153,27 @@ reduce(PointPasses& passes,
 {
   Clusters clusters;
   Indices number(cells.size(), Clusters::none);
-  const std::vector<CellSums> sums = passes.sums();
-  for (std::size_t slot = 0; slot < sums.size(); ++slot) {
-    if (sums[slot].count == 0)
+  const std::vector<CellSums>& sums = passes.sums();
+  Index count = 0;
+  for (std::size_t slot = 0; slot < sums.size(); ++slot)
+    if (sums[slot].count > 0)
+      number[slot] = count++;
+  reserveHuge(clusters.representatives, count);
+  clusters.representatives.resize(count);
+#pragma omp parallel for num_threads(threads)
+  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(sums.size()); ++k) {
+    const auto slot = static_cast<std::size_t>(k);
+    if (number[slot] == Clusters::none)
       continue;
-    number[slot] = static_cast<Index>(clusters.representatives.size());
     const CellMoments moments = momentsOf(sums[slot], origins[slot]);
-    clusters.representatives.push_back({moments.mean,
-                                        moments.tensor,
-                                        static_cast<Index>(sums[slot].count),
-                                        cells[slot]});
+    clusters.representatives[number[slot]] = {moments.mean,
+                                              moments.tensor,
+                                              static_cast<Index>(sums[slot].count),
+                                              cells[slot]};
   }
   clusters.cluster_of = passes.assigned();
+  if (count == sums.size())
+    return clusters;
 #pragma omp parallel for num_threads(threads)
   for (std::ptrdiff_t i = 0;
        i < static_cast<std::ptrdiff_t>(clusters.cluster_of.size());
@@ -199,16 +211,14 @@ clusterWith(const MakePasses& make,
   throwIfCanceled(monitor);
   const CellFrame frame = CellFrame::around(points, settings, leaf, threads);
   CellDirectory directory(frame.cells);
-  if (!directory.makeDense(points.size()))
-    passes->fill(directory, frame);
+  passes->findHomes(directory, frame, settings.moves > 0 ? settings.border : 0);
   throwIfCanceled(monitor);
   const std::vector<Cell> cells = directory.all();
   const std::vector<CellOrigin> origins =
       originsOf(frame, cells, points.size(), threads);
-  passes->findHomes(
-      directory, frame, settings.moves > 0 ? settings.border : 0, origins);
+  passes->setOrigins(origins);
   if (settings.moves > 0) {
-    const std::vector<CellSums> sums = passes->sums();
+    const std::vector<CellSums>& sums = passes->sums();
     const Indices neighbors = neighborsOf(directory, cells, sums, threads);
     move(*passes, settings, neighbors, origins, sums, threads, monitor);
     throwIfCanceled(monitor);

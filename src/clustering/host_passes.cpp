@@ -15,6 +15,7 @@
 #include "slot_runs.h"
 #include "support/huge_pages.h"
 #include "support/parallel_failure.h"
+#include "touched_cells.h"
 
 namespace linelet::clustering {
 
@@ -33,33 +34,43 @@ public:
   void
   fill(CellDirectory& directory, const CellFrame& frame) override
   {
-    const BlockLocator locator(frame, 0);
+    const BlockLocator locator(directory, frame);
     if (!directory.markAll(points_.size())) {
       SharedBits bits(directory.marked.words.size());
-      markCells(locator, bits, [&](const Cell& cell) { return directory.brick(cell); });
+      markCells(locator, bits, [](std::uint64_t key) {
+        return key / CellDirectory::brick_cells;
+      });
       bits.copyTo(directory.marked);
     }
     SharedBits bits(directory.marked.count * CellDirectory::brick_cells / 32);
-    markCells(locator, bits, [&](const Cell& cell) { return directory.bit(cell); });
+    markCells(locator, bits, [&](std::uint64_t key) { return directory.bit(key); });
     bits.copyTo(directory.occupied);
   }
 
   void
-  findHomes(const CellDirectory& directory,
-            const CellFrame& frame,
-            double border,
-            const std::vector<CellOrigin>& origins) override
+  findHomes(CellDirectory& directory, const CellFrame& frame, double border) override
   {
-    origins_ = origins;
-    slots_ = directory.slots();
     reserveHuge(assigned_, points_.size());
     assigned_.resize(points_.size());
     // Uninitialized: filling them on one thread would take as long as all the rest.
     home_.reset(border > 0 ? new Index[points_.size()] : nullptr);
     face_.reset(border > 0 ? new std::uint8_t[points_.size()] : nullptr);
-    sums_.assign(slots_, {});
     runs_.clear();
-    findFrom(directory, BlockLocator(frame, border));
+    const BlockLocator locator(directory, frame, border, offsetBits(points_.size()));
+    summed_ = false;
+    if (TouchedCells::suit(directory.keys(), points_.size()))
+      numberTouched(directory, locator, !frame.perspective);
+    else {
+      fill(directory, frame);
+      lookUp(directory, locator);
+    }
+    slots_ = directory.slots();
+  }
+
+  void
+  setOrigins(const std::vector<CellOrigin>& origins) override
+  {
+    origins_ = origins;
   }
 
   void
@@ -80,14 +91,15 @@ public:
     return counts;
   }
 
-  std::vector<CellSums>
+  const std::vector<CellSums>&
   sums() override
   {
-    if (sumsByThread())
+    if (summed_)
       return sums_;
     sums_.assign(slots_, {});
     forOwned(assigned_.data(),
              [&](std::size_t i, Index slot) { add<1>(i, slot, sums_); });
+    summed_ = true;
     return sums_;
   }
 
@@ -170,19 +182,19 @@ private:
     failure.rethrow();
   }
 
-  /** \brief Marks the numbers that \a number makes of the points' cells. */
+  /** \brief Marks the numbers that \a number makes of the points' keys. */
   template <class Number>
   void
   markCells(const BlockLocator& locator, SharedBits& bits, const Number& number)
   {
     forParts([&](std::size_t begin, std::size_t end, std::size_t) {
-      locator.forRuns(points_,
-                      begin,
-                      end,
-                      [&](const PointBlock& block, std::size_t, int first, int) {
-                        if (block.cell[first] != PointBlock::nowhere)
-                          bits.set(number(locator.cellOf(block.cell[first])));
-                      });
+      locator.forBlocks(points_, begin, end, [&](const PointBlock& block, std::size_t) {
+        for (int run = 0; run < block.runs; ++run) {
+          const double key = block.key[block.starts[run]];
+          if (key != PointBlock::nowhere)
+            bits.set(number(static_cast<std::uint64_t>(key)));
+        }
+      });
     });
   }
 
@@ -206,7 +218,13 @@ private:
       return static_cast<std::int64_t>(std::lrint(at * origin.scale[a]));
     };
     const std::int64_t x = offset(0), y = offset(1), z = offset(2);
-    CellSums& sum = sums[slot];
+    addProducts<Sign>(x, y, z, sums[slot]);
+  }
+
+  template <int Sign>
+  static void
+  addProducts(std::int64_t x, std::int64_t y, std::int64_t z, CellSums& sum)
+  {
     sum.count += Sign;
     sum.first[0] += Sign * x;
     sum.first[1] += Sign * y;
@@ -219,22 +237,22 @@ private:
     sum.second[5] += Sign * (z * z);
   }
 
-  /** \brief Adds a run of points of a slot, which is their home. */
+  /** \brief Adds a run of points to the sums of their home, by offsets. */
   void
-  addRun(const PointBlock& block,
-         std::size_t start,
-         int first,
-         int count,
-         Index slot,
-         std::vector<CellSums>& sums) const
+  addRun(const PointBlock& block, int first, int count, CellSums& sums) const
   {
-    constexpr int few = 2; // that are faster added one by one
+    constexpr int few = 4; // that are faster added one by one
     if (count > few && exact_) {
-      kernels_.add(block, first, count, origins_[slot], sums[slot]);
+      kernels_.add(block, first, count, sums);
       return;
     }
+    CellSums sum;
     for (int i = first; i < first + count; ++i)
-      add<1>(start + static_cast<std::size_t>(i), slot, sums);
+      addProducts<1>(static_cast<std::int64_t>(block.offset[0][i]),
+                     static_cast<std::int64_t>(block.offset[1][i]),
+                     static_cast<std::int64_t>(block.offset[2][i]),
+                     sum);
+    sums += sum;
   }
 
   /** \brief Calls work(begin, end, sums) for parts of the points, with sums per thread
@@ -258,35 +276,96 @@ private:
         sums_[static_cast<std::size_t>(k)] += sums[static_cast<std::size_t>(k)];
   }
 
+  /** \brief Assigns to runs of points in one cell what slotOf(key, block, first of the
+   * run, its length) returns. */
+  template <class SlotOf>
   void
-  findFrom(const CellDirectory& directory, const BlockLocator& locator)
+  assign(const BlockLocator& locator,
+         std::size_t begin,
+         std::size_t end,
+         const SlotOf& slotOf)
   {
-    const bool by_thread = sumsByThread();
-    forPartsWithSums(
-        [&](std::size_t begin, std::size_t end, std::vector<CellSums>& sums) {
-          double last = PointBlock::nowhere;
-          Index slot = CellDirectory::none;
-          locator.forRuns(
-              points_,
-              begin,
-              end,
-              [&](const PointBlock& block, std::size_t start, int first, int count) {
-                if (block.cell[first] != last) {
-                  last = block.cell[first];
-                  slot = last != PointBlock::nowhere
-                             ? directory.slot(locator.cellOf(last))
-                             : CellDirectory::none;
-                }
-                const std::size_t at = start + static_cast<std::size_t>(first);
-                std::fill_n(assigned_.data() + at, count, slot);
-                if (home_) {
-                  std::fill_n(home_.get() + at, count, slot);
-                  std::copy_n(block.face + first, count, face_.get() + at);
-                }
-                if (by_thread && slot != CellDirectory::none)
-                  addRun(block, start, first, count, slot, sums);
-              });
+    Index slots[PointBlock::size + PointBlock::margin];
+    locator.forBlocks(
+        points_, begin, end, [&](const PointBlock& block, std::size_t start) {
+          for (int run = 0; run < block.runs; ++run) {
+            const int first = block.starts[run];
+            const int last = run + 1 < block.runs ? block.starts[run + 1] : block.count;
+            const double key = block.key[first];
+            const Index slot =
+                key != PointBlock::nowhere
+                    ? slotOf(
+                          static_cast<std::uint64_t>(key), block, first, last - first)
+                    : CellDirectory::none;
+            // Runs are short: what is written beyond one is overwritten by the next.
+            for (int i = first; i < last; i += PointBlock::margin)
+              std::fill_n(slots + i, PointBlock::margin, slot);
+          }
+          std::copy_n(slots, block.count, assigned_.data() + start);
+          if (face_)
+            std::copy_n(block.face, block.count, face_.get() + start);
         });
+  }
+
+  /** \brief Finds homes in one pass, as the cells are met, and fills the directory. */
+  void
+  numberTouched(CellDirectory& directory, const BlockLocator& locator, bool sum)
+  {
+    std::vector<std::vector<std::uint64_t>> keys(static_cast<std::size_t>(threads_));
+    std::vector<std::vector<CellSums>> sums(keys.size());
+    forParts([&](std::size_t begin, std::size_t end, std::size_t part) {
+      TouchedCells cells(directory.keys(), end - begin);
+      assign(locator,
+             begin,
+             end,
+             [&](std::uint64_t key, const PointBlock& block, int first, int count) {
+               const Index number = cells.number(key);
+               if (sum)
+                 addRun(block, first, count, cells.sums[number]);
+               return number;
+             });
+      keys[part] = std::move(cells.keys);
+      sums[part] = std::move(cells.sums);
+    });
+    directory.fillWith(keys);
+    if (sum) {
+      sums_ = {};
+      reserveHuge(sums_, directory.slots());
+      sums_.resize(directory.slots());
+    }
+    std::vector<Indices> slots(keys.size());
+    for (std::size_t part = 0; part < keys.size(); ++part) {
+      slots[part].reserve(keys[part].size());
+      for (std::size_t k = 0; k < keys[part].size(); ++k) {
+        const Index slot = directory.slot(keys[part][k]);
+        slots[part].push_back(slot);
+        if (sum)
+          sums_[slot] += sums[part][k];
+      }
+    }
+    summed_ = sum;
+    forParts([&](std::size_t begin, std::size_t end, std::size_t part) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (assigned_[i] != CellDirectory::none)
+          assigned_[i] = slots[part][assigned_[i]];
+      if (home_)
+        std::copy(
+            assigned_.data() + begin, assigned_.data() + end, home_.get() + begin);
+    });
+  }
+
+  /** \brief Finds homes in a filled directory. */
+  void
+  lookUp(const CellDirectory& directory, const BlockLocator& locator)
+  {
+    forParts([&](std::size_t begin, std::size_t end, std::size_t) {
+      assign(locator, begin, end, [&](std::uint64_t key, const PointBlock&, int, int) {
+        return directory.slot(key);
+      });
+      if (home_)
+        std::copy(
+            assigned_.data() + begin, assigned_.data() + end, home_.get() + begin);
+    });
   }
 
   /** \brief Calls work(point, slot) for all points with a slot; all points of a slot
@@ -305,7 +384,8 @@ private:
   void
   forMovable(const Work& work)
   {
-    const bool by_thread = sumsByThread();
+    const bool by_thread = summed_ && sumsByThread();
+    summed_ = by_thread;
     forPartsWithSums(
         [&](std::size_t begin, std::size_t end, std::vector<CellSums>& sums) {
           for (std::size_t i = begin; i < end; ++i) {
@@ -330,13 +410,14 @@ private:
   std::size_t slots_ = 0;
   Indices neighbors_;
   std::vector<CellOrigin> origins_;
-  std::vector<CellSums> sums_; // of what is assigned, where every thread had its own
+  std::vector<CellSums> sums_; // of what is assigned
+  bool summed_ = false;        // whether they are
   Indices assigned_;
   std::unique_ptr<Index[]> home_; // these two where points may move
   std::unique_ptr<std::uint8_t[]> face_;
   SlotRuns runs_;
   BoxKernels kernels_ = boxKernels();
-  bool exact_; // sums of a block in double
+  bool exact_; // whether sums of a block in double are
 };
 
 } // namespace

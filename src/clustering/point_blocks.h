@@ -17,9 +17,23 @@ namespace linelet::clustering {
 /** \brief Locates points block by block, on vectors where the cells are boxes. */
 class BlockLocator {
 public:
-  /** \param[in] border see \ref nearestFace; 0: faces are not asked for */
-  BlockLocator(const CellFrame& frame, double border)
-      : frame_(frame), border_(border), kernels_(boxKernels())
+  /** \brief Finds cells alone. */
+  BlockLocator(const CellDirectory& directory, const CellFrame& frame)
+      : BlockLocator(directory, frame, 0, 0)
+  {
+  }
+
+  /** \param[in] border see \ref nearestFace; 0: faces are not asked for
+   * \param[in] bits of offsets, in boxes; 0: they are not asked for */
+  BlockLocator(const CellDirectory& directory,
+               const CellFrame& frame,
+               double border,
+               int bits)
+      : directory_(directory),
+        frame_(frame),
+        border_(border),
+        bits_(bits),
+        kernels_(boxKernels())
   {
   }
 
@@ -29,32 +43,21 @@ public:
     if (frame_.perspective)
       locatePieces(points, count, block);
     else if (border_ > 0)
-      kernels_.locateWithFaces(frame_, border_, points, count, block);
+      kernels_.locateWithFaces(frame_, bits_, border_, points, count, block);
+    else if (bits_ > 0)
+      kernels_.locateMembers(frame_, bits_, points, count, block);
     else
       kernels_.locate(frame_, points, count, block);
   }
 
-  /** \brief The cell of a number in PointBlock::cell. */
-  Cell
-  cellOf(double number) const
-  {
-    const auto all = static_cast<std::uint64_t>(number);
-    const auto row = static_cast<std::uint64_t>(frame_.cells[0]);
-    const auto column = static_cast<std::uint64_t>(frame_.cells[1]);
-    const std::uint64_t rows = all / row;
-    return {static_cast<std::int32_t>(all % row),
-            static_cast<std::int32_t>(rows % column),
-            static_cast<std::int32_t>(rows / column)};
-  }
-
-  /** \brief Calls work(block, number of its first point, first of the run, its length)
-   * for runs of points in the same cell. */
+  /** \brief Calls work(block, number of its first point) for blocks of points and
+   * their runs of points in the same cell. */
   template <class Work>
   void
-  forRuns(const Points& points,
-          std::size_t begin,
-          std::size_t end,
-          const Work& work) const
+  forBlocks(const Points& points,
+            std::size_t begin,
+            std::size_t end,
+            const Work& work) const
   {
     PointBlock block;
     while (begin < end) {
@@ -62,11 +65,7 @@ public:
           std::min<std::size_t>(end - begin, std::size_t{PointBlock::size}));
       locate(points.data() + begin, count, block);
       kernels_.findRuns(block);
-      int first = 0;
-      for (int run = 0; run < block.runs; ++run) {
-        work(block, begin, first, block.ends[run] - first);
-        first = block.ends[run];
-      }
+      work(block, begin);
       begin += static_cast<std::size_t>(count);
     }
   }
@@ -80,22 +79,18 @@ private:
       Cell cell;
       Point part;
       const bool located = frame_.locate<true>(points[i], cell, part);
-      block.x[i] = points[i].x();
-      block.y[i] = points[i].y();
-      block.z[i] = points[i].z();
-      block.cell[i] = located
-                          ? (static_cast<double>(cell[2]) * frame_.cells[1] + cell[1]) *
-                                    frame_.cells[0] +
-                                cell[0]
-                          : PointBlock::nowhere;
+      block.key[i] =
+          located ? static_cast<double>(directory_.keyOf(cell)) : PointBlock::nowhere;
       if (border_ > 0)
         block.face[i] =
             located ? nearestFace(part, border_, steps / border_) : inside_cell;
     }
   }
 
+  const CellDirectory& directory_;
   const CellFrame& frame_;
   double border_;
+  int bits_;
   BoxKernels kernels_;
 };
 

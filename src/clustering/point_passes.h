@@ -93,14 +93,15 @@ public:
   virtual void
   fill(CellDirectory& directory, const CellFrame& frame) = 0;
 
-  /** \brief Finds for every point its home cell, to which it is assigned at first, and
-   * its nearest face within \a border widths; 0: points do not move.
-   * \param[in] origins of every slot, for \ref sums */
+  /** \brief Fills \a directory, too, and finds for every point its home cell, to which
+   * it is assigned at first, and its nearest face within \a border widths; 0: points do
+   * not move. */
   virtual void
-  findHomes(const CellDirectory& directory,
-            const CellFrame& frame,
-            double border,
-            const std::vector<CellOrigin>& origins) = 0;
+  findHomes(CellDirectory& directory, const CellFrame& frame, double border) = 0;
+
+  /** \brief Says where and in which units \ref sums are told, for every slot. */
+  virtual void
+  setOrigins(const std::vector<CellOrigin>& origins) = 0;
 
   /** \brief Says where points can move to.
    * \param[in] neighbors slots behind the faces of every slot */
@@ -112,8 +113,8 @@ public:
   virtual std::vector<std::uint32_t>
   borderCounts() = 0;
 
-  /** \brief The sums of what is assigned to every slot. */
-  virtual std::vector<CellSums>
+  /** \brief The sums of what is assigned to every slot, until the next call. */
+  virtual const std::vector<CellSums>&
   sums() = 0;
 
   virtual std::vector<FieldSum>

@@ -25,7 +25,7 @@ struct Grid {
   cl_double tangent[2], scale[2];
   cl_ulong bricks[2];
   cl_int cells[4];
-  cl_int perspective, dense;
+  cl_int perspective;
 };
 
 Grid
@@ -48,7 +48,6 @@ gridOf(const CellFrame& frame, const CellDirectory& directory)
   grid.bricks[0] = directory.bricks()[0];
   grid.bricks[1] = directory.bricks()[1];
   grid.perspective = frame.perspective ? 1 : 0;
-  grid.dense = directory.dense() ? 1 : 0;
   return grid;
 }
 
@@ -92,13 +91,10 @@ public:
   }
 
   void
-  findHomes(const CellDirectory& directory,
-            const CellFrame& frame,
-            double border,
-            const std::vector<CellOrigin>& origins) override
+  findHomes(CellDirectory& directory, const CellFrame& frame, double border) override
   {
+    fill(directory, frame);
     slots_ = directory.slots();
-    origins_ = upload(context_, origins);
     launch("findHomes",
            points_,
            count_,
@@ -116,6 +112,12 @@ public:
   }
 
   void
+  setOrigins(const std::vector<CellOrigin>& origins) override
+  {
+    origins_ = upload(context_, origins);
+  }
+
+  void
   setNeighbors(const Indices& neighbors) override
   {
     neighbors_ = upload(context_, neighbors);
@@ -130,13 +132,14 @@ public:
     return download<std::uint32_t>(counts, size);
   }
 
-  std::vector<CellSums>
+  const std::vector<CellSums>&
   sums() override
   {
     static_assert(sizeof(CellSums) == 10 * sizeof(cl_long));
     const cl::Buffer sums = zeros<CellSums>(slots_);
     launch("cellSums", points_, assigned_, count_, origins_, sums);
-    return download<CellSums>(sums, slots_);
+    sums_ = download<CellSums>(sums, slots_);
+    return sums_;
   }
 
   std::vector<FieldSum>
@@ -238,6 +241,7 @@ private:
   Context& context_;
   cl_uint count_;
   std::size_t slots_ = 0;
+  std::vector<CellSums> sums_;
   cl::Buffer points_, field_, home_, assigned_, faces_, neighbors_, origins_;
 };
 

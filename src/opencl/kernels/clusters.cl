@@ -21,7 +21,7 @@ typedef struct {
   double tangent[2], scale[2];
   ulong bricks[2];
   int cells[4];
-  int perspective, dense;
+  int perspective;
 } Grid;
 
 static bool
@@ -181,15 +181,11 @@ findHomes(global const double* points,
     faces[i] = INSIDE_CELL;
     return;
   }
-  const ulong brick = brickOf(grid, cell);
-  if (grid->dense)
-    home[i] = (uint)(brick * BRICK_CELLS + withinBrick(cell));
-  else
-    home[i] = smaller(occupied,
-                      occupied_before,
-                      (ulong)BRICK_CELLS * smaller(marked, marked_before, brick) +
-                          withinBrick(cell));
-  assigned[i] = home[i];
+  home[i] = assigned[i] =
+      smaller(occupied,
+              occupied_before,
+              (ulong)BRICK_CELLS * smaller(marked, marked_before, brickOf(grid, cell)) +
+                  withinBrick(cell));
   faces[i] = nearestFace(part, border, step_scale);
 }
 
