@@ -40,19 +40,6 @@ cut(Piece& piece, const Points& points, double low, double high)
 
 } // namespace
 
-void
-updateExtent(Piece& piece, const Points& points)
-{
-  SpanModel& m = piece.model;
-  m.begin = std::numeric_limits<double>::infinity();
-  m.end = -m.begin;
-  for (const Index i : piece.members) {
-    const double s = m.along(points[i]);
-    m.begin = std::min(m.begin, s);
-    m.end = std::max(m.end, s);
-  }
-}
-
 Growth::Growth(const Candidates& candidates,
                const PowerLineSettings& settings,
                const std::vector<Seed>& seeds)

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -11,32 +10,11 @@
 #include <linelet/powerline/power_line_settings.h>
 
 #include "powerline/pieces/candidates.h"
+#include "powerline/pieces/piece.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/pieces/tangents.h"
 
 namespace linelet::powerline {
-
-/** \brief A wire in the making: a model and the candidates that it explains. */
-struct Piece {
-  SpanModel model;
-  Indices members;      ///< candidates
-  double thickness = 0; ///< radius of a bundle whose conductors cannot be told apart
-
-  /** \brief Residual from which on a point has no weight: a bundle shall be fitted in
-   * its middle, not to the conductor that happens to be nearer. */
-  double
-  cut() const
-  {
-    return std::max(usual_cut, 2 * thickness);
-  }
-
-  /** \brief Largest distance of a point that belongs to it. */
-  double
-  tolerance() const
-  {
-    return std::max(model.tolerance, thickness);
-  }
-};
 
 /** \brief What stands around one bin of a wire. */
 struct Bin {
@@ -144,9 +122,5 @@ private:
   std::vector<int> owner_;
   Tangents tangents_;
 };
-
-/** \brief Lets the model of \a piece begin and end where its members do. */
-void
-updateExtent(Piece& piece, const Points& points);
 
 } // namespace linelet::powerline

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "powerline/pieces/growth.h"
+#include "powerline/pieces/piece.h"
 #include "powerline/pieces/profile.h"
 #include "powerline/pieces/span_model.h"
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "powerline/pieces/growth.h"
+#include "powerline/pieces/piece.h"
 
 namespace linelet::powerline {
 

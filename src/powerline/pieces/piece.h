@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/support/points.h>
+
+#include "powerline/pieces/span_model.h"
+
+namespace linelet::powerline {
+
+/** \brief A wire in the making: a model and the candidates that it explains. */
+struct Piece {
+  SpanModel model;
+  Indices members;      ///< candidates
+  double thickness = 0; ///< radius of a bundle whose conductors cannot be told apart
+
+  /** \brief Residual from which on a point has no weight: a bundle shall be fitted in
+   * its middle, not to the conductor that happens to be nearer. */
+  double
+  cut() const
+  {
+    return std::max(usual_cut, 2 * thickness);
+  }
+
+  /** \brief Largest distance of a point that belongs to it. */
+  double
+  tolerance() const
+  {
+    return std::max(model.tolerance, thickness);
+  }
+};
+
+/** \brief Lets the model of \a piece begin and end where its members do. */
+void
+updateExtent(Piece& piece, const Points& points);
+
+} // namespace linelet::powerline
