@@ -3,7 +3,7 @@
 
 // The public cases of 2D curve reconstruction: errors and times beside those of
 // FitConnect and StretchDenoise, measured on one machine and listed with the data.
-//   benchmark_public_cases FOLDER
+//   benchmark_public_cases FOLDER [published]    by the default or published method
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -15,6 +15,7 @@
 
 #include <bench/measures/measures.h>
 #include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/streamline_reconstruction.h>
 
 using namespace linelet;
 
@@ -98,13 +99,15 @@ readTruth(const std::string& file)
 int
 main(int count, char** arguments)
 {
-  if (count != 2) {
-    std::fprintf(stderr, "usage: benchmark_public_cases FOLDER\n");
+  const bool published = count == 3 && std::string(arguments[2]) == "published";
+  if (count != 2 && !published) {
+    std::fprintf(stderr, "usage: benchmark_public_cases FOLDER [published]\n");
     return 2;
   }
   const std::string folder = arguments[1];
-  RefinedSettings settings;
-  settings.threads = 1;
+  RefinedSettings refined;
+  StreamlineSettings streamlines;
+  refined.threads = streamlines.threads = 1;
   std::printf(
       "| case | points | ms | E_H | E_V | E_Len %% | E_Com %% | curves | FitConnect "
       "ms, E_V | StretchDenoise ms, E_V "
@@ -120,7 +123,8 @@ main(int count, char** arguments)
     double best = std::numeric_limits<double>::infinity();
     for (int run = 0; run < 5; ++run) {
       const auto begin = std::chrono::steady_clock::now();
-      result = reconstructRefined(points, settings);
+      result = published ? reconstructPublished(points, streamlines)
+                         : reconstructRefined(points, refined);
       const std::chrono::duration<double, std::milli> taken =
           std::chrono::steady_clock::now() - begin;
       best = std::min(best, taken.count());

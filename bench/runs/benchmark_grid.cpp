@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <unordered_set>
 
 #include <boost/random/mersenne_twister.hpp>
@@ -78,8 +77,7 @@ BenchmarkGrid::at(std::size_t index) const
   run.sampling.points = point_counts[n];
   run.sampling.distribution = static_cast<double>(distribution) / 10;
   run.sampling.jitter = static_cast<double>(jitter) / 10;
-  run.sampling.outliers = static_cast<std::size_t>(
-      std::llround(static_cast<double>(m * point_counts[n]) / 10));
+  run.sampling.outliers = m * (point_counts[n] / 10);
   run.sampling.seed = seed + 1;
   return run;
 }
