@@ -60,35 +60,36 @@ lookAhead(const TrackedScene& scene,
     outer[r] = std::pow(gate + (ring - gate) * static_cast<double>(r + 1) / rings, 2);
   const double squared_gate = gate * gate;
   double outside = 0, inside = 0;
-  const auto visit = [&](std::size_t i) {
-    const Point v = scene.points()[i] - state.at;
-    const double place = state.direction.dot(v);
-    if (!(place > 0 && place <= length))
-      return;
-    const Point off = v - place * (state.direction + 0.5 * place * state.curvature);
-    const double squared = off.squaredNorm();
-    if (squared > outer.back() || scene.taken[i])
-      return;
+  const Tube tube = {state.at, state.direction, state.curvature, length, outer.back()};
+  TubePoints& tubed = result.tubed;
+  tubed.count = 0;
+  const double sagitta = 0.5 * state.curvature.norm() * length * length;
+  scene.grid.forEachRunInCylinder(state.at,
+                                  state.at + length * state.direction,
+                                  ring + sagitta,
+                                  [&](std::size_t begin, std::size_t end) {
+                                    appendPointsInTube(
+                                        tube, scene.points(), begin, end, tubed);
+                                  });
+  for (std::size_t k = 0; k < tubed.count; ++k) {
+    const std::size_t i = tubed.index[k];
+    const double place = tubed.place[k], squared = tubed.squared[k];
+    if (scene.taken[i])
+      continue;
     if (squared > squared_gate) {
       outside += 1;
       std::size_t r = 0;
       while (squared > outer[r])
         ++r;
+      const Point off = scene.points()[i] - state.at -
+                        place * (state.direction + 0.5 * place * state.curvature);
       around[sectorOf(axes[0].dot(off), axes[1].dot(off))][r] += 1;
     }
     else if (scene.surface[i])
       inside += 1;
     else
       result.near.push_back({place, static_cast<Index>(i)});
-  };
-  const double sagitta = 0.5 * state.curvature.norm() * length * length;
-  scene.grid.forEachRunInCylinder(state.at,
-                                  state.at + length * state.direction,
-                                  ring + sagitta,
-                                  [&](std::size_t begin, std::size_t end) {
-                                    for (std::size_t i = begin; i < end; ++i)
-                                      visit(i);
-                                  });
+  }
   const double area = M_PI * (ring * ring - gate * gate);
   const double volume = (outside + few) / (area * length);
   // A surface through the gate fills two opposite sectors, an edge of one a single one,

@@ -9,6 +9,7 @@
 #include <linelet/support/points.h>
 
 #include "track_state.h"
+#include "tube_points.h"
 
 namespace linelet {
 
@@ -49,6 +50,7 @@ struct Surroundings {
   /// Of the counts in parts of the ring beside what independent points would give:
   /// Pearson's chi-square, and its degrees of freedom.
   double chi_square = 0, freedom = 0;
+  TubePoints tubed; ///< those looked at, for their room
 };
 
 /** \brief Looks along the next \a length of a curve.
