@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "curve_joining.h"
+
 namespace linelet {
 
 namespace {
@@ -128,42 +130,6 @@ cubic(const Point& a, const Point& da, const Point& b, const Point& db, double s
                      t * t * (3 - 2 * t) * b + t * t * s * gap * db);
   }
   return result;
-}
-
-void
-turnRound(ModelCurve& curve)
-{
-  std::reverse(curve.nodes.begin(), curve.nodes.end());
-  std::reverse(curve.counts.begin(), curve.counts.end());
-  std::swap(curve.junction[0], curve.junction[1]);
-}
-
-/** \brief Lengthens \a curve at its back by the nodes of a bridge. */
-void
-appendBridge(ModelCurve& curve, const Points& bridge)
-{
-  curve.nodes.insert(curve.nodes.end(), bridge.begin(), bridge.end());
-  // The bridge explains no points.
-  if (!curve.counts.empty())
-    curve.counts.insert(curve.counts.end(), bridge.size() + 1, 0.0);
-}
-
-/** \brief Lengthens \a first at its back by a bridge and \a second. */
-void
-appendCurve(ModelCurve& first, const Points& bridge, const ModelCurve& second)
-{
-  // By the lengths, as the counts may be unknown.
-  const double a = length(first), b = length(second);
-  first.noise = (a * first.noise + b * second.noise) / (a + b);
-  first.evidence += second.evidence;
-  // Counts of one half are none of the whole.
-  if (second.counts.empty())
-    first.counts.clear();
-  appendBridge(first, bridge);
-  first.nodes.insert(first.nodes.end(), second.nodes.begin(), second.nodes.end());
-  if (!first.counts.empty())
-    first.counts.insert(first.counts.end(), second.counts.begin(), second.counts.end());
-  first.junction[1] = second.junction[1];
 }
 
 /** \brief Joins the ends \a a and \a b. Of two curves that of \a a becomes both, its

@@ -13,6 +13,7 @@
 #include "curves/ridges/distinct_points.h"
 #include "direction_seeds.h"
 #include "explained_points.h"
+#include "hidden_stretches.h"
 #include "seed_groups.h"
 #include "track_fit.h"
 #include "track_seeds.h"
@@ -38,6 +39,8 @@ constexpr double narrower = 0.25;
 constexpr double least_evidence = 20, least_per_point = 0.5, patience = 12;
 // Of the evidence that a curve needs, what its first passes must give.
 constexpr double promising = 0.5;
+// Spacings of its points over which a curve may be hidden between stretches of it.
+constexpr double widest_gap = 150;
 // A start that came to nothing is not made again by points that it led over twice.
 constexpr int most_failures = 2;
 // Of its points, this share must be free still.
@@ -290,7 +293,7 @@ mixedCurves(const Points& all,
   if (monitor)
     monitor->begin("sparse curves", sparse.size());
   curves.follow(sparse, bendings[0], sure);
-  return curves.release();
+  return joinHiddenStretches(curves.release(), widest_gap);
 }
 
 } // namespace linelet

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "curves/ridges/model_curve.h"
+
+namespace linelet {
+
+/** \brief Turns \a curve about: its back comes first. */
+void
+turnRound(ModelCurve& curve);
+
+/** \brief Lengthens \a curve at its back by the nodes of \a bridge, which explains no
+ * points. */
+void
+appendBridge(ModelCurve& curve, const Points& bridge);
+
+/** \brief Lengthens \a first at its back by \a bridge and \a second. */
+void
+appendCurve(ModelCurve& first, const Points& bridge, const ModelCurve& second);
+
+} // namespace linelet
