@@ -33,19 +33,17 @@ MultiscaleJob::check()
 Figures
 MultiscaleJob::compute(const FragmentTask& task)
 {
-  std::vector<MultiScaleShape> shapes(task.fragment.points.size());
-  settings_.threads = frame_.threads; // of this worker
+  std::vector<MultiScaleShape> shapes; // of the piece
+  settings_.threads = frame_.threads;  // of this worker
   const CloudPiece piece = pieceOf(task.plan, task.fragment);
-  const auto first = shapes.begin() + static_cast<std::ptrdiff_t>(piece.begin);
   const auto measured = [&](const MultiScaleSettings& settings) {
-    const auto some =
-        pieceShapes(task.fragment.points, piece, settings, task.monitor).shapes;
-    std::copy(some.begin(), some.end(), first);
+    shapes = pieceShapes(task.fragment.points, piece, settings, task.monitor).shapes;
   };
   double sum = 0, count = 0;
   const auto addNoise = [&] {
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      if (task.fragment.core[i] && !std::isnan(shapes[i].min_sphericity)) {
+      if (task.fragment.core[piece.begin + i] &&
+          !std::isnan(shapes[i].min_sphericity)) {
         sum += static_cast<double>(shapes[i].min_sphericity);
         ++count;
       }
@@ -58,7 +56,8 @@ MultiscaleJob::compute(const FragmentTask& task)
     measured(settings_);
   if (settings_.centroid == Centroid::QueryPoint)
     addNoise();
-  fragments::writeRecords(task.result, task.fragment, shapes.data(), sizeof(shapes[0]));
+  fragments::writeRecords(
+      task.result, task.fragment, shapes.data(), sizeof(shapes[0]), piece.begin);
   return {{"sphericity", sum}, {"spheres", count}};
 }
 

@@ -88,14 +88,10 @@ TensorJob::tensorsOf(const FragmentTask& task, const CloudPiece& piece)
 Figures
 TensorJob::compute(const FragmentTask& task)
 {
-  std::vector<PointDistributionTensor> records(task.fragment.points.size());
   const CloudPiece piece = pieceOf(task.plan, task.fragment);
-  const std::vector<PointDistributionTensor> some = tensorsOf(task, piece);
-  std::copy(some.begin(),
-            some.end(),
-            records.begin() + static_cast<std::ptrdiff_t>(piece.begin));
+  const std::vector<PointDistributionTensor> records = tensorsOf(task, piece);
   fragments::writeRecords(
-      task.result, task.fragment, records.data(), sizeof(records[0]));
+      task.result, task.fragment, records.data(), sizeof(records[0]), piece.begin);
   return {};
 }
 

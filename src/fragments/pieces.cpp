@@ -42,6 +42,7 @@ Pieces::Pieces(const Plan& plan,
                io::ReadOptions options,
                io::ClassFilter classes)
     : plan_(plan),
+      reach_(plan.reach()),
       folder_(std::move(folder)),
       options_(std::move(options)),
       classes_(std::move(classes)),
@@ -68,12 +69,11 @@ Pieces::octreeRanges(std::size_t input, std::size_t number) const
       options_.resolution > 0 || options_.lenient)
     return {};
   const Area box = plan_.tiling.box(number);
-  const double reach = plan_.reach();
   return io::copcRanges(plan_.inputs[input].path,
-                        {box.low[0] - reach,
-                         box.low[1] - reach,
-                         box.high[0] + reach,
-                         box.high[1] + reach});
+                        {box.low[0] - reach_,
+                         box.low[1] - reach_,
+                         box.high[0] + reach_,
+                         box.high[1] + reach_});
 }
 
 /** \return how many points came to it */
@@ -99,7 +99,7 @@ Pieces::appendOfOctree(std::size_t input,
                     [&](const PieceRecord& record, const Point& world) {
                       bool near = false;
                       plan_.tiling.forEachNear(
-                          world.x(), world.y(), plan_.reach(), [&](std::size_t number) {
+                          world.x(), world.y(), reach_, [&](std::size_t number) {
                             near = near || number == fragment.number;
                           });
                       if (near)

@@ -19,7 +19,7 @@ Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
   const PlannedInput& planned = plan_.inputs[input];
   const Area& area = planned.extent.area;
   std::vector<bool> wanted(plan_.tiling.boxes(), false);
-  for (const std::size_t f : plan_.tiling.near(area, plan_.reach()))
+  for (const std::size_t f : plan_.tiling.near(area, reach_))
     wanted[f] = !ledger_.done(Ledger::task, f);
   PieceFiles pieces([&](std::size_t fragment) { return path(fragment, input); });
   io::PointStream stream(planned.path, options_, block_size, nullptr, monitor);
@@ -33,7 +33,7 @@ Pieces::cut(std::size_t input, ProgressMonitor* monitor) const
                   first,
                   [&](const PieceRecord& record, const Point& world) {
                     plan_.tiling.forEachNear(
-                        world.x(), world.y(), plan_.reach(), [&](std::size_t fragment) {
+                        world.x(), world.y(), reach_, [&](std::size_t fragment) {
                           if (wanted[fragment])
                             pieces.add(fragment, record);
                         });

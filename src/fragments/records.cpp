@@ -52,7 +52,8 @@ void
 writeRecords(const std::string& path,
              const Fragment& fragment,
              const void* records,
-             std::size_t bytes)
+             std::size_t bytes,
+             std::size_t first)
 {
   std::error_code ignored; // the file tells
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(),
@@ -83,7 +84,7 @@ writeRecords(const std::string& path,
     file.write(bytesOf(places.data(), places.size()));
     for (std::size_t i = section.first; i < section.first + section.count; ++i) {
       if (fragment.core[i])
-        chosen.append(static_cast<const char*>(records) + i * bytes, bytes);
+        chosen.append(static_cast<const char*>(records) + (i - first) * bytes, bytes);
       if (chosen.size() > block * 64) {
         file.write(chosen);
         chosen.clear();

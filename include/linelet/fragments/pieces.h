@@ -102,6 +102,7 @@ private:
   path(std::size_t fragment, std::size_t input) const;
 
   const Plan& plan_;
+  double reach_; // of the plan, which it looks for among all inputs
   std::string folder_;
   io::ReadOptions options_;
   io::ClassFilter classes_;

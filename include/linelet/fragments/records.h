@@ -20,13 +20,16 @@ std::string
 resultPath(const std::string& folder, std::size_t number);
 
 /** \brief Writes a record for every point that \a fragment owns.
- * \param[in] records of all its points, \a bytes each
+ * \param[in] records \a bytes each, of its points from \a first to the last that it
+ * owns, or beyond
+ * \param[in] first no later than the first point that it owns
  * \throws io::FileError */
 void
 writeRecords(const std::string& path,
              const Fragment& fragment,
              const void* records,
-             std::size_t bytes);
+             std::size_t bytes,
+             std::size_t first = 0);
 
 /** \brief The records of the points of one input, from all fragments, in its order. */
 class RecordStream {
