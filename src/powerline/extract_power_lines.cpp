@@ -33,10 +33,12 @@
 #include "powerline/pieces/merge.h"
 #include "powerline/pieces/next_spans.h"
 #include "powerline/pieces/parallel_wires.h"
+#include "powerline/spans/company.h"
 #include "powerline/spans/completion.h"
 #include "powerline/spans/joints.h"
 #include "powerline/spans/mend_breaks.h"
 #include "powerline/spans/service_drops.h"
+#include "powerline/spans/spans_between.h"
 #include "powerline/spans/split_at_poles.h"
 #include "powerline/spans/wire_with_ends.h"
 #include "powerline/supports/place_order.h"
@@ -189,14 +191,19 @@ extractPowerLines(const Points& points,
     for (Strand& strand : sortBundles(growth, std::move(pieces), settings))
       with_ends.push_back({std::move(strand), {}});
     stages.begin("supports");
+    joinBesideCompany(with_ends, growth, settings);
     completeByCompany(with_ends, growth, settings);
     matchEnds(with_ends);
+    if (addSpansBetween(with_ends, growth, underside, settings))
+      matchEnds(with_ends);
+    if (addSpansBeside(with_ends, growth, underside, settings))
+      matchEnds(with_ends);
     throwIfCanceled(monitor);
     splitAtPoles(with_ends, growth);
     throwIfCanceled(monitor);
     for (const WireWithEnds& wire : with_ends)
       lines.push_back(seenLine(wire.strand.piece));
-    dropFalsePositives(with_ends, growth, points, ground);
+    dropFalsePositives(with_ends, growth, points, ground, settings.min_height);
     matchEnds(with_ends);
     throwIfCanceled(monitor);
     const bool terrain = !network.ground.heights.empty();
@@ -214,6 +221,7 @@ extractPowerLines(const Points& points,
       matchEnds(with_ends);
       towers = buildTowers(with_ends, growth, ground, settings);
     }
+    carryBesideCompany(with_ends, towers, growth, underside, settings);
     carryDropsHome(with_ends, growth);
     sortByPlace(with_ends, towers);
     stages.begin("catenaries");

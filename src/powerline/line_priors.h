@@ -18,7 +18,12 @@ struct LinePriors {
   double usual_bend = 1e-3; ///< half second derivative, 1 / 2a, of any wire: a = 500 m,
                             ///< between that of a long span and of a service drop
   double bend_spread = 2e-3; ///< and its standard deviation
+  double usual_joint = 0.1;  ///< slopes down to both sides of a support, together: 4
+                             ///< sag / span each, of a sag of 1 to 2 % of the span
+  double joint_spread = 0.1; ///< and their standard deviation
   double company_reach = 14; ///< between neighboring wires of a span, at most
+  double alike = 0.01;       ///< slope between two wires of a span, standard deviation:
+                             ///< crossarms differ, and sags by some percent
   double longer = 1.5;    ///< a span is at most so much longer than the part of it seen
   double short_line = 25; ///< the least that stands for itself
   double spread = 2.5;    ///< standard deviations that rule something out
@@ -42,6 +47,9 @@ struct LinePriors {
 
   double open = 0.25;       ///< of the length of a line, with nothing but deep below
   double open_itself = 0.5; ///< of every wire: crowns let pulses through, roofs do not
+
+  double guy_slope = 0.45; ///< against the ground, at least, where a guy is anchored
+  double guy_reach = 4;    ///< meters from there to where it is seen, at most
 
   /// \name Service drops
   /// @{

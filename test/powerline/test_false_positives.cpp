@@ -46,6 +46,34 @@ TEST(FalsePositives, AStraightBarIsNoWireButASaggingOneIs)
   EXPECT_NEAR(n.wires[0].length, 90, 2);
 }
 
+// Guys hang between a mast and the ground, and two of them may meet at the mast as the
+// wires of two spans do.
+TEST(FalsePositives, TheGuysOfAMastAreNoWires)
+{
+  SceneBuilder scene = field(5);
+  for (double z = 0; z < 32; z += 0.2)
+    scene.points.emplace_back(70 + scene.normal(0.1), 30 + scene.normal(0.1), z);
+  for (const double x : {42, 98})
+    scene.wire({70, 30, 30}, {x, 30., 0}, 900, 4, 0.02);
+  EXPECT_TRUE(extractPowerLines(scene.points).wires.empty());
+}
+
+// Pipes are cut at their posts, and the pieces meet as wires do at supports.
+TEST(FalsePositives, APipeBridgeIsNoLineThoughTheDataCutItOff)
+{
+  for (const std::uint32_t seed : {1, 2, 3}) {
+    SceneBuilder scene = field(seed);
+    for (const double y : {29.2, 29.9, 30.8, 31.4})
+      for (int i = 0; i < 34 * 3; ++i)
+        scene.points.emplace_back(
+            scene.uniform(0, 34), y + scene.normal(0.05), 7 + scene.normal(0.05));
+    for (double x = 9; x < 36; x += 12)
+      for (const double y : {29.0, 31.6})
+        bar(scene, {x, y, 0}, {x, y, 7}, 8);
+    EXPECT_TRUE(extractPowerLines(scene.points).wires.empty()) << "seed " << seed;
+  }
+}
+
 // Even where the data end beyond it, which excuses a lot.
 TEST(FalsePositives, TheChordsOfAJibAreNoWires)
 {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,21 @@ forestLine(std::uint32_t seed, bool goes_on)
   return scene;
 }
 
+bool
+isFoundAt(const PowerLineNetwork& network, const Point& p)
+{
+  return std::any_of(network.wires.begin(), network.wires.end(), [&](const Wire& wire) {
+    const Points line = polyline(wire);
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const Point v = line[k] - line[k - 1];
+      const double s = std::clamp(v.dot(p - line[k - 1]) / v.squaredNorm(), 0.0, 1.0);
+      if ((line[k - 1] + s * v - p).norm() < 0.25)
+        return true;
+    }
+    return false;
+  });
+}
+
 TEST(NextSpan, IsFoundInCrowns)
 {
   // Half of what lies within 0.4 m of a wire there is its crowns, and nothing is
@@ -141,18 +157,7 @@ TEST(NextSpan, IsFoundInCrowns)
       for (double x = 5; x < 85; x += 2) {
         const Point p = SceneBuilder::onWire({0, y, 9}, {90, y, 9}, 600, x);
         all += 1;
-        found += std::any_of(
-            network.wires.begin(), network.wires.end(), [&](const Wire& wire) {
-              const Points line = polyline(wire);
-              for (std::size_t k = 1; k < line.size(); ++k) {
-                const Point v = line[k] - line[k - 1];
-                const double s =
-                    std::clamp(v.dot(p - line[k - 1]) / v.squaredNorm(), 0.0, 1.0);
-                if ((line[k - 1] + s * v - p).norm() < 0.25)
-                  return true;
-              }
-              return false;
-            });
+        found += isFoundAt(network, p);
       }
   }
   EXPECT_GE(found, 0.9 * all) << found / all;
@@ -163,6 +168,53 @@ TEST(NextSpan, IsNotInventedInCrowns)
   for (const std::uint32_t seed : {1, 2, 3})
     for (const Wire& wire : extractPowerLines(forestLine(seed, false).points).wires)
       EXPECT_LT(std::max(wire.front.x(), wire.back.x()), 10) << "seed " << seed;
+}
+
+/** A line of three spans of 60 m and three wires; crowns around the middle span, whose
+ * wires show where \a shown says, with a point per meter. */
+SceneBuilder
+throughCrowns(std::uint32_t seed, const std::vector<std::pair<double, double>>& shown)
+{
+  SceneBuilder scene(seed);
+  scene.ground(-90, -25, 90, 25, 3);
+  scene.box({-29, -20, 3}, {29, 20, 13}, 17000);
+  for (const double y : {-1.5, 0., 1.5}) {
+    scene.wire({-90, y, 9}, {-30, y, 9}, 600, 3, 0.03);
+    scene.wire({30, y, 9}, {90, y, 9}, 600, 3, 0.03);
+    for (const auto& [from, to] : shown)
+      for (double s = from; s < to; s += 1)
+        scene.points.push_back(
+            SceneBuilder::onWire(
+                {-30, y, 9}, {30, y, 9}, 600, scene.uniform(from, to)) +
+            Point(0, scene.normal(0.03), scene.normal(0.03)));
+  }
+  return scene;
+}
+
+// Both ends are known: three quarters of a thin wire in between are enough.
+TEST(SpanBetween, IsFoundInCrowns)
+{
+  double found = 0, all = 0;
+  for (const std::uint32_t seed : {1, 2, 3, 4}) {
+    const PowerLineNetwork network =
+        extractPowerLines(throughCrowns(seed, {{3, 26}, {36, 57}}).points);
+    for (const double y : {-1.5, 0., 1.5})
+      for (double x = 1; x < 60; x += 2) {
+        all += 1;
+        found +=
+            isFoundAt(network, SceneBuilder::onWire({-30, y, 9}, {30, y, 9}, 600, x));
+      }
+  }
+  EXPECT_GE(found, 0.9 * all) << found / all;
+}
+
+TEST(SpanBetween, IsNotInventedInCrowns)
+{
+  for (const std::uint32_t seed : {1, 2, 3})
+    for (const Wire& wire : extractPowerLines(throughCrowns(seed, {}).points).wires) {
+      const double middle = (wire.front.x() + wire.back.x()) / 2;
+      EXPECT_GT(std::abs(middle), 30) << "seed " << seed;
+    }
 }
 
 } // namespace

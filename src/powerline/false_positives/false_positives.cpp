@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 
+#include "powerline/line_priors.h"
 #include "powerline/pieces/bend.h"
 #include "powerline/pieces/candidates.h"
 #include "powerline/pieces/growth.h"
@@ -21,6 +22,7 @@ namespace linelet::powerline {
 
 namespace {
 
+constexpr LinePriors priors;
 constexpr double straight_length = 30; // meters, from which a sag can be told
 
 constexpr double part_of = 0.5;    // of the length beside something straight
@@ -211,18 +213,37 @@ isCrossarm(const std::vector<WireWithEnds>& wires, std::size_t candidate)
   return held >= carried && high - low >= arm_part * m.length();
 }
 
+// Whether a wire leads into the ground at one end, as guys do.
+bool
+isGuy(const WireWithEnds& wire, const Ground& ground, double lowest)
+{
+  const SpanModel& m = wire.model();
+  for (int side = 0; side < 2; ++side) {
+    const auto height = [&](double on) {
+      const Point p = m.at(wire.edge(side) + (side == 0 ? -on : on));
+      return p.z() - ground.heightAt(p.x(), p.y());
+    };
+    const double fall = height(0) - height(1); // per meter
+    if (fall >= priors.guy_slope && height(0) <= lowest + priors.guy_reach * fall)
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 void
 dropFalsePositives(std::vector<WireWithEnds>& wires,
                    Growth& growth,
                    const Points& points,
-                   const Ground& ground)
+                   const Ground& ground,
+                   double min_height)
 {
   std::vector<char> wrong = findFences(wires, points, ground);
   for (std::size_t w = 0; w < wires.size(); ++w) {
     const Piece& piece = wires[w].strand.piece;
     wrong[w] = wrong[w] != 0 || isLedge(growth, piece) || isCrossarm(wires, w) ||
+               isGuy(wires[w], ground, min_height) ||
                (piece.model.length() >= straight_length &&
                 bendOf(piece, growth.candidates().points).rulesOut(flattest));
   }

@@ -13,12 +13,14 @@
 namespace linelet::powerline {
 
 /** \brief Drops what is long and thin but no wire: what is too straight even for a taut
- * one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms. Their
- * points become free. \a points is the whole cloud. */
+ * one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms, guys.
+ * Their points become free. \a points is the whole cloud, of which nothing below
+ * \a min_height above the ground is a candidate. */
 void
 dropFalsePositives(std::vector<WireWithEnds>& wires,
                    Growth& growth,
                    const Points& points,
-                   const Ground& ground);
+                   const Ground& ground,
+                   double min_height);
 
 } // namespace linelet::powerline

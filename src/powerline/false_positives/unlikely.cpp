@@ -238,6 +238,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     family.border = family.border || beyond.border;
     addBend(family, wires[w], growth.candidates().points, underside);
     addDescent(family, wires, w, underside);
+    addJoints(family, wires, w);
     family.open += m.length() * openBelow(m, underside);
     family.length += m.length();
     const Evidence evidence = weighAnew(growth, wires[w].strand.piece, any_length);

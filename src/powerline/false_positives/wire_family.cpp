@@ -50,8 +50,8 @@ slopeFrom(const SpanModel& m, int side)
   return (side == 0 ? 1 : -1) * m.rise((m.begin + m.end) / 2);
 }
 
-// How much better a straight thing, as a pipe is, explains the bend of \a family than
-// wires do, whose bends scatter; nats.
+// How much better a straight thing, as a pipe is, explains the bend of \a family and
+// how its wires meet than wires do, whose bends scatter; nats.
 double
 straightOverWires(const Family& family)
 {
@@ -59,7 +59,23 @@ straightOverWires(const Family& family)
   const double noise = 1 / family.precision;
   const double wires = noise + priors.bend_spread * priors.bend_spread;
   const double off = bend - priors.usual_bend;
-  return (std::log(wires / noise) + off * off / wires - bend * bend / noise) / 2;
+  return (std::log(wires / noise) + off * off / wires - bend * bend / noise) / 2 +
+         family.unbroken;
+}
+
+// Slope of a wire at one end, on to its other.
+double
+slopeAt(const SpanModel& m, int side)
+{
+  return side == 0 ? m.rise(m.begin) : -m.rise(m.end);
+}
+
+// Its variance.
+double
+slopeVariance(const SpanModel& m, int side)
+{
+  const Eigen::Vector3d x(0, 1, 2 * (side == 0 ? m.begin : m.end));
+  return m.sigma * m.sigma * x.dot(m.covariance * x);
 }
 
 } // namespace
@@ -99,11 +115,12 @@ plausible(const Family& family, bool terrain)
     return false;
   if (family.drop)
     return true;
+  const bool straight = straightOverWires(family) >= rather_straight;
   if (family.longest >= long_line)
-    return family.joined || family.border || bend >= least_bend;
+    return ((family.joined || family.border) && !straight) || bend >= least_bend;
   // What the border of the data cuts off may be short, but hardly straight.
   if (family.border)
-    return (family.joined || straightOverWires(family) < rather_straight) &&
+    return !straight &&
            (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= priors.short_line);
   // Alone, it must be seen to hang.
@@ -149,6 +166,24 @@ addDescent(Family& family,
       continue;
     family.stubs += 1;
     family.descent -= slopeFrom(m, side) + slopeFrom(other, end.partner_side);
+  }
+}
+
+void
+addJoints(Family& family, const std::vector<WireWithEnds>& wires, std::size_t w)
+{
+  for (int side = 0; side < 2; ++side) {
+    const End& end = wires[w].ends[static_cast<std::size_t>(side)];
+    if (end.partner <= static_cast<int>(w))
+      continue;
+    const WireWithEnds& other = wires[static_cast<std::size_t>(end.partner)];
+    const SpanModel &a = wires[w].model(), &b = other.model();
+    const double down = -slopeAt(a, side) - slopeAt(b, end.partner_side);
+    const double noise = slopeVariance(a, side) + slopeVariance(b, end.partner_side);
+    const double hung = noise + priors.joint_spread * priors.joint_spread;
+    const double off = down - priors.usual_joint;
+    family.unbroken +=
+        (std::log(hung / noise) + off * off / hung - down * down / noise) / 2;
   }
 }
 

@@ -35,6 +35,7 @@ struct Family {
   bool joined = false; ///< some wires meet
   double stubs = 0;    ///< pairs that meet at a support, cut off by the data's border
   double descent = 0;  ///< sum of their slopes away from it
+  double unbroken = 0; ///< nats for that its wires go straight on where they meet
 };
 
 /** \brief Adds what the points of \a wire say of its bend. */
@@ -51,6 +52,11 @@ addDescent(Family& family,
            const std::vector<WireWithEnds>& wires,
            std::size_t w,
            const Underside& underside);
+
+/** \brief Adds how \a wires[w] and those that go on as it bend down where they meet:
+ * wires do at their supports, a pipe or beam in several pieces does not. */
+void
+addJoints(Family& family, const std::vector<WireWithEnds>& wires, std::size_t w);
 
 /** \brief Adds the evidence of a wire of a short chain. */
 void
