@@ -46,6 +46,10 @@ public:
   bool
   takesPart(const Point& p, std::size_t block) const;
 
+  /** \brief The blocks that a point at \a p takes part in; none if it is not finite. */
+  std::vector<std::size_t>
+  around(const Point& p) const;
+
   /** \brief Along x and y, no point that takes part in a block is farther from its
    * middle. */
   double

@@ -75,6 +75,25 @@ CurveBlocks::takesPart(const Point& p, std::size_t block) const
   return off.x() <= sides_[0] / 2 + margin_ && off.y() <= sides_[1] / 2 + margin_;
 }
 
+std::vector<std::size_t>
+CurveBlocks::around(const Point& p) const
+{
+  std::vector<std::size_t> blocks;
+  if (!p.allFinite())
+    return blocks;
+  // Blocks are wider than margins.
+  const std::size_t own = owner(p), column = own % numbers_[0], row = own / numbers_[0];
+  const auto next = [this](std::size_t axis, std::size_t place) {
+    return std::min(place + 1, numbers_[axis] - 1);
+  };
+  const auto last = [](std::size_t place) { return place - (place > 0 ? 1 : 0); };
+  for (std::size_t y = last(row); y <= next(1, row); ++y)
+    for (std::size_t x = last(column); x <= next(0, column); ++x)
+      if (takesPart(p, y * numbers_[0] + x))
+        blocks.push_back(y * numbers_[0] + x);
+  return blocks;
+}
+
 double
 CurveBlocks::reach() const
 {

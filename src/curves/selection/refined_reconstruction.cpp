@@ -24,6 +24,7 @@
 #include "cloud_kind.h"
 #include "curves/network/bridging.h"
 #include "curves/network/model_network.h"
+#include "curves/parts/curves_by_blocks.h"
 #include "curves/ridges/connected_components.h"
 #include "curves/ridges/distinct_points.h"
 #include "curves/tracking/mixed_cloud.h"
@@ -246,39 +247,6 @@ traitsOf(const Points& points,
   return traits;
 }
 
-/** \brief Passes on that work is to end; progress is by block. */
-class BlockMonitor : public ProgressMonitor {
-public:
-  explicit BlockMonitor(const ProgressMonitor* outer) : outer_(outer) {}
-
-  bool
-  canceled() const override
-  {
-    return outer_ != nullptr && outer_->canceled();
-  }
-
-private:
-  const ProgressMonitor* outer_;
-};
-
-CurveNetwork
-curvesByBlocks(const Points& points,
-               std::size_t count,
-               const RefinedSettings& settings,
-               ProgressMonitor* monitor)
-{
-  if (monitor)
-    monitor->begin("curves", count);
-  BlockMonitor inner(monitor);
-  std::vector<CurvePart> parts;
-  for (std::size_t block = 0; block < count; ++block) {
-    parts.push_back(curvesOfBlock(points, block, settings, &inner));
-    if (monitor)
-      monitor->advance(1);
-  }
-  return joinBlocks(std::move(parts), settings.whole);
-}
-
 CurveNetwork
 reconstruct(const Points& all,
             const NeighborSearch* search,
@@ -302,7 +270,7 @@ reconstruct(const Points& all,
   ModelCurves curves;
   const std::size_t blocks = CurveBlocks(traits).count();
   if (blocks > 1) {
-    CurveNetwork network = curvesByBlocks(points, blocks, settings, monitor);
+    CurveNetwork network = curvesByBlocks(points, settings, monitor);
     if (!network.curves.empty() || traits.linear_share < least_explained)
       return network;
   }

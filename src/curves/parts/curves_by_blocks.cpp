@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "curves_by_blocks.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <linelet/support/threads.h>
+
+#include "curves/ridges/distinct_points.h"
+#include "support/parallel_failure.h"
+
+namespace linelet {
+
+namespace {
+
+/** \brief Passes on that work is to end; progress is by block. */
+class BlockMonitor : public ProgressMonitor {
+public:
+  explicit BlockMonitor(const ProgressMonitor* outer) : outer_(outer) {}
+
+  bool
+  canceled() const override
+  {
+    return outer_ != nullptr && outer_->canceled();
+  }
+
+private:
+  const ProgressMonitor* outer_;
+};
+
+/** \brief Which points take part in every block, in their order. */
+std::vector<Indices>
+pointsByBlock(const Points& points, const CurveBlocks& blocks)
+{
+  std::vector<Indices> result(blocks.count());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const std::size_t block : blocks.around(points[i]))
+      result[block].push_back(static_cast<Index>(i));
+  return result;
+}
+
+} // namespace
+
+CurveNetwork
+curvesByBlocks(const Points& points,
+               const RefinedSettings& settings,
+               ProgressMonitor* monitor)
+{
+  const CurveBlocks blocks(settings.whole);
+  std::vector<Indices> members = pointsByBlock(points, blocks);
+  std::vector<std::size_t> order(blocks.count()); // the longest work first
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return members[a].size() > members[b].size();
+  });
+  if (monitor)
+    monitor->begin("curves", blocks.count());
+  const auto threads = static_cast<std::size_t>(threadCount(settings.threads));
+  // Within a block threads wait for each other often; fewer blocks would leave some
+  // idle.
+  const bool side_by_side = blocks.count() >= threads;
+  RefinedSettings inside = settings;
+  if (side_by_side)
+    inside.threads = 1;
+  BlockMonitor inner(monitor);
+  ParallelFailure failure;
+  std::vector<CurvePart> parts(blocks.count());
+#pragma omp parallel for schedule(dynamic)                                             \
+    num_threads(static_cast <int>(threads)) if (side_by_side)
+  for (std::size_t k = 0; k < order.size(); ++k)
+    failure.guard([&] {
+      const std::size_t block = order[k];
+      const Indices own = std::move(members[block]);
+      parts[block] = curvesOfBlock(pointsAt(points, own), block, inside, &inner);
+      if (monitor)
+        monitor->advance(1);
+    });
+  failure.rethrow();
+  return joinBlocks(std::move(parts), settings.whole);
+}
+
+} // namespace linelet

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/curves/curve_blocks.h>
+
+namespace linelet {
+
+/** \brief The curves of a scene of several blocks, several blocks at a time.
+ * \param[in] points all different
+ * \param[in] settings with the traits of the cloud
+ * \throws as \ref reconstructRefined */
+CurveNetwork
+curvesByBlocks(const Points& points,
+               const RefinedSettings& settings,
+               ProgressMonitor* monitor);
+
+} // namespace linelet
