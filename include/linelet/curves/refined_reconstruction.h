@@ -33,8 +33,10 @@ struct RefinedSettings {
   unsigned start_points = 0; ///< traces begun per connected component of the cloud; 0:
                              ///< until every point that looks like a curve is explained
   double distance_cutoff =
-      0;                ///< widest gap that is bridged, in the unit of the points;
-                        ///< 0: an eighth of the length, where directions agree
+      0;                     ///< widest gap that is bridged, in the unit of the points;
+                             ///< 0: an eighth of the length, where directions agree
+  bool follow_hidden = true; ///< in a scene, a curve goes on beyond a stretch that
+                             ///< hides it, where a parabola continues it
   unsigned threads = 0; ///< threads; 0: all
   CloudTraits whole;    ///< of the cloud, if known
 };

@@ -150,7 +150,10 @@ agree(const ModelCurves& curves, const End& a, const End& b, double gap)
 
 /** \brief What may be joined, the narrowest gaps first. */
 std::vector<Join>
-possibleJoins(const ModelCurves& curves, const std::vector<End>& ends, double widest)
+possibleJoins(const ModelCurves& curves,
+              const std::vector<End>& ends,
+              double widest,
+              double cutoff)
 {
   std::vector<Join> joins;
   if (ends.empty())
@@ -159,7 +162,7 @@ possibleJoins(const ModelCurves& curves, const std::vector<End>& ends, double wi
   std::vector<double> reach;
   for (const End& end : ends) {
     tips.push_back(end.tip);
-    reach.push_back(std::min(end.length, widest * end.spacing));
+    reach.push_back(std::min({end.length, widest * end.spacing, cutoff}));
   }
   const UniformGrid grid(tips, *std::max_element(reach.begin(), reach.end()));
   for (std::size_t i = 0; i < ends.size(); ++i)
@@ -210,13 +213,13 @@ join(ModelCurves& curves, const End& a, const End& b, double gap)
 } // namespace
 
 ModelCurves
-joinHiddenStretches(ModelCurves curves, double widest)
+joinHiddenStretches(ModelCurves curves, double widest, double cutoff)
 {
   for (bool joined = true; joined;) {
     joined = false;
     const std::vector<End> ends = endsOf(curves);
     std::vector<char> changed(curves.size(), 0);
-    for (const Join& next : possibleJoins(curves, ends, widest)) {
+    for (const Join& next : possibleJoins(curves, ends, widest, cutoff)) {
       const End &a = ends[next.a], &b = ends[next.b];
       if (changed[a.curve] != 0 || changed[b.curve] != 0)
         continue;

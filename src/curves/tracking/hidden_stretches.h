@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "curves/ridges/model_curve.h"
 
 namespace linelet {
@@ -16,8 +18,11 @@ namespace linelet {
  * narrowest come first; what is joined then reaches farther. Edges of a hidden stretch
  * explain no points.
  * \param[in] curves of known points and noise
- * \param[in] widest in mean distances of the points along the curves */
+ * \param[in] widest gap, in mean distances of the points along the curves
+ * \param[in] cutoff widest gap, in the unit of the points */
 ModelCurves
-joinHiddenStretches(ModelCurves curves, double widest);
+joinHiddenStretches(ModelCurves curves,
+                    double widest,
+                    double cutoff = std::numeric_limits<double>::infinity());
 
 } // namespace linelet

@@ -293,7 +293,13 @@ mixedCurves(const Points& all,
   if (monitor)
     monitor->begin("sparse curves", sparse.size());
   curves.follow(sparse, bendings[0], sure);
-  return joinHiddenStretches(curves.release(), widest_gap);
+  ModelCurves found = curves.release();
+  if (!settings.follow_hidden)
+    return found;
+  return settings.distance_cutoff > 0
+             ? joinHiddenStretches(
+                   std::move(found), widest_gap, settings.distance_cutoff)
+             : joinHiddenStretches(std::move(found), widest_gap);
 }
 
 } // namespace linelet

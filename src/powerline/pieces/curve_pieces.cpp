@@ -10,7 +10,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <linelet/curves/reconstruct_curves.h>
+#include <linelet/curves/refined_reconstruction.h>
 
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/growth.h"
@@ -247,9 +247,11 @@ freeCurves(const Growth& growth,
       std::all_of(
           free.begin(), free.end(), [&](const Point& p) { return p == free.front(); }))
     return {};
-  ReconstructionSettings curve_settings;
+  RefinedSettings curve_settings;
   curve_settings.threads = settings.threads;
-  std::vector<Curve> curves = reconstructCurves(free, curve_settings, monitor).curves;
+  // Behind a hidden stretch there may be a support, and another span beyond it.
+  curve_settings.follow_hidden = false;
+  std::vector<Curve> curves = reconstructRefined(free, curve_settings, monitor).curves;
   std::stable_sort(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
     return length(a) > length(b);
   });

@@ -86,6 +86,8 @@ TEST(HiddenStretches, ManyGapsAreClosedOneAfterTheOther)
   EXPECT_EQ(joined.size(), 1u);
   EXPECT_EQ(joinHiddenStretches({piece(16, 28), piece(50, 62)}, widest).size(), 2u);
   EXPECT_EQ(joinHiddenStretches({piece(0, 35), piece(60, 100)}, 20).size(), 2u);
+  EXPECT_EQ(joinHiddenStretches({piece(0, 35), piece(60, 100)}, widest, 24).size(), 2u);
+  EXPECT_EQ(joinHiddenStretches({piece(0, 35), piece(60, 100)}, widest, 26).size(), 1u);
 }
 
 TEST(HiddenStretches, WiresSideBySideKeepApart)
