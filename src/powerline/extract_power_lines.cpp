@@ -41,6 +41,7 @@
 #include "powerline/spans/spans_between.h"
 #include "powerline/spans/split_at_poles.h"
 #include "powerline/spans/wire_with_ends.h"
+#include "powerline/supports/carry_to_supports.h"
 #include "powerline/supports/place_order.h"
 #include "powerline/supports/tower.h"
 #include "powerline/supports/towers.h"

@@ -9,8 +9,6 @@
 
 #include "powerline/pieces/growth.h"
 #include "powerline/spans/wire_with_ends.h"
-#include "powerline/supports/tower.h"
-#include "powerline/terrain/underside.h"
 
 namespace linelet::powerline {
 
@@ -20,14 +18,5 @@ void
 joinBesideCompany(std::vector<WireWithEnds>& wires,
                   Growth& growth,
                   const PowerLineSettings& settings);
-
-/** \brief Carries wires on, through what hides them, to the support that those beside
- * them hang from, as far as it is certain where they hang: no wire ends in the air. */
-void
-carryBesideCompany(std::vector<WireWithEnds>& wires,
-                   const std::vector<Tower>& towers,
-                   const Growth& growth,
-                   const Underside& underside,
-                   const PowerLineSettings& settings);
 
 } // namespace linelet::powerline

@@ -52,8 +52,9 @@ TEST(RefinedReconstruction, DegenerateInputGivesNoCurveOrOneThatIsFinite)
   for (const Curve& curve : reconstructRefined(collinear).curves)
     for (const Point& p : curve.points)
       EXPECT_TRUE(p.allFinite());
-  EXPECT_THROW(reconstructRefined(collinear, {0, 0, nan, 1, {}}),
-               std::invalid_argument);
+  RefinedSettings settings;
+  settings.distance_cutoff = nan;
+  EXPECT_THROW(reconstructRefined(collinear, settings), std::invalid_argument);
 }
 
 TEST(RefinedReconstruction, SurfacesAndVolumesAreNoCurves)
