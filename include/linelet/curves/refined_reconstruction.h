@@ -37,8 +37,8 @@ struct RefinedSettings {
                              ///< 0: an eighth of the length, where directions agree
   bool follow_hidden = true; ///< in a scene, a curve goes on beyond a stretch that
                              ///< hides it, where a parabola continues it
-  unsigned threads = 0; ///< threads; 0: all
-  CloudTraits whole;    ///< of the cloud, if known
+  unsigned threads = 0;      ///< threads; 0: all
+  CloudTraits whole;         ///< of the cloud, if known
 };
 
 /** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the
