@@ -128,7 +128,7 @@ void
 Canvas::disc(Spot center, double radius, const Color& color)
 {
   _cairo* cairo = pen(color);
-  constexpr double turn = 2 * 3.14159265358979323846;
+  constexpr double turn = 2 * M_PI;
   cairo_arc(cairo, center.x, center.y, radius, 0, turn);
   cairo_fill(cairo);
 }
@@ -137,7 +137,7 @@ void
 Canvas::ring(Spot center, double radius, double width, const Color& color)
 {
   _cairo* cairo = pen(color);
-  constexpr double turn = 2 * 3.14159265358979323846;
+  constexpr double turn = 2 * M_PI;
   cairo_set_line_width(cairo, width);
   cairo_arc(cairo, center.x, center.y, radius - width / 2, 0, turn);
   cairo_stroke(cairo);
@@ -157,7 +157,7 @@ Canvas::text(Spot at,
   useFont(cairo, size, bold);
   cairo_translate(cairo, at.x, at.y);
   if (upwards)
-    cairo_rotate(cairo, -3.14159265358979323846 / 2);
+    cairo_rotate(cairo, -M_PI / 2);
   const double part = align == Align::Left ? 0 : align == Align::Center ? 0.5 : 1;
   // Capitals are about 0.7 of the size: their middle stands at the place.
   cairo_move_to(cairo, -part * advance(cairo, words), 0.35 * size);

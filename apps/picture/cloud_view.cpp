@@ -26,7 +26,7 @@ class Projection {
 public:
   Projection(const CloudView& view, int width, int height, double bottom)
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = M_PI / 180;
     const double a = view.azimuth * degree, e = view.elevation * degree;
     const Point to_eye(
         std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e));

@@ -68,7 +68,7 @@ public:
   Camera(const CloudView& view, int width, int height)
       : perspective_(view.elevation < 90)
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = M_PI / 180;
     const double e = view.elevation * degree;
     // From above, north is up.
     const double a = (perspective_ ? view.azimuth : 180) * degree;
@@ -264,7 +264,7 @@ ellipseElement(const Eigen::Matrix3d& tensor,
     return size * at.scale * std::sqrt(std::max(0.0, solver.eigenvalues()[k]));
   };
   const Eigen::Vector2d way = solver.eigenvectors().col(1);
-  const double angle = std::atan2(way.y(), way.x()) * 180 / 3.14159265358979323846;
+  const double angle = std::atan2(way.y(), way.x()) * 180 / M_PI;
   return "<ellipse cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" rx=\"" +
          number(radius(1)) + "\" ry=\"" + number(radius(0)) + "\" transform=\"rotate(" +
          number(angle) + " " + number(at.x) + " " + number(at.y) + ")\" fill=\"" +

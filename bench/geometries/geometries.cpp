@@ -11,8 +11,6 @@ namespace linelet::bench {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 Curve
 open(Points vertices)
 {
@@ -60,7 +58,8 @@ Point
 sCurve(double t)
 {
   // Half circles of radius 2.5 around (0, 2.5) and (0, -2.5), run through the origin.
-  const double angle = t < 0.5 ? pi / 2 + 2 * pi * t : pi / 2 - 2 * pi * (t - 0.5);
+  const double angle =
+      t < 0.5 ? M_PI / 2 + 2 * M_PI * t : M_PI / 2 - 2 * M_PI * (t - 0.5);
   const Point center(0, t < 0.5 ? 2.5 : -2.5, 0);
   return center + 2.5 * Point(std::cos(angle), std::sin(angle), 0);
 }
@@ -70,7 +69,7 @@ star()
 {
   Points corners;
   for (int i = 0; i < 10; ++i) {
-    const double angle = pi / 2 + i * pi / 5, radius = i % 2 == 0 ? 5.0 : 2.0;
+    const double angle = M_PI / 2 + i * M_PI / 5, radius = i % 2 == 0 ? 5.0 : 2.0;
     corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
   }
   return {{closed(corners)}, {}};
@@ -84,7 +83,7 @@ flatTruthOf(Geometry geometry)
     return {{closed(trace(
                 [](double t) { return Point(5 * std::cos(t), 5 * std::sin(t), 0); },
                 0,
-                2 * pi,
+                2 * M_PI,
                 false))},
             {}};
   case Geometry::Rectangle:
@@ -98,12 +97,12 @@ flatTruthOf(Geometry geometry)
   case Geometry::Line:
     return {{open({{-5, -3, 0}, {5, 3, 0}})}, {}};
   case Geometry::Wave:
-    return {
-        {open(trace([](double x) { return Point(x, 2 * std::sin(2 * pi * x / 5), 0); },
-                    -5,
-                    5,
-                    true))},
-        {}};
+    return {{open(trace(
+                [](double x) { return Point(x, 2 * std::sin(2 * M_PI * x / 5), 0); },
+                -5,
+                5,
+                true))},
+            {}};
   case Geometry::Crossing:
     return {{open({{-5, -5, 0}, {5, 5, 0}}), open({{-5, 5, 0}, {5, -5, 0}})}, {}};
   case Geometry::Elbow:
@@ -111,10 +110,10 @@ flatTruthOf(Geometry geometry)
   case Geometry::Helix:
     return {{open(trace(
                 [](double t) {
-                  return Point(3 * std::cos(t), 3 * std::sin(t), 10 * t / (4 * pi));
+                  return Point(3 * std::cos(t), 3 * std::sin(t), 10 * t / (4 * M_PI));
                 },
                 0,
-                4 * pi,
+                4 * M_PI,
                 true))},
             {}};
   case Geometry::Mikado:
@@ -135,7 +134,7 @@ flatTruthOf(Geometry geometry)
                       5 * std::sin(t), 2.5 * std::sin(2 * t), 1.5 * std::cos(t));
                 },
                 0,
-                2 * pi,
+                2 * M_PI,
                 false))},
             {}};
   case Geometry::YBranch:
@@ -152,17 +151,17 @@ flatTruthOf(Geometry geometry)
     return {{open({{-5, -0.5, 0}, {5, -0.5, 0}}), open({{-5, 0.5, 0}, {5, 0.5, 0}})},
             {}};
   case Geometry::Vee: {
-    const double half = pi / 12, x = 10 * std::cos(half), y = 10 * std::sin(half);
+    const double half = M_PI / 12, x = 10 * std::cos(half), y = 10 * std::sin(half);
     return {{open({{5 - x, -y, 0}, {5, 0, 0}, {5 - x, y, 0}})}, {}};
   }
   case Geometry::Spiral:
     return {{open(trace(
                 [](double t) {
-                  const double radius = 1 + 4 * t / (4.5 * pi);
+                  const double radius = 1 + 4 * t / (4.5 * M_PI);
                   return Point(radius * std::cos(t), radius * std::sin(t), 0);
                 },
                 0,
-                4.5 * pi,
+                4.5 * M_PI,
                 true))},
             {}};
   case Geometry::SCurve:
@@ -178,7 +177,7 @@ flatTruthOf(Geometry geometry)
                                1.6 * std::sin(3 * t));
                 },
                 0,
-                2 * pi,
+                2 * M_PI,
                 false))},
             {}};
   }
@@ -255,7 +254,7 @@ bentOutOfPlane(CurveNetwork network, double out_of_plane)
     }
   const double center = (low + high) / 2, extent = high > low ? high - low : 1;
   const auto bend = [&](Point& p) {
-    p.z() += out_of_plane * std::cos(pi / 2 * (p.y() - center) / (2 * extent));
+    p.z() += out_of_plane * std::cos(M_PI / 2 * (p.y() - center) / (2 * extent));
   };
   for (Curve& curve : network.curves) {
     refine(curve, 0.05);

@@ -19,7 +19,7 @@ angleBetween(const Point& a, const Point& b)
 {
   if (!(a.norm() > 0) || !(b.norm() > 0))
     return std::numeric_limits<double>::quiet_NaN();
-  constexpr double degrees = 57.29577951308232;
+  constexpr double degrees = 180 / M_PI;
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * degrees;
 }
 

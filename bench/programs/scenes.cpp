@@ -17,8 +17,6 @@ namespace linelet::benchmarking {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 Points
 make(Scene scene, std::size_t count, Order order)
 {
@@ -61,8 +59,8 @@ scene(Scene scene, std::size_t count, Order order)
 double
 radiusFor(Scene scene, double neighbors)
 {
-  return scene == Scene::Volume ? std::cbrt(neighbors * 3 / (4 * pi))
-                                : std::sqrt(neighbors / pi);
+  return scene == Scene::Volume ? std::cbrt(neighbors * 3 / (4 * M_PI))
+                                : std::sqrt(neighbors / M_PI);
 }
 
 double

@@ -34,6 +34,18 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
+constexpr ScreenNormalMethod methods[] = {ScreenNormalMethod::LocalDerivatives,
+                                          ScreenNormalMethod::PlaneCircle,
+                                          ScreenNormalMethod::PlaneDiagonals,
+                                          ScreenNormalMethod::Tensor};
+
+/** \brief Angle between unit vectors, in degrees. */
+double
+angleBetween(const Point& a, const Point& b)
+{
+  return std::acos(std::clamp(a.dot(b), -1.0, 1.0)) * 180 / M_PI;
+}
+
 template <class Work>
 bench::BestTime
 fastest(const Work& work)
@@ -90,8 +102,7 @@ compareNormals(bool curved, double noise)
       const Point n(normals[k].normal_x, normals[k].normal_y, normals[k].normal_z);
       if (!n.allFinite())
         continue;
-      const double angle =
-          std::acos(std::clamp(n.dot(truth[k]), -1.0, 1.0)) * 180 / 3.14159265358979;
+      const double angle = angleBetween(n, truth[k]);
       sum += angle;
       wrong += angle > 30 ? 1 : 0;
       ++known;
@@ -127,10 +138,7 @@ compareNormals(bool curved, double noise)
   }
   for (const unsigned samples : {9U, 25U})
     for (const unsigned smoothing : {0U, 4U, 8U})
-      for (const ScreenNormalMethod method : {ScreenNormalMethod::LocalDerivatives,
-                                              ScreenNormalMethod::PlaneCircle,
-                                              ScreenNormalMethod::PlaneDiagonals,
-                                              ScreenNormalMethod::Tensor}) {
+      for (const ScreenNormalMethod method : methods) {
         const bench::BestTime time = fastest([&] {
           ScreenSpaceNormalEstimation<pcl::PointXYZ> estimation;
           estimation.setMethod(method);
@@ -164,17 +172,14 @@ noisyRoof(double noise, unsigned count, double elevation, double limit)
     points.emplace_back(x + shift(), y + shift(), shift() - slope * std::abs(x));
   }
   Camera camera;
-  const double angle = elevation * 3.14159265358979 / 180;
+  const double angle = elevation * M_PI / 180;
   camera.lookAt(Point(0.2, -5 * std::cos(angle), 5 * std::sin(angle) - 0.4),
                 Point(0, 0, -0.4));
   camera.width = 640;
   camera.height = 480;
   const SampleLayers samples = sampleLayers(points, camera, 3);
   const Eigen::Vector3f eye = (camera.eye - samples.origin).cast<float>();
-  for (const ScreenNormalMethod method : {ScreenNormalMethod::LocalDerivatives,
-                                          ScreenNormalMethod::PlaneCircle,
-                                          ScreenNormalMethod::PlaneDiagonals,
-                                          ScreenNormalMethod::Tensor}) {
+  for (const ScreenNormalMethod method : methods) {
     ScreenNormalSettings settings;
     settings.method = method;
     settings.samples = count;
@@ -194,7 +199,7 @@ noisyRoof(double noise, unsigned count, double elevation, double limit)
         ++known;
         const double side = points[samples.point[k]].x() < 0 ? -slope : slope;
         const Point truth = Point(side, 0, 1).normalized();
-        sum += std::acos(std::clamp(n.dot(truth), -1.0, 1.0)) * 180 / 3.14159265358979;
+        sum += angleBetween(n, truth);
       }
     std::printf("| %g | %u | %g | %g | %s | %.2f | %.1f |\n",
                 noise,
@@ -244,10 +249,7 @@ largePicture()
               1e3 * splat.wall,
               1e3 * splat.cpu);
   for (const unsigned count : {5U, 9U, 17U, 25U})
-    for (const ScreenNormalMethod method : {ScreenNormalMethod::LocalDerivatives,
-                                            ScreenNormalMethod::PlaneCircle,
-                                            ScreenNormalMethod::PlaneDiagonals,
-                                            ScreenNormalMethod::Tensor}) {
+    for (const ScreenNormalMethod method : methods) {
       ScreenNormalSettings settings;
       settings.method = method;
       settings.samples = count;

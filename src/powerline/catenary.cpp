@@ -10,7 +10,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = M_PI / 180;
 
 Point
 forward(double azimuth)

@@ -273,7 +273,7 @@ addScaleAndNorth(Markup& page, const Frame& frame)
   // The arrow turns about its middle as north does on the page.
   const double x = frame.width() - 30, turn = std::atan2(frame.u.y(), frame.v.y());
   page << "<g transform=\"translate(" << x << " " << y - 6 << ") rotate("
-       << turn * 180 / 3.14159265358979323846
+       << turn * 180 / M_PI
        << ")\"><path class=\"north\" d=\"M0 -12 l6 22 l-6 -5 l-6 5 z\"/>"
           "<text class=\"middle\" x=\"0\" y=\"-15\">N</text></g>\n";
 }

@@ -135,7 +135,7 @@ stillPicture(const Content& content, const Frame& frame, const Indices& shown)
   constexpr double width = 1060;
   const Point middle = (frame.low + frame.high) / 2;
   // Seen along azimuth 35 degrees, 30 degrees down.
-  const double a = 35 / 57.29577951308232, sine = 0.5, cosine = std::sqrt(0.75);
+  const double a = 35 * M_PI / 180, sine = 0.5, cosine = std::sqrt(0.75);
   const auto seen = [&](const Point& p) {
     const Point d = p - middle;
     const double across = d.x() * std::cos(a) - d.y() * std::sin(a);

@@ -54,15 +54,14 @@ private:
   std::array<float, 514> values_{};
 };
 
-/** \brief (1 + cos(2 pi t)) / 2. */
+/** \brief (1 + cos(2 M_PI t)) / 2. */
 class Wave {
 public:
   Wave()
   {
-    constexpr double pi = 3.14159265358979323846;
     for (std::size_t i = 0; i < values_.size(); ++i)
       values_[i] = static_cast<float>(
-          0.5 + 0.5 * std::cos(2 * pi * static_cast<double>(i) /
+          0.5 + 0.5 * std::cos(2 * M_PI * static_cast<double>(i) /
                                static_cast<double>(values_.size() - 1)));
   }
 

@@ -13,7 +13,7 @@ namespace linelet {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = M_PI; // of the table
 
 double
 power(double base, int exponent)

@@ -159,7 +159,7 @@ TEST(Corridor, WindSwingsWiresOutOfTheVertical)
     const double t = off.head<2>().dot(chord.head<2>()) / (l * l);
     const double aside = (chord.y() * off.x() - chord.x() * off.y()) / l;
     const double below = t * chord.z() - off.z();
-    EXPECT_NEAR(std::atan2(aside, below) * 180 / 3.14159265358979, 10, 0.01);
+    EXPECT_NEAR(std::atan2(aside, below) * 180 / M_PI, 10, 0.01);
   }
   EXPECT_GE(whole, 7);
 }

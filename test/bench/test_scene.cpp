@@ -259,7 +259,7 @@ TEST(Scene, MountainsAreSteep)
       right += scan.points[i].z() * row;
     }
   const Point plane = sums.ldlt().solve(right);
-  const double slope = std::atan(plane.head<2>().norm()) * 180 / 3.14159265358979;
+  const double slope = std::atan(plane.head<2>().norm()) * 180 / M_PI;
   EXPECT_GT(slope, 25);
   EXPECT_LT(slope, 45);
 }

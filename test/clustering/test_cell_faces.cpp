@@ -67,7 +67,7 @@ TEST(CellFaces, AreNotMadeUnlessAskedFor)
 TEST(CellFaces, QuadsCoverAPlaneOnceWhateverItsDirection)
 {
   // All cuts of the cells together are the cut of the cube: of these its area is known.
-  constexpr double n = 4, pi = 3.14159265358979;
+  constexpr double n = 4, pi = M_PI;
   const std::pair<Point, double> planes[] = {
       {Point(0.3, 0, 1).normalized(), n * n * std::hypot(1, 0.3)},
       {Point(0, -0.5, 0.2).normalized(), n * n * std::hypot(1, 0.4)},
@@ -216,7 +216,7 @@ TEST(CellFaces, InTheViewOfACameraBoxesArePiecesOfIt)
   const Clusters clusters = clusterPoints(house(20000, 7), settings);
   ASSERT_GT(clusters.representatives.size(), 20u);
   // A frustum between depths a and b: its sides grow with the depth.
-  const double tangent = std::tan(30 * 3.14159265358979 / 180);
+  const double tangent = std::tan(30 * M_PI / 180);
   double volume = 0;
   for (const Representative& one : clusters.representatives) {
     const double a = 10 * std::pow(4, one.cell[2] / 12.);

@@ -34,7 +34,7 @@ levelSag(double tension, double load, double span)
 TEST(StateChange, AgreesWithATextbooksExercise)
 {
   const Conductor conductor{"exercise", 240, 20, 1000, 9320 * gravity / 1000, 184.4};
-  const double ice = 3.14159265358979 * 0.01 * 0.03 * 910;
+  const double ice = M_PI * 0.01 * 0.03 * 910;
   const double worst = std::hypot(1 + ice, 40 * 0.04) * gravity;
   const double tension = tensionAfter(
       {{300, 0}}, {{300, 0}}, conductor, 4000 * gravity, worst, gravity, 70);
@@ -277,7 +277,7 @@ TEST(ConductorLoad, IsWeightIceAndWind)
   const Conductor conductor{"round", 300, 20, 1000, 70, 19};
   const ConductorLoad load = loadOf(conductor, parseState("0C,ice=10mm,wind=400Pa"));
   // A sleeve from 10 to 20 mm radius of 900 kg/m3; 400 Pa on 40 mm.
-  const double sleeve = 3.14159265358979 * (0.02 * 0.02 - 0.01 * 0.01) * 900;
+  const double sleeve = M_PI * (0.02 * 0.02 - 0.01 * 0.01) * 900;
   EXPECT_NEAR(load.vertical, (1 + sleeve) * gravity, 1e-9);
   EXPECT_NEAR(load.horizontal, 16, 1e-12);
 }
@@ -312,7 +312,7 @@ TEST(KnownConductors, WeighAsMuchAsAluminumAndSteel)
   for (const Conductor& c : knownConductors()) {
     EXPECT_GT(c.mass / c.area, 2.7) << c.name; // kg/km per mm2: g/cm3
     EXPECT_LT(c.mass / c.area, 3.6) << c.name;
-    const double circle = 3.14159265358979 / 4 * c.diameter * c.diameter;
+    const double circle = M_PI / 4 * c.diameter * c.diameter;
     EXPECT_GT(c.area / circle, 0.70) << c.name;
     EXPECT_LT(c.area / circle, 0.80) << c.name;
     EXPECT_EQ(readConductor(c.name).area, c.area);

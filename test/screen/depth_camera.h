@@ -104,7 +104,7 @@ struct DepthPicture {
         sum += std::acos(std::min(1.0, std::max(-1.0, n.dot(truth[k]))));
         ++count;
       }
-    return sum / static_cast<double>(count) * 180 / 3.14159265358979323846;
+    return sum / static_cast<double>(count) * 180 / M_PI;
   }
 };
 

@@ -136,7 +136,7 @@ TEST_F(Splats, StripesRunAlongTheProjectionOfTheMajorDirection)
     const Eigen::Vector2d along = solver.eigenvectors().col(0);
     const double sine =
         std::abs(along.x() * wanted.y() - along.y() * wanted.x()) / wanted.norm();
-    EXPECT_LT(std::asin(std::min(1.0, sine)) * 180 / 3.14159265358979323846, 2) << i;
+    EXPECT_LT(std::asin(std::min(1.0, sine)) * 180 / M_PI, 2) << i;
   }
 }
 
@@ -217,7 +217,7 @@ TEST_F(Splats, EllipsoidsAreAsLargeAsTheyAre)
   double area = 0;
   for (const auto& pixel : image.pixels)
     area += static_cast<double>(pixel[3]);
-  EXPECT_NEAR(area, 3.14159265358979 * 20 * 40, 40);
+  EXPECT_NEAR(area, M_PI * 20 * 40, 40);
   // A disc behind it shows around it, one through its middle cuts it.
   TensorGlyph behind = one;
   behind.half_lengths = Eigen::Vector3d(3, 3, 0);

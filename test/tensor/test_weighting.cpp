@@ -19,8 +19,6 @@ namespace {
 using std::pow;
 using Formula = std::function<double(double)>;
 
-constexpr double pi = 3.141592653589793;
-
 double
 rising(double x) // a parabola of equal height for each of four bounces
 {
@@ -78,8 +76,8 @@ formulas()
        }},
       {"ease-elastic",
        [](double x) {
-         return x < 0.5 ? 1 - pow(2, 20 * x - 11) * std::sin(13 * pi * x)
-                        : pow(2, 9 - 20 * x) * std::sin(13 * pi * x);
+         return x < 0.5 ? 1 - pow(2, 20 * x - 11) * std::sin(13 * M_PI * x)
+                        : pow(2, 9 - 20 * x) * std::sin(13 * M_PI * x);
        }},
       {"ease-exponential",
        [](double x) {
@@ -87,7 +85,7 @@ formulas()
            return 1 - x;
          return x < 0.5 ? 1 - pow(2, 20 * x - 11) : pow(2, 9 - 20 * x);
        }},
-      {"ease-sine", [](double x) { return pow(std::cos(pi * x / 2), 2); }},
+      {"ease-sine", [](double x) { return pow(std::cos(M_PI * x / 2), 2); }},
       {"ease-cubic",
        [](double x) { return x < 0.5 ? 1 - 4 * pow(x, 3) : 4 * pow(1 - x, 3); }},
       {"ease-quadratic",

@@ -13,8 +13,8 @@ namespace linelet::view {
 
 namespace {
 
-constexpr double reach = 6;                   ///< pixels around a click
-constexpr double degrees = 57.29577951308232; ///< of a radian
+constexpr double reach = 6;            ///< pixels around a click
+constexpr double degrees = 180 / M_PI; ///< of a radian
 
 Point
 pointOf(const double* xyz)

@@ -52,7 +52,7 @@ struct Camera {
   double
   halfHeight() const
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = M_PI / 180;
     return perspective() ? std::tan(field_of_view * degree / 2) : view_height / 2;
   }
 

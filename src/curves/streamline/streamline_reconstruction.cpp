@@ -29,7 +29,6 @@ namespace linelet {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr unsigned cover_rounds = 20; // of further ones
 constexpr double most_pairs = 3e8;    // point and neighbor, in the features
 
@@ -61,7 +60,7 @@ limitsOf(const Points& points, double scale_unit, const StreamlineSettings& sett
   limits.distance_cutoff =
       settings.distance_cutoff > 0 ? settings.distance_cutoff : 2 * scale_unit;
   limits.merge_distance = settings.merge_distance * limits.step;
-  limits.branch_cosine = std::cos(settings.branch_angle * pi / 180);
+  limits.branch_cosine = std::cos(settings.branch_angle * M_PI / 180);
   limits.low = limits.high = points.front();
   for (const Point& p : points) {
     limits.low = limits.low.cwiseMin(p);

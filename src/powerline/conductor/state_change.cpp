@@ -15,7 +15,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double gravity = 9.80665; // m/s2, standard
 constexpr double glaze = 900;       // kg/m3, EN 50341-1
 
@@ -84,14 +83,14 @@ ConductorLoad::resultant() const
 double
 ConductorLoad::swing() const
 {
-  return std::atan2(horizontal, vertical) * 180 / pi;
+  return std::atan2(horizontal, vertical) * 180 / M_PI;
 }
 
 ConductorLoad
 loadOf(const Conductor& conductor, const ConductorState& state)
 {
   const double diameter = conductor.diameter / 1000, ice = state.ice / 1000;
-  const double sleeve = pi * ice * (diameter + ice) * glaze;
+  const double sleeve = M_PI * ice * (diameter + ice) * glaze;
   return {gravity * (conductor.mass / 1000 + sleeve),
           state.wind * (diameter + 2 * ice)};
 }

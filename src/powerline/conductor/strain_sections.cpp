@@ -12,7 +12,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double shared = 1; // meters, ends of wires on one insulator or its two
 
 /** A wire on its way along a section, which may be against its own direction. */
@@ -42,7 +41,7 @@ turnBetween(const Link& a, const Link& b)
 {
   const Eigen::Vector2d u = (a.end() - a.start()).head<2>(),
                         v = (b.end() - b.start()).head<2>();
-  return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v))) * 180 / pi;
+  return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v))) * 180 / M_PI;
 }
 
 /** Standard deviation of a catenary constant: the sag is as good as the points. */
@@ -118,8 +117,8 @@ SpanShape
 shapeOf(const Wire& wire, double swing)
 {
   const Point chord = wire.back - wire.front;
-  const double rise = chord.z() / std::cos(swing * pi / 180);
-  const double aside = chord.z() * std::tan(swing * pi / 180);
+  const double rise = chord.z() / std::cos(swing * M_PI / 180);
+  const double aside = chord.z() * std::tan(swing * M_PI / 180);
   const double squared = chord.head<2>().squaredNorm() - aside * aside;
   return {std::sqrt(std::max(0.0, squared)), rise};
 }
@@ -129,7 +128,7 @@ shapeOf(const Wire& wire, double swing)
 Catenary
 catenaryBetween(const Point& front, const Point& back, double a, double swing)
 {
-  const double phi = swing * pi / 180;
+  const double phi = swing * M_PI / 180;
   const Point chord = back - front;
   const double plan = chord.head<2>().norm();
   // The chord lies in the swung plane: what its rise is aside turns the axis.
@@ -141,7 +140,7 @@ catenaryBetween(const Point& front, const Point& back, double a, double swing)
   curve.swing = swing;
   curve.azimuth = (std::atan2(chord.x(), chord.y()) -
                    std::asin(std::clamp(aside / plan, -1.0, 1.0))) *
-                  180 / pi;
+                  180 / M_PI;
   curve.azimuth = std::fmod(curve.azimuth + 720, 360);
   const double length = std::hypot(rise, 2 * a * std::sinh(along / (2 * a)));
   const double middle = a * std::atanh(rise / length);
@@ -182,7 +181,7 @@ moveToState(const PowerLineNetwork& network,
       after.push_back(shapeOf(wire, swing));
       level.push_back({wire.span_length, 0});
       const double weight = 1 / (deviation(wire) * deviation(wire));
-      const double own = load / std::cos(wire.curve.swing * pi / 180);
+      const double own = load / std::cos(wire.curve.swing * M_PI / 180);
       section.tension += weight * wire.curve.a * own;
       known_load += weight * own;
       weights += weight;

@@ -14,7 +14,6 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double step = 0.5; // meters along a wire
-constexpr double pi = 3.14159265358979323846;
 
 const Circuit*
 circuitOf(const PowerLineNetwork& network, const Wire& wire)
@@ -187,7 +186,7 @@ findCrossings(const PowerLineNetwork& network,
     crossing.horizontal = (upper - lower).head<2>().norm();
     const double cosine =
         std::abs(along_a.dot(along_b)) / (along_a.norm() * along_b.norm());
-    crossing.angle = std::acos(std::min(1.0, cosine)) * 180 / pi;
+    crossing.angle = std::acos(std::min(1.0, cosine)) * 180 / M_PI;
     crossing.severity = limits.severity(HazardKind::Wire, crossing.nearest.distance);
     crossings.push_back(crossing);
   });

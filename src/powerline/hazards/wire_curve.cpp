@@ -25,7 +25,7 @@ WireCurve::WireCurve(const Catenary& curve)
   forward_ = unit.at(1) - unit.at(-1);
   forward_ = Point(forward_.x(), forward_.y(), 0).normalized();
   const Point right(forward_.y(), -forward_.x(), 0);
-  const double swing = curve.swing * 3.14159265358979323846 / 180;
+  const double swing = curve.swing * M_PI / 180;
   up_ = std::cos(swing) * Point::UnitZ() + std::sin(swing) * right;
   across_ = forward_.cross(up_);
 }

@@ -16,7 +16,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = M_PI / 180;
 constexpr std::size_t sample = 600;                // points that take part
 constexpr double noise = 0.05;                     // meters, scales the priors
 constexpr double swing_spread = 0.3;               // radian

@@ -56,7 +56,7 @@ struct Course {
   double
   azimuth() const
   {
-    const double degrees = std::atan2(forward.x(), forward.y()) * 57.29577951308232;
+    const double degrees = std::atan2(forward.x(), forward.y()) * 180 / M_PI;
     return degrees < 0 ? degrees + 360 : degrees;
   }
 };

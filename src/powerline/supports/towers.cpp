@@ -155,7 +155,7 @@ orient(Tower& tower, const std::vector<WireWithEnds>& wires)
   tower.arm.along = unit(unit(there) - unit(back));
   if (there.norm() > 0 && back.norm() > 0)
     tower.turn =
-        std::acos(std::clamp(-unit(there).dot(unit(back)), -1.0, 1.0)) * 57.29577951;
+        std::acos(std::clamp(-unit(there).dot(unit(back)), -1.0, 1.0)) * 180 / M_PI;
   const Eigen::Vector2d across(-tower.arm.along.y(), tower.arm.along.x());
   double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0, count = 0;
   for (const auto& id : tower.ends) {

@@ -21,7 +21,6 @@ namespace {
 constexpr double surface_part = 0.7; // of the usual share of a surface around terrain
 // Of the surroundings of the usual cell, what is a surface where there is one at all.
 constexpr double least_surface = 0.5;
-constexpr double pi = 3.14159265358979323846;
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 // How much of the quarter of its surroundings that fits a cell best shows a surface on
@@ -42,7 +41,7 @@ surfaceAround(const Ground& g, int column, int row)
   std::array<int, angles> fits{};
   for (int k = 0; k < angles; ++k)
     for (const int radius : radii) {
-      const double angle = k * 2 * pi / angles;
+      const double angle = k * 2 * M_PI / angles;
       const int c = column + static_cast<int>(std::lround(radius * std::cos(angle)));
       const int r = row + static_cast<int>(std::lround(radius * std::sin(angle)));
       if (c < 0 || r < 0 || c >= g.columns || r >= g.rows)

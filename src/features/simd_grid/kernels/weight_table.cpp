@@ -12,7 +12,6 @@ namespace linelet::grid {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t most_terms = WeightTable::most_degree + 1;
 using Series = std::array<double, most_terms>;
 
@@ -42,7 +41,7 @@ interpolate(const Function& f, std::size_t terms)
 {
   Series values{}, chebyshev{};
   const auto angle = [&](std::size_t node) {
-    return pi * (static_cast<double>(node) + 0.5) / static_cast<double>(terms);
+    return M_PI * (static_cast<double>(node) + 0.5) / static_cast<double>(terms);
   };
   for (std::size_t node = 0; node < terms; ++node)
     values[node] = f(std::cos(angle(node)) / 2);
