@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
 #include <linelet/search/uniform_grid.h>
+
+#include "curve_frames.h"
 
 namespace linelet {
 
@@ -21,29 +21,10 @@ constexpr std::size_t most_lines = 12;
 constexpr std::size_t most_offsets = 1500; // looked at, evenly spread
 constexpr double reach = 3;                // standard deviations
 
-/** \brief Axes across each edge, carried along the curve without a twist. */
-struct Frames {
-  Points first, second;
-};
-
-Frames
-framesOf(const ModelCurve& curve)
-{
-  Frames frames;
-  for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Point direction = (curve.to(e) - curve.from(e)).normalized();
-    Point first = e == 0 ? direction.unitOrthogonal() : frames.first.back();
-    first = (first - first.dot(direction) * direction).normalized();
-    frames.first.push_back(first);
-    frames.second.push_back(direction.cross(first));
-  }
-  return frames;
-}
-
 /** \brief Offsets of \a points from \a curve, of those within \a distance of it. */
 std::vector<Offset>
 offsetsFrom(const ModelCurve& curve,
-            const Frames& frames,
+            const CurveFrames& frames,
             const Points& points,
             double distance)
 {
@@ -55,9 +36,9 @@ offsetsFrom(const ModelCurve& curve,
     const Point middle = 0.5 * (curve.from(e) + curve.to(e));
     const double radius = std::sqrt(distance * distance + 0.25 * edge * edge);
     grid.forEachWithin(middle, radius, [&](Index i, double) {
-      const Point v = points[i] - middle;
-      const Offset off(v.dot(frames.first[e]), v.dot(frames.second[e]));
-      if (std::abs(v.dot(chord)) <= 0.5 * edge * edge && off.norm() <= distance)
+      const Offset off = offsetAcross(curve, frames, e, points[i]);
+      if (std::abs((points[i] - middle).dot(chord)) <= 0.5 * edge * edge &&
+          off.norm() <= distance)
         result.push_back(off);
     });
   }
@@ -118,7 +99,7 @@ linesAlong(const ModelCurve& curve,
            double least_width)
 {
   std::vector<ParallelLines> result;
-  const Frames frames = framesOf(curve);
+  const CurveFrames frames = framesOf(curve);
   const std::vector<Offset> offsets = offsetsFrom(curve, frames, points, reach * noise);
   for (const double share : {0.5, 0.33, 0.2, 0.12}) {
     const double width = share * noise;
@@ -129,6 +110,7 @@ linesAlong(const ModelCurve& curve,
       continue;
     ParallelLines lines;
     lines.width = width;
+    lines.offsets = modes;
     for (const Offset& mode : modes) {
       lines.curves.push_back(curve);
       Points& nodes = lines.curves.back().nodes;

@@ -13,6 +13,8 @@ namespace linelet {
 struct ParallelLines {
   ModelCurves curves; ///< in the order of their points, most first
   double width = 0;   ///< scale on which they were told apart
+  /// Of each of them from the one curve, in its frames.
+  std::vector<Eigen::Vector2d> offsets;
 };
 
 /** \brief Lines of constant offsets from \a curve along which \a points gather: the

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cross_section.h"
 #include "curves/mixture/model_score.h"
 #include "lines_of_track.h"
 
@@ -139,6 +140,19 @@ fitTrack(const TrackedScene& scene,
   settings.spacing = spacing;
   settings.bending = free_turn / frame.diagonal;
   result.fit = fitter.fit({start}, settings);
+  const EmFit one = result.fit;
+  // Where a wide beam makes ribbons, lines side by side must tell more than these:
+  // either where each goes its own way, or as modes of one cross-section.
+  const auto beatRibbons = [&](const ParallelLines& lines, const EmFit& fit) {
+    const double needed =
+        0.5 * least_gain * (static_cast<double>(fit.curves.size()) - 1);
+    const auto gain = [&](const EmFit& of) {
+      return unevenScatterGain(of, points, grid, settings.least_noise) -
+             0.5 * scoreOf(of, points.size());
+    };
+    return gain(fit) > gain(one) + needed ||
+           modesGain(one, lines.offsets, points, grid, settings.least_noise) > needed;
+  };
   double best = scoreOf(result.fit, points.size());
   if (result.fit.curves.size() == 1 &&
       result.fit.noise >= least_thick * settings.least_noise)
@@ -151,7 +165,8 @@ fitTrack(const TrackedScene& scene,
       EmFit fit = fitter.fit(lines.curves, thin);
       const double score = scoreOf(fit, points.size());
       const double extra = static_cast<double>(fit.curves.size()) - 1;
-      if (fit.curves.empty() || score >= best - least_gain * extra)
+      if (fit.curves.empty() || score >= best - least_gain * extra ||
+          !beatRibbons(lines, fit))
         continue;
       best = score;
       result.fit = std::move(fit);

@@ -219,14 +219,43 @@ TEST(MixedReconstruction, RibbonsSideBySideAreNoSurface)
       for (double x = 1; x < 39; x += 0.5, ++all)
         near += distanceTo(network, at(wire, x)) <= 0.1;
     EXPECT_GE(near, 0.9 * all);
-    // A ribbon may come as several lines, but all of them lie in one.
+    // Each is one line in the middle, not one along either border.
+    EXPECT_LE(length(network), 1.05 * 3 * 40);
     for (const Curve& curve : network.curves)
       for (const Point& p : curve.points) {
         double nearest = 1e300;
         for (int wire = 0; wire < 3; ++wire)
           nearest = std::min(nearest, (at(wire, p.x()) - p).norm());
-        EXPECT_LE(nearest, 0.2);
+        EXPECT_LE(nearest, 0.15);
       }
+  }
+}
+
+// Two ribbons with air between them are two wires, however wide they are.
+TEST(MixedReconstruction, RibbonsOfATwinBundleAreTwo)
+{
+  const auto at = [](int wire, double x) {
+    return Point(x, 0.4 * (wire - 0.5), 9 + 0.0005 * (x - 60) * (x - 60));
+  };
+  for (const unsigned seed : {14U, 15U, 16U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.03);
+    Points points;
+    for (int k = 0; k < 20000; ++k)
+      points.emplace_back(120 * unit(random), 20 * unit(random) - 10, noise(random));
+    for (int wire = 0; wire < 2; ++wire)
+      for (int k = 0; k < 360; ++k)
+        points.push_back(at(wire, 120 * unit(random)) +
+                         Point(0, 0.24 * (unit(random) - 0.5), noise(random)));
+    const CurveNetwork network = reconstructCurves(points);
+    int near = 0, all = 0;
+    for (int wire = 0; wire < 2; ++wire)
+      for (double x = 1; x < 119; x += 0.5, ++all)
+        near += distanceTo(network, at(wire, x)) <= 0.1;
+    EXPECT_GE(near, 0.95 * all);
+    EXPECT_LE(length(network), 1.05 * 2 * 122);
   }
 }
 
