@@ -249,7 +249,8 @@ private:
       curve.noise = fit.fit.spread;
       const double own = std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0);
       curve.evidence = track.evidence * own / std::max(count, 1.0);
-      curves_.push_back(std::move(curve));
+      if (c == 0 || curve.evidence >= needed_) // else strays beside the others
+        curves_.push_back(std::move(curve));
     }
     return true;
   }
