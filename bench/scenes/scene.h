@@ -38,7 +38,8 @@ enum class SceneKind {
   ClutterEmpty,  ///< the clutter without a line
   MountainEmpty, ///< bare rock without a line
   TownEmpty,     ///< the town without a line
-  ForestEmpty    ///< closed forest without a line
+  ForestEmpty,   ///< closed forest without a line
+  WideBeam       ///< sparse, from high up: points lie beside their wire in the beam
 };
 
 } // namespace linelet::bench
@@ -48,7 +49,7 @@ namespace linelet {
 template <>
 struct Names<bench::SceneKind> {
   static constexpr std::string_view kind = "scene";
-  static constexpr std::array<std::pair<bench::SceneKind, std::string_view>, 21> table =
+  static constexpr std::array<std::pair<bench::SceneKind, std::string_view>, 22> table =
       {{{bench::SceneKind::Standard, "standard"},
         {bench::SceneKind::Sparse, "sparse"},
         {bench::SceneKind::Helicopter, "helicopter"},
@@ -69,7 +70,8 @@ struct Names<bench::SceneKind> {
         {bench::SceneKind::ClutterEmpty, "clutter-empty"},
         {bench::SceneKind::MountainEmpty, "mountain-empty"},
         {bench::SceneKind::TownEmpty, "town-empty"},
-        {bench::SceneKind::ForestEmpty, "forest-empty"}}};
+        {bench::SceneKind::ForestEmpty, "forest-empty"},
+        {bench::SceneKind::WideBeam, "wide-beam"}}};
 };
 
 } // namespace linelet
@@ -145,6 +147,7 @@ struct SceneScan {
   Point shift = Point::Zero(); ///< world coordinates (ETRS89 / UTM 32N) of the origin
   double density = 0;          ///< pulses per square meter
   double noise = 0;            ///< standard deviation along each axis, meters
+  double aside = 0;            ///< returns lie beside their wire, meters at most
   Points points;               ///< in the order of pulses and returns
 
   /// \name One entry per point

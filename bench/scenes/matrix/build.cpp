@@ -303,6 +303,7 @@ build(World& world, SceneKind kind, const Recipe& recipe, Random& random)
   case SceneKind::Standard:
   case SceneKind::Sparse:
   case SceneKind::Strips:
+  case SceneKind::WideBeam:
     return buildCorridor(world, bend, random);
   case SceneKind::Helicopter:
     addBentLine(world, bend, 150, 220, random);

@@ -119,6 +119,8 @@ Caster::meetRod(const Rod& rod, const Pulse& pulse, Random& random)
         std::min(std::sqrt(rod.radius * rod.radius - d * d) / std::max(sine, 0.1), 1.0);
     on = pulse.at(t);
   }
+  else if (rod.aside)
+    on = pulse.at(t);
   hits_.push_back({t, on, rod.cover, rod.classification, rod.wire});
 }
 

@@ -45,6 +45,14 @@ drawRecipe(SceneKind kind, Random& random)
     r.scan.altitude = random.uniform(1200, 2500);
     r.beam = 0.3;
     break;
+  case SceneKind::WideBeam:
+    extent(800, 90);
+    sample(1, 3, 0.3, 0.9);
+    r.scan.noise = logUniform(random, 0.02, 0.06);
+    r.scan.altitude = random.uniform(1200, 2500);
+    r.beam = logUniform(random, 0.15, 0.35);
+    r.aside = true;
+    break;
   case SceneKind::Helicopter:
     extent(170, 32);
     sample(50, 70, 8, 20);

@@ -16,6 +16,7 @@ struct Recipe {
   ScanPlan scan;
   double wire_density = 5; ///< points per meter of phase in the open
   double beam = 0.15;      ///< radius of a pulse where it meets things, meters
+  bool aside = false;      ///< returns of wires lie on the axes of their pulses
   ReliefPlan relief;
 };
 

@@ -150,6 +150,7 @@ simulateScene(const SceneSettings& settings, ProgressMonitor* monitor)
               Relief(recipe.relief, random),
               recipe.beam,
               0.5 * recipe.wire_density / recipe.scan.density,
+              recipe.aside,
               {},
               {},
               {},
@@ -161,6 +162,7 @@ simulateScene(const SceneSettings& settings, ProgressMonitor* monitor)
   SceneScan result;
   result.density = recipe.scan.density;
   result.noise = recipe.scan.noise;
+  result.aside = recipe.aside ? recipe.beam : 0;
   scan(world, recipe.scan, random, result, monitor);
   keepTruth(world, result, std::hypot(recipe.scan.noise, recipe.scan.misfit));
   toWorld(result, world, random);

@@ -94,7 +94,8 @@ addWire(World& world,
   const bool square = strung.conductors == 4;
   const double answers =
       square ? 2 * (1 - (1 - chance) * (1 - chance)) : strung.conductors * chance;
-  const double reach = world.wire_reach * strung.share / answers;
+  const double narrow = world.wire_reach * strung.share / answers;
+  const double reach = world.aside ? world.beam : narrow;
   const auto hidden = drawHidden(strung.hidden, span, random);
   const auto seed = static_cast<std::uint32_t>(random.integer(0, 1 << 30));
   const double back = span - strung.back_string;
@@ -123,7 +124,8 @@ addWire(World& world,
                               wire_cover,
                               WireClass,
                               index,
-                              chance * fading});
+                              chance * fading * (narrow / reach),
+                              world.aside});
       }
   }
   world.wires.push_back(std::move(wire));

@@ -32,7 +32,8 @@ struct Rod {
   double cover; ///< share of a pulse's energy that it takes
   std::uint8_t classification;
   std::int32_t wire = -1;
-  double chance = 1; ///< of answering a pulse within reach
+  double chance = 1;  ///< of answering a pulse within reach
+  bool aside = false; ///< returns lie on the axis of their pulse
 };
 
 /** \brief A flat triangle of a roof or wall. */
@@ -59,6 +60,8 @@ struct World {
   double beam;       ///< radius of a pulse where it meets things, meters
   double wire_reach; ///< of a wire that answers every pulse and gives all points of
                      ///< its phase, meters
+  bool aside;        ///< a return of a wire lies on the axis of its pulse, up to the
+                     ///< radius of the beam beside the wire, not on the wire
   std::vector<Rod> rods;
   std::vector<Facet> facets;
   std::vector<Crown> crowns;
