@@ -4,6 +4,7 @@
 #include "curves_job.h"
 
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include <linelet/curves/curve_blocks.h>
@@ -32,6 +33,7 @@ Figures
 CurvesJob::measures()
 {
   const CloudTraits traits = traitsOfFiles(input_, frame_.threads, &frame_.monitor);
+  warnOfOneBlock(traits);
   // Where there is no D, there are no curves.
   return {{"scale_unit", std::isfinite(traits.scale_unit) ? traits.scale_unit : 0},
           {"linear_share", traits.linear_share},
@@ -42,6 +44,24 @@ CurvesJob::measures()
           {"high_x", traits.high.x()},
           {"high_y", traits.high.y()},
           {"high_z", traits.high.z()}};
+}
+
+void
+CurvesJob::warnOfOneBlock(const CloudTraits& traits)
+{
+  const double needed = traits.points * bytesPerPoint().in_one_piece;
+  if (CurveBlocks(traits).count() > 1 || needed <= fragments_.memory.bytes())
+    return;
+  char text[300];
+  std::snprintf(
+      text,
+      sizeof(text),
+      "--memory cannot be kept to: curves alone, which no border divides, and "
+      "clouds no larger than a block are worked on in one piece; these %.0f "
+      "points take about %.2g GB",
+      traits.points,
+      needed / 1e9);
+  frame_.warn(text);
 }
 
 double

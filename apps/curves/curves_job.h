@@ -41,6 +41,9 @@ public:
 private:
   void
   warnOfUnusedOptions();
+  /** \brief Where fragments cannot keep to the memory that was given. */
+  void
+  warnOfOneBlock(const CloudTraits& traits);
   /** \brief Simplifies \a network, writes and tells it. */
   void
   finish(CurveNetwork network,

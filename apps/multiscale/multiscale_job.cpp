@@ -26,7 +26,8 @@ MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
           "seconds says before it starts how many neighbors a point has and how "
           "long it will take. Several inputs take the radii of the first, unless "
           "--radii or --scale-unit sets them; neighbors are found across their "
-          "borders.",
+          "borders. Fragments are computed on the processor alone (tensor --engine "
+          "all shares them out among OpenCL devices).",
           // Two fragments, engine and shapes; or cloud, usable points, engine, shapes
           // and their columns.
           {220, 300})

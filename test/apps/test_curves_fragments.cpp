@@ -4,7 +4,9 @@
 // Curves in fragments are those of the whole cloud, to the last digit.
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <random>
 #include <sstream>
 #include <thread>
@@ -70,6 +72,29 @@ TEST_F(CurvesFragmentsTest, WhatDoesNotWorkInFragmentsIsRefused)
   const std::string in = "curves --chunk 90 " + path("tiles") + " ";
   expectOneLineOf(in + path("a.obj") + " --preset published", "--preset");
   expectOneLineOf(in + path("a.h5"), "a.h5");
+}
+
+// Nobody would know why the machine ran out of memory.
+TEST_F(CurvesFragmentsTest, WhatCannotBeCutForMemoryIsTold)
+{
+  std::string helix;
+  for (int k = 0; k < 8000; ++k) {
+    char line[80];
+    const double t = 0.005 * k;
+    std::snprintf(line,
+                  sizeof(line),
+                  "%.4f %.4f %.4f\n",
+                  9 * std::cos(t),
+                  9 * std::sin(t),
+                  3 * t);
+    helix += line;
+  }
+  write("helix.xyz", helix);
+  runWell("convert " + path("helix.xyz") + " " + path("helix.las"));
+  const std::string job = "curves " + path("helix.las") + " " + path("b.obj");
+  const Outcome outcome = runWell(job + " --memory 1M");
+  EXPECT_NE(outcome.error.find("--memory"), std::string::npos) << outcome.error;
+  EXPECT_EQ(runWell(job + " --chunk 9").error, "") << "there is enough";
 }
 
 // One point, and none that a curve could run through.
