@@ -10,6 +10,8 @@
 
 #include <linelet/support/threads.h>
 
+#include "ball_points.h"
+#include "curves/ridges/distinct_points.h"
 #include "support/parallel_failure.h"
 
 namespace linelet {
@@ -27,37 +29,67 @@ constexpr double half_length = 3.5, radius = 0.1;
 constexpr double least_members = 6;
 constexpr std::size_t most_points = 64; // looked at around each, the nearest
 
-/** \brief A point beside another one. */
-struct Beside {
-  Point offset;
-  bool free; ///< no curve explains it yet
+/** \brief Places in \a scene of the points that lie on no surface. */
+Indices
+offSurfaces(const TrackedScene& scene)
+{
+  Indices result;
+  for (std::size_t i = 0; i < scene.surface.size(); ++i)
+    if (scene.surface[i] == 0)
+      result.push_back(static_cast<Index>(i));
+  return result;
+}
+
+/** \brief The points that lie on no surface, in a grid of their own. */
+struct OpenPoints {
+  explicit OpenPoints(const TrackedScene& scene)
+      : unit(scene.unit),
+        scene_indices(offSurfaces(scene)),
+        grid(pointsAt(scene.points(), scene_indices), row_size * unit)
+  {
+    free.reserve(grid.size());
+    for (const Index i : grid.inputIndices())
+      free.push_back(scene.taken[scene_indices[i]] == 0);
+  }
+
+  static constexpr double row_size = 2.5; // D
+
+  double unit; ///< D of the scene
+  Indices scene_indices;
+  UniformGrid grid;
+  std::vector<char> free; ///< per sorted index, whether no curve explains it yet
 };
 
-/** \brief The points around \a at that lie on no surface. Those of other curves count,
- * so that what these leave behind is compared with them. */
-std::vector<Beside>
-pointsAround(const TrackedScene& scene, const Point& at, double reach)
+using Neighbors = std::vector<UniformGrid::Neighbor>; // by their sorted indices
+
+/** \brief What is found around a point, kept for its room. */
+struct Around {
+  Neighbors nearest;
+  BallPoints in_ball;
+};
+
+/** \brief Finds the points around \a at. Those of other curves count, so that what
+ * these leave behind is compared with them. */
+void
+findPointsAround(const UniformGrid& grid,
+                 const Point& at,
+                 double reach,
+                 BallPoints& found)
 {
-  std::vector<Beside> result;
-  scene.grid.forEachRun(at, reach, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Point v = scene.points()[i] - at;
-      if (!scene.surface[i] && v.squaredNorm() <= reach * reach)
-        result.push_back({v, !scene.taken[i]});
-    }
+  found.count = 0;
+  grid.forEachRun(at, reach, [&](std::size_t begin, std::size_t end) {
+    appendPointsInBall(at, reach, grid.sortedPoints(), begin, end, found);
   });
-  return result;
 }
 
 /** \brief Whether more than \ref neighbors points lie within \a reach. */
 bool
-isCrowded(const TrackedScene& scene, const Point& at, double reach)
+isCrowded(const UniformGrid& grid, const Point& at, double reach)
 {
   std::size_t count = 0;
-  scene.grid.forEachRun(at, reach, [&](std::size_t begin, std::size_t end) {
+  grid.forEachRun(at, reach, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && count <= neighbors; ++i)
-      count +=
-          !scene.surface[i] && (scene.points()[i] - at).squaredNorm() <= reach * reach;
+      count += (grid.sortedPoints()[i] - at).squaredNorm() <= reach * reach;
   });
   return count > neighbors;
 }
@@ -65,14 +97,14 @@ isCrowded(const TrackedScene& scene, const Point& at, double reach)
 /** \brief Distance within which the nearest neighbors lie; 0 where they are no farther
  * than in most of the scene, or farther than a curve could be seen. */
 double
-reachOfNeighbors(const TrackedScene& scene, const Point& at)
+reachOfNeighbors(const OpenPoints& open, const Point& at)
 {
-  double reach = sparse * scene.unit;
-  if (isCrowded(scene, at, reach))
+  double reach = sparse * open.unit;
+  if (isCrowded(open.grid, at, reach))
     return 0;
-  while (reach <= largest_radius * scene.unit) {
+  while (reach <= largest_radius * open.unit) {
     reach *= growth;
-    if (isCrowded(scene, at, reach))
+    if (isCrowded(open.grid, at, reach))
       return reach;
   }
   return 0;
@@ -82,7 +114,7 @@ reachOfNeighbors(const TrackedScene& scene, const Point& at)
 struct Offsets {
   Eigen::ArrayXf x, y, z, squared, free;
 
-  explicit Offsets(const std::vector<Beside>& points)
+  Offsets(const OpenPoints& open, const Point& at, const Neighbors& points)
       : x(size(points)),
         y(size(points)),
         z(size(points)),
@@ -90,9 +122,9 @@ struct Offsets {
         free(size(points))
   {
     for (Eigen::Index k = 0; k < x.size(); ++k) {
-      const Beside& point = points[static_cast<std::size_t>(k)];
-      const Eigen::Vector3f v = point.offset.cast<float>();
-      free[k] = point.free ? 1 : 0;
+      const Index i = points[static_cast<std::size_t>(k)].second;
+      const Eigen::Vector3f v = (open.grid.sortedPoints()[i] - at).cast<float>();
+      free[k] = open.free[i] ? 1 : 0;
       x[k] = v.x();
       y[k] = v.y();
       z[k] = v.z();
@@ -102,7 +134,7 @@ struct Offsets {
 
 private:
   static Eigen::Index
-  size(const std::vector<Beside>& points)
+  size(const Neighbors& points)
   {
     return static_cast<Eigen::Index>(points.size());
   }
@@ -110,39 +142,39 @@ private:
 
 /** \brief The best cylinder through point \a i, with its evidence as quality. */
 TrackSeed
-bestSeed(const TrackedScene& scene, std::size_t i)
+bestSeed(const OpenPoints& open, std::size_t i, Around& found)
 {
   TrackSeed best;
   best.quality = 0;
-  const Point& at = scene.points()[i];
-  const double reach = reachOfNeighbors(scene, at);
+  const Point& at = open.grid.sortedPoints()[i];
+  const double reach = reachOfNeighbors(open, at);
   if (!(reach > 0))
     return best;
   double visible = half_length * reach;
-  std::vector<Beside> around = pointsAround(scene, at, 2 * reach);
-  if (around.size() <= most_points)
-    around = pointsAround(scene, at, visible);
-  const auto nearer = [](const Beside& a, const Beside& b) {
-    return a.offset.squaredNorm() < b.offset.squaredNorm();
-  };
+  BallPoints& in_ball = found.in_ball;
+  findPointsAround(open.grid, at, 2 * reach, in_ball);
+  if (in_ball.count <= most_points)
+    findPointsAround(open.grid, at, visible, in_ball);
+  Neighbors& around = found.nearest;
+  around.clear();
+  for (std::size_t k = 0; k < in_ball.count; ++k)
+    around.emplace_back(in_ball.squared[k], static_cast<Index>(in_ball.index[k]));
   if (around.size() > most_points) {
-    std::nth_element(
-        around.begin(), around.begin() + most_points, around.end(), nearer);
-    visible = around[most_points].offset.norm();
+    std::nth_element(around.begin(), around.begin() + most_points, around.end());
+    visible = std::sqrt(around[most_points].first);
     around.resize(most_points);
   }
   // The point itself comes first.
   const std::size_t next_ones = std::min(neighbors + 1, around.size());
   std::partial_sort(around.begin(),
                     around.begin() + static_cast<std::ptrdiff_t>(next_ones),
-                    around.end(),
-                    nearer);
-  const Offsets offsets(around);
+                    around.end());
+  const Offsets offsets(open, at, around);
   for (std::size_t k = 1; k < next_ones; ++k) {
-    if (!around[k].free)
+    if (!open.free[around[k].second])
       continue;
-    const Point& next = around[k].offset;
-    const double distance = next.norm();
+    const Point next = open.grid.sortedPoints()[around[k].second] - at;
+    const double distance = std::sqrt(around[k].first);
     const double half = std::min(half_length * distance, visible);
     const double wide = radius * distance;
     const Eigen::Vector3f direction = (next / distance).cast<float>();
@@ -162,7 +194,7 @@ bestSeed(const TrackedScene& scene, std::size_t i)
     const double evidence = more * std::log(more / expected) - more + expected;
     if (evidence <= best.quality)
       continue;
-    best.index = static_cast<Index>(i);
+    best.index = open.scene_indices[open.grid.inputIndices()[i]];
     best.at = at;
     best.direction = next / distance;
     best.radius = half;
@@ -182,21 +214,24 @@ seedsAlongDirections(const TrackedScene& scene,
                      unsigned threads,
                      ProgressMonitor* monitor)
 {
-  const std::size_t count = scene.points().size();
+  const OpenPoints open(scene);
+  const std::size_t count = open.grid.size();
   if (monitor)
     monitor->begin("sparse curves", count);
   std::vector<TrackSeed> seeds;
   // What the most of so many points would show by chance.
   const double needed = std::log(std::max(points, 1.0));
   ParallelFailure failure;
-#pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
+  Around around;
+#pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))       \
+    firstprivate(around)
   for (std::size_t i = 0; i < count; ++i) {
-    if (scene.taken[i] || scene.surface[i] || failure.failed())
+    if (!open.free[i] || failure.failed())
       continue;
     failure.guard([&] {
       if (monitor && monitor->canceled())
         throw Canceled();
-      TrackSeed seed = bestSeed(scene, i);
+      TrackSeed seed = bestSeed(open, i, around);
       if (!(seed.quality > needed))
         return;
 #pragma omp critical(linelet_direction_seeds)

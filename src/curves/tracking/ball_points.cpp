@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ball_points.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "curves/tracking/ball_points.cpp"
+#include <hwy/foreach_target.h> // includes this file once per instruction set
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace linelet {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/** \brief Writes those of \a count points that lie in the ball; what is written beyond
+ * them has no meaning. \return how many they are */
+std::size_t
+pointsInBall(const double* middle,
+             double squared_radius,
+             const double* xyz,
+             std::size_t count,
+             std::uint64_t first,
+             std::uint64_t* index,
+             double* squared)
+{
+  const hn::ScalableTag<double> d;
+  const hn::RebindToUnsigned<decltype(d)> u;
+  const std::size_t lanes = hn::Lanes(d);
+  const auto mx = hn::Set(d, middle[0]), my = hn::Set(d, middle[1]),
+             mz = hn::Set(d, middle[2]), radius = hn::Set(d, squared_radius);
+  HWY_ALIGN double rest[3 * HWY_MAX_BYTES / sizeof(double)] = {};
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < count; i += lanes) {
+    const double* from = xyz + 3 * i;
+    if (count - i < lanes) {
+      std::copy(from, xyz + 3 * count, rest);
+      from = rest;
+    }
+    hn::Vec<decltype(d)> x, y, z;
+    hn::LoadInterleaved3(d, from, x, y, z);
+    x = hn::Sub(x, mx);
+    y = hn::Sub(y, my);
+    z = hn::Sub(z, mz);
+    // As Eigen sums, and not fused: every instruction set gives the same bits.
+    const auto away = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+    const auto inside =
+        hn::And(hn::Le(away, radius), hn::FirstN(d, std::min(lanes, count - i)));
+    if (hn::AllFalse(d, inside))
+      continue;
+    hn::CompressStore(
+        hn::Iota(u, first + i), hn::RebindMask(u, inside), u, index + found);
+    found += hn::CompressStore(away, inside, d, squared + found);
+  }
+  return found;
+}
+
+auto
+kernelOfBalls()
+{
+  return &pointsInBall;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace linelet
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace linelet {
+
+HWY_EXPORT(kernelOfBalls);
+
+void
+appendPointsInBall(const Point& middle,
+                   double radius,
+                   const Points& points,
+                   std::size_t begin,
+                   std::size_t end,
+                   BallPoints& found)
+{
+  static const auto kernel = HWY_DYNAMIC_DISPATCH(kernelOfBalls)();
+  constexpr std::size_t padding = HWY_MAX_BYTES / sizeof(double);
+  if (const std::size_t room = found.count + (end - begin) + padding;
+      found.index.size() < room) {
+    found.index.resize(2 * room);
+    found.squared.resize(2 * room);
+  }
+  found.count += kernel(middle.data(),
+                        radius * radius,
+                        points[begin].data(),
+                        end - begin,
+                        begin,
+                        found.index.data() + found.count,
+                        found.squared.data() + found.count);
+}
+
+} // namespace linelet
+
+#endif

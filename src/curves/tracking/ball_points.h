@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <linelet/support/points.h>
+
+namespace linelet {
+
+/** \brief Points in a ball, in the order in which they were looked at. */
+struct BallPoints {
+  std::size_t count = 0;
+  std::vector<std::uint64_t> index;
+  std::vector<double> squared; ///< squares of their distances from the middle
+};
+
+/** \brief Appends those of the points \a begin to \a end that lie within \a radius of
+ * \a middle to \a found, by the instruction set of the machine; the bits are the same
+ * on all. */
+void
+appendPointsInBall(const Point& middle,
+                   double radius,
+                   const Points& points,
+                   std::size_t begin,
+                   std::size_t end,
+                   BallPoints& found);
+
+} // namespace linelet

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Vectors of points are the points: every one that plain arithmetic finds in a ball,
+// with the same bits, whatever the length of the run it is in.
+
+#include <cstddef>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "curves/tracking/ball_points.h"
+
+using namespace linelet;
+
+TEST(BallPoints, AreThoseOfPlainArithmetic)
+{
+  const unsigned seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-3, 3);
+  Points points(200);
+  for (Point& p : points)
+    p = Point(place(random), place(random), place(random));
+  const Point middle(-0.5, 0.1, 0.2);
+  const double radius = 2;
+  std::size_t all = 0;
+  BallPoints found; // of all runs: they are appended
+  for (std::size_t begin = 0; begin < 20; ++begin)
+    for (const std::size_t end :
+         {begin, begin + 1, begin + 7, begin + 33, points.size()}) {
+      appendPointsInBall(middle, radius, points, begin, end, found);
+      for (std::size_t i = begin; i < end; ++i) {
+        const double squared = (points[i] - middle).squaredNorm();
+        if (squared > radius * radius)
+          continue;
+        ASSERT_LT(all, found.count);
+        EXPECT_EQ(found.index[all], i);
+        EXPECT_EQ(found.squared[all], squared);
+        ++all;
+      }
+      EXPECT_EQ(found.count, all);
+    }
+  EXPECT_GT(all, 100U);
+}
