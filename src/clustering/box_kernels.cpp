@@ -11,31 +11,7 @@
 #include <cstring>
 #include <limits>
 
-#ifndef LINELET_CLUSTERING_SET_BITS
-#define LINELET_CLUSTERING_SET_BITS
-
-namespace linelet::clustering {
-
-/** \brief The places of the bits set in a byte, one after the other, a byte each. */
-struct SetBits {
-  std::uint8_t places[256][8] = {};
-
-  constexpr SetBits()
-  {
-    for (unsigned bits = 0; bits < 256; ++bits) {
-      unsigned count = 0;
-      for (std::uint8_t place = 0; place < 8; ++place)
-        if (((bits >> place) & 1U) != 0)
-          places[bits][count++] = place;
-    }
-  }
-};
-
-inline constexpr SetBits set_bits;
-
-} // namespace linelet::clustering
-
-#endif
+#include "set_bits.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "clustering/box_kernels.cpp"
