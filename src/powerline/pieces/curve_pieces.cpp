@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -17,13 +18,12 @@
 #include "powerline/pieces/parallel.h"
 #include "powerline/pieces/profile.h"
 #include "powerline/pieces/span_model.h"
+#include "powerline/pieces/tube_radius.h"
 
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double widest = 1;       // meters from a curve to what may be of its bundle
-constexpr double tube_part = 0.95; // of the points of a curve that its tube holds
 // Conductors come in bundles from 220 kV on; those stay 6.7 m above ground at least
 // where they hang lowest (EN 50341-1, 5.9), in the mean higher.
 constexpr double bundle_height = 8;
@@ -47,13 +47,15 @@ pointsBeside(const Curve& curve, const Growth& growth)
     const double flat = edge.head<2>().norm(), squared = edge.squaredNorm();
     if (squared > 0)
       growth.candidates().grid.forEachWithin(
-          from + edge / 2, std::hypot(edge.norm() / 2, widest), [&](Index i, double) {
+          from + edge / 2,
+          std::hypot(edge.norm() / 2, widest_tube_seen),
+          [&](Index i, double) {
             if (growth.owner(i) != Growth::nobody)
               return;
             const Point offset = growth.candidates().points[i] - from;
             const double s = std::clamp(offset.dot(edge) / squared, 0.0, 1.0);
             const double d = (offset - s * edge).norm();
-            if (d <= widest)
+            if (d <= widest_tube_seen)
               all.push_back({begin + s * flat, d, i});
           });
     begin += flat;
@@ -70,28 +72,6 @@ pointsBeside(const Curve& curve, const Growth& growth)
     return a.place != b.place ? a.place < b.place : a.index < b.index;
   });
   return all;
-}
-
-// The distance that holds a part of the points of a curve, over a background that is
-// as dense as the outer half of what was looked at.
-double
-distanceOfPart(const std::vector<Beside>& points, double part)
-{
-  std::vector<double> distances;
-  for (const Beside& p : points)
-    distances.push_back(p.distance);
-  std::sort(distances.begin(), distances.end());
-  const double half = widest / std::sqrt(2.0);
-  const auto outside = static_cast<double>(
-      distances.end() - std::lower_bound(distances.begin(), distances.end(), half));
-  const double background = 2 * outside / (widest * widest); // per squared distance
-  const double all =
-      static_cast<double>(distances.size()) - background * widest * widest;
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    if (static_cast<double>(i + 1) - background * distances[i] * distances[i] >=
-        part * all)
-      return distances[i];
-  return widest;
 }
 
 /** Sums of parabolas of all three coordinates over the way in plan. */
@@ -171,7 +151,10 @@ piecesAlong(const Curve& curve, const Growth& growth)
 {
   const Points& points = growth.candidates().points;
   std::vector<Beside> along = pointsBeside(curve, growth);
-  const double reach = distanceOfPart(along, tube_part);
+  std::vector<double> distances;
+  for (const Beside& p : along)
+    distances.push_back(p.distance);
+  const double reach = tubeRadius(std::move(distances));
   along.erase(std::remove_if(along.begin(),
                              along.end(),
                              [&](const Beside& p) { return p.distance > reach; }),

@@ -17,7 +17,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double largest_rms = 0.16; // meters
+constexpr double largest_rms = 0.64; // of the widest tolerance
 constexpr double bundle_rms = 0.35;  // meters
 // Slope of a wire at its ends, against its chord, and of the chord: that of terrain.
 constexpr double steepest_end = 0.6, steepest_chord = 1;
@@ -105,7 +105,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
       }
   e.likelihood = likelihoodOf(smooth);
   e.hangs = piece.members.size() >= least_points &&
-            e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms) &&
+            e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms * m.widest) &&
             e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
             e.height >= least_height;
   e.sound = e.hangs && e.clean >= clean_part * e.occupied &&

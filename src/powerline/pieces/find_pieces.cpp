@@ -8,6 +8,7 @@
 #include "powerline/pieces/candidates.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/growth.h"
+#include "powerline/pieces/wide_beam.h"
 
 namespace linelet::powerline {
 
@@ -73,6 +74,7 @@ growAll(Growth& growth,
         continue;
       tried[seeds[k].candidate] = 1;
       for (Piece& piece : growth.grow(seeds[k])) {
+        widenToBeam(growth, piece, settings);
         if (weigh(growth, piece, settings).accepted ||
             isBundle(growth, piece, bundle_density, settings)) {
           growth.claim(piece, static_cast<int>(wires.size()));

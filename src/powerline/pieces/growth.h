@@ -24,7 +24,6 @@ struct Bin {
 };
 
 constexpr double bin_length = 2;      ///< meters
-constexpr double widest_wire = 0.25;  ///< meters, tolerance of a single wire at most
 constexpr double bundle_radius = 0.5; ///< meters, of a bundle in one vector
 constexpr double growth_gap = 8; ///< meters without a point that are nothing unusual
 constexpr double ring_radius =

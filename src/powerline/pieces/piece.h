@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <algorithm>
+
 #include <linelet/support/points.h>
 
 #include "powerline/pieces/span_model.h"
@@ -20,7 +22,7 @@ struct Piece {
   double
   cut() const
   {
-    return std::max(usual_cut, 2 * thickness);
+    return std::max({usual_cut, 2 * thickness, usual_cut / widest_wire * model.widest});
   }
 
   /** \brief Largest distance of a point that belongs to it. */

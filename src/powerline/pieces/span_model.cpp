@@ -100,7 +100,7 @@ fit(SpanModel& model, const Points& points, const Indices& members, double cut)
     return false;
   // The median of a two-dimensional normal deviation is 1.18 sigma.
   model.sigma = std::max(0.02, median(near) / 1.18);
-  model.tolerance = std::clamp(3 * model.sigma, 0.10, 0.25);
+  model.tolerance = std::clamp(3 * model.sigma, 0.10, model.widest);
   return true;
 }
 

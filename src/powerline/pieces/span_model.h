@@ -13,6 +13,8 @@
 
 namespace linelet::powerline {
 
+constexpr double widest_wire = 0.25; ///< meters, tolerance of a wire in a narrow beam
+
 /** \brief A wire between its supports, in its own frame.
  *
  * s runs along a horizontal direction, t to the left of it, z up:
@@ -26,8 +28,9 @@ struct SpanModel {
   Eigen::Vector3d z = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of z, for unit noise
   double begin = 0, end = 0;                            ///< stretch that points support
-  double sigma = 0.1;      ///< robust scale of the residuals, meters
-  double tolerance = 0.25; ///< largest distance of a point that belongs to the wire
+  double sigma = 0.1;          ///< robust scale of the residuals, meters
+  double tolerance = 0.25;     ///< largest distance of a point that belongs to the wire
+  double widest = widest_wire; ///< the tolerance at most: a wide beam scatters points
 
   static double
   value(const Eigen::Vector3d& c, double s)

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <linelet/powerline/power_line_settings.h>
+
+#include "powerline/pieces/growth.h"
+
+namespace linelet::powerline {
+
+/** \brief Lets \a piece take the points as far beside it as the beam scatters them,
+ * where they fill the tube of a wire and are no two wires. */
+void
+widenToBeam(const Growth& growth, Piece& piece, const PowerLineSettings& settings);
+
+} // namespace linelet::powerline
