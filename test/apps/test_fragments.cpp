@@ -166,7 +166,6 @@ TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
 
 TEST_F(FragmentsTest, ASignalEndsAtOnceAndWhatIsDoneIsKept)
 {
-  const std::string job = "tensor" + options_ + path("tiles") + " ";
   const pid_t child = start({"tensor",
                              "--radius",
                              "6",
@@ -176,14 +175,16 @@ TEST_F(FragmentsTest, ASignalEndsAtOnceAndWhatIsDoneIsKept)
                              path("b"),
                              "--chunk",
                              "12"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  waitForWork(child, path("b"));
   const auto asked = std::chrono::steady_clock::now();
   ::kill(child, SIGTERM);
   const int status = waitFor(child);
   EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(2500));
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
     GTEST_SKIP() << "was done before the signal";
+  ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_GT(doneOf(path("b")), 0U);
 }
 
 // A disk that is full is told, and once there is room it goes on.

@@ -173,7 +173,7 @@ TEST_F(PowerlinesFragmentsTest, AWorkerHearsOfSignals)
   runWell(job_ + path("tiles") + " " + path("a"));
   runWell("plan " + job_ + path("tiles") + " " + path("b") + " --chunk 60");
   const pid_t child = start({"work", path("b")});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  waitForWork(child, path("b"));
   const auto asked = std::chrono::steady_clock::now();
   ::kill(child, SIGTERM);
   const int status = waitFor(child);

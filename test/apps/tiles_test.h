@@ -123,6 +123,15 @@ protected:
            state.si_pid == child;
   }
 
+  /** Waits until \a child has cut the tiles and computed a fragment of the run for
+   * \a result, or has ended: a busy machine takes any time to start a program. */
+  static void
+  waitForWork(pid_t child, const std::string& result)
+  {
+    while (!isOver(child) && doneOf(result) <= 4)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
   /** Starts \a arguments until they were killed so many times, each but the first with
    * --resume. They are killed a moment after up to five things more were done than
    * before, whatever the time that takes; where all was done by then, \a result is
