@@ -27,11 +27,12 @@ struct Line : SceneBuilder {
 
   std::vector<std::pair<Point, Point>> wires;
 
-  explicit Line(std::uint32_t seed, double per_meter = 4) : SceneBuilder(seed)
+  explicit Line(std::uint32_t seed, double per_meter = 4, double noise = 0.04)
+      : SceneBuilder(seed)
   {
     for (const double y : {-7.0, -3.0, 3.0, 7.0}) {
       wires.push_back({{0, y, 22}, {length, y, 22}});
-      wire(wires.back().first, wires.back().second, a, per_meter, 0.04);
+      wire(wires.back().first, wires.back().second, a, per_meter, noise);
     }
   }
 
@@ -68,6 +69,21 @@ countFound(const PowerLineNetwork& n, const Line& line, double reach, double par
           return near >= part * 101;
         });
       }));
+}
+
+// What a noisy scan scatters farther than a wire reaches is no wire beside it.
+TEST(UnlikeScan, OfMuchNoiseShowsEachWireOnce)
+{
+  for (const std::uint32_t seed : {1U, 2U, 3U})
+    for (const double noise : {0.08, 0.12}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", noise " << noise);
+      Line line(seed, 8, noise);
+      line.terrain();
+      line.pylons();
+      const PowerLineNetwork network = extractPowerLines(line.points);
+      EXPECT_EQ(countFound(network, line, 3 * noise), line.wires.size());
+      EXPECT_EQ(network.wires.size(), line.wires.size());
+    }
 }
 
 // Below and beside the lowest wire over water lies nothing but other wires, of its

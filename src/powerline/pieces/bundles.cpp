@@ -49,8 +49,9 @@ completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& resu
   return occupied >= least_cover * bins;
 }
 
-/** Frees the points of pieces that are but the scatter of a wire: they lie in its tube
- * and have few points beside its own, where conductors of a bundle are seen alike. */
+/** Frees the points of pieces that are but the scatter of a wire: they lie in its tube,
+ * or within its noise where that is wider, and have few points beside its own, where
+ * conductors of a bundle are seen alike. */
 void
 dropScatter(Growth& growth, std::vector<Piece>& pieces)
 {
@@ -61,7 +62,7 @@ dropScatter(Growth& growth, std::vector<Piece>& pieces)
         return false;
       const Parallel parallel = compare(piece.model, wire.model);
       return parallel.overlap >= 0.7 * piece.model.length() &&
-             parallel.distance <= wire.tolerance();
+             parallel.distance <= std::max(wire.tolerance(), 3 * wire.model.sigma);
     });
   };
   std::vector<char> scatter;
