@@ -74,9 +74,14 @@ growAll(Growth& growth,
         continue;
       tried[seeds[k].candidate] = 1;
       for (Piece& piece : growth.grow(seeds[k])) {
-        widenToBeam(growth, piece, settings);
-        if (weigh(growth, piece, settings).accepted ||
-            isBundle(growth, piece, bundle_density, settings)) {
+        // What shows as a bundle is no single wire in a wide beam.
+        bool found = !weigh(growth, piece, settings).accepted &&
+                     isBundle(growth, piece, bundle_density, settings);
+        if (!found) {
+          widenToBeam(growth, piece, settings);
+          found = weigh(growth, piece, settings).accepted;
+        }
+        if (found) {
           growth.claim(piece, static_cast<int>(wires.size()));
           wires.push_back(std::move(piece));
         }

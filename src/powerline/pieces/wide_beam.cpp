@@ -57,7 +57,7 @@ areTwoWires(const Residuals& residuals)
     const double left = static_cast<double>(i + 1);
     within = std::min(within, squares - sum * sum * n / (left * (n - left)));
   }
-  const double normal = std::sqrt(2 * std::acos(-1.0) * std::exp(1.0));
+  const double normal = std::sqrt(2 * M_PI * std::exp(1.0));
   const double two = 2 * std::sqrt(std::max(1e-6, within / n)) * normal;
   return n * std::log((across.back() - across.front()) / two) > std::log(n);
 }
