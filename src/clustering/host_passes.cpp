@@ -4,7 +4,6 @@
 #include "host_passes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "point_blocks.h"
 #include "shared_bits.h"
 #include "slot_runs.h"
+#include "sum_points.h"
 #include "support/huge_pages.h"
 #include "support/parallel_failure.h"
 #include "touched_cells.h"
@@ -97,8 +97,9 @@ public:
     if (summed_)
       return sums_;
     sums_.assign(slots_, {});
-    forOwned(assigned_.data(),
-             [&](std::size_t i, Index slot) { add<1>(i, slot, sums_); });
+    forOwned(assigned_.data(), [&](std::size_t i, Index slot) {
+      addPoint<1>(points_[i], origins_[slot], sums_[slot]);
+    });
     summed_ = true;
     return sums_;
   }
@@ -155,16 +156,6 @@ public:
   }
 
 private:
-  /** \brief NaN where there is no plane, which no comparison passes. */
-  static double
-  distance(const CellPlane& plane, const Point& p)
-  {
-    const double x = (p.x() - plane.point[0]) * plane.normal[0];
-    const double y = (p.y() - plane.point[1]) * plane.normal[1];
-    const double z = (p.z() - plane.point[2]) * plane.normal[2];
-    return std::abs((x + y) + z);
-  }
-
   /** \brief Calls work(begin, end, part) for as many parts of the points as there are
    * threads. */
   template <class Work>
@@ -207,36 +198,6 @@ private:
            std::max(points_.size() / 4, few);
   }
 
-  /** \brief Adds a point to the sums of a slot, or takes it away. */
-  template <int Sign>
-  void
-  add(std::size_t i, Index slot, std::vector<CellSums>& sums) const
-  {
-    const CellOrigin& origin = origins_[slot];
-    const auto offset = [&](std::size_t a) {
-      const double at = points_[i][static_cast<Eigen::Index>(a)] - origin.middle[a];
-      return static_cast<std::int64_t>(std::lrint(at * origin.scale[a]));
-    };
-    const std::int64_t x = offset(0), y = offset(1), z = offset(2);
-    addProducts<Sign>(x, y, z, sums[slot]);
-  }
-
-  template <int Sign>
-  static void
-  addProducts(std::int64_t x, std::int64_t y, std::int64_t z, CellSums& sum)
-  {
-    sum.count += Sign;
-    sum.first[0] += Sign * x;
-    sum.first[1] += Sign * y;
-    sum.first[2] += Sign * z;
-    sum.second[0] += Sign * (x * x);
-    sum.second[1] += Sign * (x * y);
-    sum.second[2] += Sign * (x * z);
-    sum.second[3] += Sign * (y * y);
-    sum.second[4] += Sign * (y * z);
-    sum.second[5] += Sign * (z * z);
-  }
-
   /** \brief Adds a run of points to the sums of their home, by offsets. */
   void
   addRun(const PointBlock& block, int first, int count, CellSums& sums) const
@@ -248,10 +209,10 @@ private:
     }
     CellSums sum;
     for (int i = first; i < first + count; ++i)
-      addProducts<1>(static_cast<std::int64_t>(block.offset[0][i]),
-                     static_cast<std::int64_t>(block.offset[1][i]),
-                     static_cast<std::int64_t>(block.offset[2][i]),
-                     sum);
+      addOffsets<1>(static_cast<std::int64_t>(block.offset[0][i]),
+                    static_cast<std::int64_t>(block.offset[1][i]),
+                    static_cast<std::int64_t>(block.offset[2][i]),
+                    sum);
     sums += sum;
   }
 
@@ -398,8 +359,9 @@ private:
             assigned_[i] = work(i, home_[i], behind);
             if (!by_thread || assigned_[i] == before)
               continue;
-            add<-1>(i, before, sums);
-            add<1>(i, assigned_[i], sums);
+            const Index now = assigned_[i];
+            addPoint<-1>(points_[i], origins_[before], sums[before]);
+            addPoint<1>(points_[i], origins_[now], sums[now]);
           }
         });
   }
