@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include <linelet/features/multi_scale.h>
+#include <linelet/search/uniform_grid.h>
+
+#include "surface_scales.h"
 
 namespace linelet {
 
@@ -15,6 +18,7 @@ constexpr std::size_t sample_size = 500;
 constexpr double largest_radius = 17;         // D
 constexpr std::uint32_t least_neighbors = 12; // fewer are linear by chance
 constexpr double linear = 0.5;
+constexpr double row_size = 4; // D
 
 } // namespace
 
@@ -27,16 +31,27 @@ linearShare(const Points& points, double unit, unsigned threads)
     sample.push_back(points[k * points.size() / count]);
   MultiScaleSettings settings;
   settings.weighting = Kernel::Const;
-  settings.centroid = Centroid::Mean;
   settings.max_radius = largest_radius * unit;
   settings.scale_unit = unit;
   settings.threads = threads;
+  // Scan lines are linear, too; that a surface runs through them shows from their own.
+  const std::vector<double> radii = multiScaleRadii(points, settings).radii;
+  std::vector<SurfaceScales> surfaces(count);
+  multiScaleShapes(
+      points, sample, settings, [&](std::size_t k, const ShapeGraph& graph) {
+        surfaces[k] = surfaceScales(graph, radii);
+      });
+  const UniformGrid grid(points, row_size * unit);
+  settings.centroid = Centroid::Mean;
   std::size_t found = 0;
-  multiScaleShapes(points, sample, settings, [&](std::size_t, const ShapeGraph& graph) {
-    found += std::any_of(graph.begin(), graph.end(), [](const ScaleShape& shape) {
-      return shape.neighbors >= least_neighbors && shape.linearity >= linear;
-    });
-  });
+  multiScaleShapes(
+      points, sample, settings, [&](std::size_t k, const ShapeGraph& graph) {
+        const bool is_linear =
+            std::any_of(graph.begin(), graph.end(), [](const ScaleShape& shape) {
+              return shape.neighbors >= least_neighbors && shape.linearity >= linear;
+            });
+        found += is_linear && !isSurface(grid, sample[k], surfaces[k]);
+      });
   return count > 0 ? static_cast<double>(found) / static_cast<double>(count) : 0;
 }
 

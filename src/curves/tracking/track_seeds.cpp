@@ -4,114 +4,21 @@
 #include "track_seeds.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 
 #include <linelet/features/multi_scale.h>
 #include <linelet/support/threads.h>
-#include <linelet/tensor/eigen_analysis.h>
-#include <linelet/tensor/neighborhood_tensor.h>
-#include <linelet/tensor/shape_factors.h>
+
+#include "surface_scales.h"
 
 namespace linelet {
 
 namespace {
 
-constexpr double largest_radius = 17;                       // D
-constexpr std::uint32_t least_planar = 8, least_linear = 5; // neighbors
-constexpr double planar = 0.5, linear = 0.75, again_linear = 0.7;
-// So many points of a surface are not even this linear by chance: the points of a curve
-// that scatter far are.
-constexpr double hardly_linear = 0.55;
-constexpr std::uint32_t many = 12;
-// Of the cells of a disc that scattered points would occupy, a surface fills most, and
-// lines side by side leave many empty.
-constexpr double disc_radius = 6; // radii at which it is planar
-constexpr std::size_t disc_cells = 12;
-constexpr double least_filled = 0.6;
-// Rows of scan lines leave cells empty, too; a few curves side by side leave most.
-constexpr double hardly_filled = 0.25;
-// Exponents by which the neighbors of a point of a surface grow with the radius.
-constexpr double least_growth = 1.2, most_growth = 3;
-
-/** \brief What the graph of a point says of a surface through it. */
-struct PlanarScales {
-  bool any = false;
-  double radius = 0;   ///< the smallest scale at which the neighborhood is one
-  bool linear = false; ///< whether a smaller or a larger scale is linear
-  bool hardly = false; ///< whether a smaller one is at least hardly so
-};
-
-PlanarScales
-planarScales(const ShapeGraph& graph, const std::vector<double>& radii)
-{
-  PlanarScales result;
-  int run = 0;
-  bool linear_before = false, hardly_before = false;
-  for (std::size_t k = 0; k < graph.size(); ++k) {
-    const ScaleShape& shape = graph[k];
-    const bool is_linear = shape.linearity >= linear && shape.neighbors >= least_linear;
-    const bool is_hardly = shape.linearity >= hardly_linear && shape.neighbors >= many;
-    if (result.any)
-      result.linear = result.linear || shape.linearity >= again_linear;
-    else {
-      linear_before = linear_before || is_linear;
-      hardly_before = hardly_before || is_hardly;
-    }
-    if (!(shape.planarity >= planar) || shape.neighbors < least_planar) {
-      run = 0;
-      continue;
-    }
-    if (run > 0) {
-      const double growth = std::log(double(shape.neighbors) / graph[k - 1].neighbors) /
-                            std::log(radii[k] / radii[k - 1]);
-      if (growth < least_growth || growth > most_growth)
-        run = 0;
-    }
-    if (++run < 3 || result.any)
-      continue;
-    result.any = true;
-    result.radius = radii[k - 2];
-    result.linear = linear_before;
-    result.hardly = hardly_before;
-  }
-  return result;
-}
-
-/** \brief Whether the points around \a p fill a disc, rather than a few lines side by
- * side.
- * \param[in] radius at which the neighborhood becomes planar; the disc is larger
- * \param[in] filled least share of the cells that scattered points would occupy */
-bool
-fillsDisc(const UniformGrid& grid, const Point& p, double radius, double filled)
-{
-  Points near;
-  grid.forEachOffsetWithin(
-      p, disc_radius * radius, [&](const Point& v, double) { near.push_back(v); });
-  const double reach = disc_radius * radius;
-  const EigenSystem axes =
-      eigenAnalysis(neighborhoodTensor(near, Point::Zero(), reach, Kernel::Const));
-  if (shapeFactors(axes.values, reach).linearity >= linear)
-    return false; // a curve, whose scatter is flatter than wide
-  std::array<char, disc_cells * disc_cells> occupied{};
-  const auto cell = [&](double x) {
-    const double place = (x / reach + 1) / 2 * disc_cells;
-    return static_cast<std::size_t>(std::clamp(place, 0.0, disc_cells - 0.5));
-  };
-  double count = 0;
-  for (const Point& v : near) {
-    if (std::abs(axes.normal().dot(v)) > radius)
-      continue;
-    count += 1;
-    occupied[cell(axes.vectors.col(1).dot(v)) * disc_cells +
-             cell(axes.vectors.col(2).dot(v))] = 1;
-  }
-  const double cells = M_PI / 4 * disc_cells * disc_cells;
-  const double random = cells * (1 - std::exp(-count / cells));
-  return static_cast<double>(std::count(occupied.begin(), occupied.end(), 1)) >=
-         filled * random;
-}
+constexpr double largest_radius = 17;     // D
+constexpr std::uint32_t least_linear = 5; // neighbors
+constexpr double linear = 0.75;
 
 TrackSeed
 seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
@@ -146,19 +53,16 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
   const std::vector<double> radii = multiScaleRadii(points, settings).radii;
   struct Doubtful {
     Index index;
-    double radius;
-    double filled; ///< share of the disc from which on it is a surface
+    SurfaceScales scales;
   };
   std::vector<Doubtful> doubtful;
   const auto sink = [&](std::size_t i, const ShapeGraph& graph) {
-    const PlanarScales surface = planarScales(graph, radii);
+    const SurfaceScales surface = surfaceScales(graph, radii);
     if (surface.any) {
       scene.surface[i] = 1;
-      if (!surface.linear && !surface.hardly)
+      if (!surface.isDoubtful())
         return;
-      doubtful.push_back({static_cast<Index>(i),
-                          surface.radius,
-                          surface.linear ? least_filled : hardly_filled});
+      doubtful.push_back({static_cast<Index>(i), surface});
     }
     std::size_t finest = graph.size(), coarsest = graph.size();
     for (std::size_t k = 0; k < graph.size(); ++k)
@@ -178,10 +82,8 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
   for (std::size_t k = 0; k < doubtful.size(); ++k)
     try {
-      scene.surface[doubtful[k].index] = fillsDisc(scene.grid,
-                                                   points[doubtful[k].index],
-                                                   doubtful[k].radius,
-                                                   doubtful[k].filled);
+      scene.surface[doubtful[k].index] =
+          isSurface(scene.grid, points[doubtful[k].index], doubtful[k].scales);
     }
     catch (...) {
 #pragma omp critical(linelet_scene_failure)

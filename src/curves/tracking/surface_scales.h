@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/features/multi_scale.h>
+#include <linelet/search/uniform_grid.h>
+
+namespace linelet {
+
+/** \brief What the multi-scale shape of a point says of a surface through it. */
+struct SurfaceScales {
+  bool any = false;
+  double radius = 0;   ///< the smallest scale at which the neighborhood is one
+  bool linear = false; ///< whether a smaller or a larger scale is linear
+  bool hardly = false; ///< whether a smaller one is at least hardly so
+
+  /** \brief Whether the shape alone does not decide: scan lines, or curves side by
+   * side? */
+  bool
+  isDoubtful() const
+  {
+    return any && (linear || hardly);
+  }
+};
+
+/** \brief Scales at which the neighborhood is planar and grows like a surface, three of
+ * them in a row.
+ * \param[in] graph shapes about the point itself
+ * \param[in] radii of \a graph */
+SurfaceScales
+surfaceScales(const ShapeGraph& graph, const std::vector<double>& radii);
+
+/** \brief Whether a surface runs through \a p, rather than a few lines side by side.
+ * \param[in] grid of all points
+ * \param[in] scales those of \a p */
+bool
+isSurface(const UniformGrid& grid, const Point& p, const SurfaceScales& scales);
+
+} // namespace linelet
