@@ -135,6 +135,29 @@ TEST(FindGround, KeepsRidgesOfMountains)
     EXPECT_NEAR(ground.heightAt(x, 75), height(x), 2) << x;
 }
 
+TEST(FindGround, KeepsTheUpperEndOfASteepStrip)
+{
+  // Nothing was seen beside and beyond a strip that climbs along its length: to the
+  // rasters, it ends in a summit.
+  for (const double heading : {0.0, 0.6, 1.0, 2.5}) {
+    SCOPED_TRACE(heading);
+    SceneBuilder scene(9);
+    Points points;
+    const auto height = [](double along) { return 300 + 0.95 * along; };
+    for (int i = 0; i < 20000; ++i) {
+      const double along = scene.uniform(-100, 0), across = scene.uniform(-16, 16);
+      points.emplace_back(along * std::cos(heading) - across * std::sin(heading),
+                          along * std::sin(heading) + across * std::cos(heading),
+                          height(along) + scene.uniform(-0.1, 0.1));
+    }
+    const Ground g = findGround(points, {}, false);
+    int far = 0;
+    for (const Point& p : points)
+      far += std::abs(p.z() - g.heightAt(p.x(), p.y())) > 1.5;
+    EXPECT_LE(far, 100);
+  }
+}
+
 TEST(FindGround, TakesClassTwoWhenAsked)
 {
   SceneBuilder scene(19);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "powerline/terrain/continue_ground.h"
 #include "powerline/terrain/fill_holes.h"
 #include "powerline/terrain/ground_raster.h"
 #include "powerline/terrain/lines_over_water.h"
@@ -96,6 +97,7 @@ findGround(const Points& points,
   for (std::size_t i = 0; i < surface.size(); ++i)
     if (!std::isnan(g.heights[i]))
       g.heights[i] = surface[i];
+  const std::vector<float> lowest = g.heights;
   for (int radius = 1; radius <= largest_opening_radius; ++radius) {
     throwIfCanceled(monitor);
     const std::vector<float> opened =
@@ -107,6 +109,7 @@ findGround(const Points& points,
         g.heights[i] = std::numeric_limits<float>::quiet_NaN();
     surface = opened;
   }
+  continueGround(g.heights, lowest, g.columns, g.rows, monitor);
   fill(g.heights, Fill::Smooth);
   throwIfCanceled(monitor);
   refineGround(g, extent, points, threads);
