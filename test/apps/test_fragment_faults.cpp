@@ -6,7 +6,10 @@
 
 #include <chrono>
 #include <csignal>
+#include <iterator>
 #include <ostream>
+#include <random>
+#include <sstream>
 #include <thread>
 
 #include <sys/mount.h>
@@ -32,10 +35,10 @@ class FragmentFaultsTest : public TilesTest,
                            public testing::WithParamInterface<FaultyJob> {
 protected:
   std::string
-  job(const std::string& folder) const
+  job(const std::string& folder, int chunk = 150) const
   {
-    return std::string(GetParam().command) + " --threads 1 --chunk 150 " +
-           path("tiles") + " " + output(folder);
+    return std::string(GetParam().command) + " --threads 1 --chunk " +
+           std::to_string(chunk) + " " + path("tiles") + " " + output(folder);
   }
 
   std::string
@@ -126,6 +129,22 @@ TEST_P(FragmentFaultsTest, ASignalEndsItWithinTwoSeconds)
   runWell("work " + output("b"));
   runWell("merge " + output("b"));
   expectSame("a", "b");
+}
+
+// Killed at any moments and gone on with; LINELET_TEST_KILLS=50 asks for more of them.
+TEST_P(FragmentFaultsTest, KilledAndResumed)
+{
+  const unsigned seed = std::random_device{}();
+  std::mt19937 random(seed);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  runWell(job("a", 90));
+  std::istringstream words(job("b", 90));
+  const std::vector<std::string> arguments{std::istream_iterator<std::string>(words),
+                                           {}};
+  killAgainAndAgain(arguments, output("b"), kills(), random);
+  runWell(job("b", 90) + " --resume");
+  expectSame("a", "b");
+  EXPECT_FALSE(fs::exists(output("b") + ".fragments"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

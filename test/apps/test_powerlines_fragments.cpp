@@ -136,22 +136,6 @@ TEST_F(PowerlinesFragmentsTest, ReviewsAreRefused)
                   "--reviewed");
 }
 
-// Killed at any moment and gone on with.
-TEST_F(PowerlinesFragmentsTest, KilledAndResumedAreTheSame)
-{
-  const unsigned seed = std::random_device{}();
-  std::mt19937 random(seed);
-  runWell(job_ + path("tiles") + " " + path("a"));
-  killAgainAndAgain(
-      {"powerlines", "--threads", "1", path("tiles"), path("b"), "--chunk", "90"},
-      path("b"),
-      8,
-      random);
-  runWell(job_ + path("tiles") + " " + path("b") + " --chunk 90 --resume");
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  expectSameFiles("a", "b");
-}
-
 // Whoever is killed while the folder of a finished run is removed leaves no run that
 // counts as done but has no results.
 TEST_F(PowerlinesFragmentsTest, WhatIsLeftOfAFinishedRunIsNotGoneOnWith)

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -130,6 +131,14 @@ protected:
   {
     while (!isOver(child) && doneOf(result) <= 4)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  /** How often a run is killed: some times, or as the environment asks. */
+  static int
+  kills()
+  {
+    const char* asked = std::getenv("LINELET_TEST_KILLS");
+    return asked != nullptr ? std::max(1, std::atoi(asked)) : 8;
   }
 
   /** Starts \a arguments until they were killed so many times, each but the first with
