@@ -62,6 +62,15 @@ END
   compare "GNU parallel, a job killed, --resume-failed"
 fi
 
+if command -v parallel > /dev/null && [ -x /usr/sbin/sshd ] && [ "$(id -u)" = 0 ]; then
+  plan
+  export JOBLOG=$room/jobs3.log
+  seq 24 | "$here/ssh_hosts.sh" bash -c 'PARALLEL_SSH="ssh -F $SSH_CONFIG" parallel \
+    --sshlogin 1/dying,1/alive --workdir "$PWD" --joblog "$JOBLOG" --retries 5 \
+    "PATH=$PATH linelet work out --every {}/24"' > /dev/null
+  compare "GNU parallel over ssh, a host dies"
+fi
+
 if command -v slurmctld > /dev/null && [ "$(id -u)" = 0 ]; then
   plan
   "$here/slurm_cluster.sh" sbatch --wait --array=1-4 --requeue --output=slurm-%a.txt --wrap \

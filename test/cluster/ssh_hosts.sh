@@ -1,0 +1,67 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: 2026 the linelet authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# ssh_hosts.sh COMMAND...: runs COMMAND while this machine is two hosts, "dying" and
+# "alive", of an ssh with the settings in $SSH_CONFIG. Host "dying" is killed, with what
+# runs there, once it has ended two jobs of $JOBLOG. Needs root and openssh-server. Uses
+# keys of its own and listens on the loopback device only.
+set -euo pipefail
+room=$(mktemp -d)
+pids=()
+finish() {
+  for pid in "${pids[@]}"; do kill "$pid" 2> /dev/null || true; done
+  wait 2> /dev/null || true
+  rm -rf "$room"
+}
+trap finish EXIT
+
+mkdir -p /run/sshd
+ssh-keygen -q -t ed25519 -N '' -f "$room/host"
+ssh-keygen -q -t ed25519 -N '' -f "$room/user"
+export SSH_CONFIG=$room/config
+port=16820
+for host in dying alive; do
+  port=$((port + 1))
+  cat > "$room/$host.sshd" << END
+ListenAddress 127.0.0.1
+Port $port
+HostKey $room/host
+AuthorizedKeysFile $room/user.pub
+PidFile none
+StrictModes no
+UsePAM no
+PasswordAuthentication no
+END
+  cat >> "$SSH_CONFIG" << END
+Host $host
+  HostName 127.0.0.1
+  Port $port
+  IdentityFile $room/user
+  IdentitiesOnly yes
+  UserKnownHostsFile $room/known
+  StrictHostKeyChecking no
+  LogLevel ERROR
+END
+  /usr/sbin/sshd -D -f "$room/$host.sshd" 2> "$room/$host.err" &
+  pids+=($!)
+done
+dying=${pids[0]}
+for host in dying alive; do
+  for _ in $(seq 100); do
+    ssh -n -F "$SSH_CONFIG" "$host" true 2> /dev/null && break
+    sleep 0.1
+  done
+done
+: > "$JOBLOG"
+(
+  until [ "$(grep -c $'\tdying\t' "$JOBLOG")" -ge 2 ]; do sleep 0.05; done
+  pkill -KILL -P "$dying" || true # its connections
+  kill -KILL "$dying"
+) &
+pids+=($!)
+"$@"
+if kill -0 "$dying" 2> /dev/null; then
+  echo "the host did not die" >&2
+  exit 1
+fi
