@@ -38,16 +38,38 @@ expected(const Area& box,
   return points;
 }
 
-/** Where to cut \a low to \a high: about half way, on a multiple of \a chunk if one
- * lies within. */
+/** The least number of slices of \a box across \a axis that hold the most points each
+ * with their ghost zones, if its \a points are spread evenly over what is \a near; 2
+ * where none is enough. */
 double
-planeBetween(double low, double high, double chunk)
+slicesOf(const Area& box,
+         std::size_t axis,
+         const std::vector<Extent>& near,
+         double points,
+         const TilingSettings& settings)
 {
-  const double half = low + (high - low) / 2;
+  double low = box.high[axis], high = box.low[axis];
+  for (const Extent& input : near) {
+    low = std::min(low, input.area.low[axis]);
+    high = std::max(high, input.area.high[axis]);
+  }
+  const double filled = std::min(high, box.high[axis] + settings.ghost) -
+                        std::max(low, box.low[axis] - settings.ghost);
+  const double side = box.high[axis] - box.low[axis];
+  const double slice = settings.most_points / points * filled - 2 * settings.ghost;
+  return slice > 2 * settings.ghost && slice < side ? std::ceil(side / slice) : 2;
+}
+
+/** Where to cut \a low to \a high into two parts of whole \a slices: about half way, on
+ * a multiple of \a chunk if one lies within. */
+double
+planeBetween(double low, double high, double slices, double chunk)
+{
+  const double about = low + (high - low) * std::floor(slices / 2) / slices;
   if (!(chunk > 0))
-    return half;
-  const double plane = std::round(half / chunk) * chunk;
-  return plane > low && plane < high ? plane : half;
+    return about;
+  const double plane = std::round(about / chunk) * chunk;
+  return plane > low && plane < high ? plane : about;
 }
 
 } // namespace
@@ -94,8 +116,10 @@ Tiling::cut(const Area& box,
   // A border of the data may lie on one of the boxes.
   const bool wide =
       settings.chunk > 0 && !near.empty() && sides[axis] > settings.chunk * (1 + 1e-9);
-  const double plane =
-      planeBetween(box.low[axis], box.high[axis], wide || crowded ? settings.chunk : 0);
+  const double slices =
+      crowded && !wide ? slicesOf(box, axis, near, points, settings) : 2;
+  const double plane = planeBetween(
+      box.low[axis], box.high[axis], slices, wide || crowded ? settings.chunk : 0);
   if (!(crowded || wide) || !(plane > box.low[axis] && plane < box.high[axis]))
     return -1 - boxes++;
   const std::size_t number = cuts_.size();

@@ -154,6 +154,28 @@ TEST(Tiling, CrowdedBoxesAreCutFurther)
   EXPECT_LE(tiling.boxes() - crowded, 6u);
 }
 
+// A corridor is cut into as few boxes as hold their points and those of their ghost
+// zones: halves of halves may be half empty.
+TEST(Tiling, BoxesAreAsFullAsTheyMayBe)
+{
+  constexpr double ghost = 300, tile = 140, most = 12e6;
+  for (const int tiles : {45, 80, 100, 320, 333}) {
+    std::vector<Extent> extents;
+    for (int i = 0; i < tiles; ++i)
+      extents.push_back({{{i * tile, 0}, {(i + 1) * tile, 400}}, 625e3});
+    const Tiling tiling(extents, {ghost, 0, most});
+    const double slice = most / 625e3 * tile - 2 * ghost;
+    EXPECT_LE(static_cast<double>(tiling.boxes()), std::ceil(tiles * tile / slice) + 1)
+        << tiles;
+    for (std::size_t box = 0; box < tiling.boxes(); ++box) {
+      const Area area = tiling.box(box);
+      const double from = std::max(area.low[0] - ghost, 0.0),
+                   to = std::min(area.high[0] + ghost, tiles * tile);
+      EXPECT_LE((to - from) / tile * 625e3, most * (1 + 1e-9)) << tiles;
+    }
+  }
+}
+
 // Plans of a country: 10,000 tiles of 100 million points.
 TEST(Tiling, ManyTilesAreQuick)
 {
