@@ -99,11 +99,12 @@ measured(FragmentJob& job,
   const std::size_t most = std::min(sample.points.size(), part_size);
   TimePrediction seconds;
   for (const std::size_t share : {16, 4, 1}) {
-    const Fragment part = firstOf(sample, std::max<std::size_t>(1, most / share));
+    Fragment part = firstOf(sample, std::max<std::size_t>(1, most / share));
+    const auto points = static_cast<double>(part.points.size());
     const WorkMeter meter;
     job.compute({plan, part, device, scratch, monitor});
     if (share != 16) // the first call builds programs
-      seconds.add(static_cast<double>(part.points.size()), meter.seconds());
+      seconds.add(points, meter.seconds());
   }
   return seconds;
 }

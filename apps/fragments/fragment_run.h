@@ -78,7 +78,7 @@ private:
 
   void
   computeOne(FragmentJob& job,
-             const fragments::Fragment& fragment,
+             fragments::Fragment& fragment,
              std::size_t device,
              const std::string& device_name);
   void

@@ -20,9 +20,9 @@ using Figures = std::map<std::string, double>;
 /** \brief A fragment to compute. */
 struct FragmentTask {
   const fragments::Plan& plan;
-  const fragments::Fragment& fragment;
-  std::size_t device; ///< place in FragmentJob::devices
-  std::string result; ///< file to write
+  fragments::Fragment& fragment; ///< its points may be moved from
+  std::size_t device;            ///< place in FragmentJob::devices
+  std::string result;            ///< file to write
   ProgressMonitor* monitor;
 };
 

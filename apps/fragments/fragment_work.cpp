@@ -38,7 +38,9 @@ keepFreedMemory()
 void
 giveBackFreedMemory()
 {
-#ifdef M_TRIM_THRESHOLD
+#ifdef M_MMAP_THRESHOLD
+  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 1 << 20);
   ::malloc_trim(0);
 #endif
 }
@@ -47,7 +49,7 @@ giveBackFreedMemory()
 
 void
 FragmentRun::computeOne(FragmentJob& job,
-                        const fragments::Fragment& fragment,
+                        fragments::Fragment& fragment,
                         std::size_t device,
                         const std::string& device_name)
 {
@@ -94,7 +96,7 @@ FragmentRun::work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool 
 
   fragments::FragmentWork work;
   work.load = [&](std::size_t k) { return pieces.load(left[k], &monitor); };
-  work.compute = [&](const fragments::Fragment& fragment, auto, std::size_t d) {
+  work.compute = [&](fragments::Fragment& fragment, auto, std::size_t d) {
     if (static_cast<double>(fragment.points.size()) > 1.5 * plan_.most_points &&
         !told.exchange(true))
       job.frame().warn("fragment " + std::to_string(fragment.number) + " has " +

@@ -119,7 +119,7 @@ PowerlinesJob::compute(const FragmentTask& task)
   io::Cloud cloud;
   cloud.shift = task.plan.shift;
   cloud.wkt = reference();
-  cloud.points = task.fragment.points;
+  cloud.points = std::move(task.fragment.points);
   cloud.set({"classification", task.fragment.classes, ""});
   if (std::any_of(task.fragment.returns.begin(),
                   task.fragment.returns.end(),
@@ -141,9 +141,9 @@ PowerlinesJob::compute(const FragmentTask& task)
                                   hazards_.classes,
                                   frame_.threads,
                                   task.monitor));
-  // All fragments together keep as many as one may have points.
-  const auto most = static_cast<std::size_t>(
-      std::ceil(task.plan.most_points / static_cast<double>(task.plan.tiling.boxes())));
+  // All fragments together keep half as many as one may have points.
+  const auto most = static_cast<std::size_t>(std::ceil(
+      task.plan.most_points / (2 * static_cast<double>(task.plan.tiling.boxes()))));
   part.picture = picturePoints(task.fragment, cloud, network, most);
   const std::size_t cut_off =
       wiresCutOff(task.plan, task.fragment, cloud, part.network);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -65,6 +66,31 @@ rasterOver(const fragments::Plan& plan,
   return ground;
 }
 
+/** Of a point among the inputs. */
+struct Place {
+  std::uint32_t input, point;
+
+  bool
+  operator<(const Place& other) const
+  {
+    return std::tie(input, point) < std::tie(other.input, other.point);
+  }
+};
+
+/** How many come before each in the order of the inputs. */
+std::vector<std::uint32_t>
+ranksOf(std::vector<Place> places)
+{
+  std::vector<std::uint32_t> order(places.size()), ranks(places.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return places[a] < places[b];
+  });
+  for (std::size_t k = 0; k < order.size(); ++k)
+    ranks[order[k]] = static_cast<std::uint32_t>(k);
+  return ranks;
+}
+
 } // namespace
 
 PowerlinesMerge::PowerlinesMerge(const fragments::Plan& plan,
@@ -77,9 +103,16 @@ PowerlinesMerge::PowerlinesMerge(const fragments::Plan& plan,
   pictures_.wkt = wkt;
   const powerline::MetricFrame frame(pictures_);
   std::vector<powerline::NetworkPart> parts(usable_.size());
+  std::vector<Place> places;
+  std::size_t shown = 0;
   for (std::size_t f = 0; f < usable_.size(); ++f) {
-    if (usable_[f])
-      parts[f] = loadPart(fragments::resultPath(folder_, f)).network;
+    if (usable_[f]) {
+      PowerlinesPart part = loadPart(fragments::resultPath(folder_, f));
+      parts[f] = std::move(part.network);
+      shown += part.picture.size();
+      for (std::size_t k = 0; k < part.surroundings.place.size(); ++k)
+        places.push_back({part.surroundings.input[k], part.surroundings.place[k]});
+    }
     parts[f].owns = [&plan, frame, f](double x, double y) {
       const Point world = frame.world({x, y, 0});
       return plan.tiling.owner(world.x(), world.y()) == f;
@@ -87,15 +120,20 @@ PowerlinesMerge::PowerlinesMerge(const fragments::Plan& plan,
   }
   network_ = powerline::mergeParts(parts, ids_);
   parts.clear();
-  // Once more, so that the pictures of one fragment at a time are twice in memory.
-  std::vector<OwnSurroundings> surroundings(usable_.size());
+  // Once more, so that the points of one fragment at a time are twice in memory.
+  const std::vector<std::uint32_t> ranks = ranksOf(std::move(places));
+  surroundings_.points.resize(ranks.size());
+  surroundings_.kinds.resize(ranks.size());
+  surroundings_.support.resize(ranks.size());
+  pictures_.points.reserve(shown);
+  const std::uint32_t* next = ranks.data();
   for (std::size_t f = 0; f < usable_.size(); ++f)
     if (usable_[f]) {
-      PowerlinesPart part = loadPart(fragments::resultPath(folder_, f));
+      const PowerlinesPart part = loadPart(fragments::resultPath(folder_, f));
       addPictures(f, part.picture);
-      surroundings[f] = std::move(part.surroundings);
+      addSurroundings(part.surroundings, ids_[f], next);
+      next += part.surroundings.place.size();
     }
-  putSurroundingsInOrder(surroundings);
   joinTerrain();
 }
 
@@ -116,28 +154,15 @@ PowerlinesMerge::addPictures(std::size_t fragment,
 }
 
 void
-PowerlinesMerge::putSurroundingsInOrder(std::vector<OwnSurroundings>& parts)
+PowerlinesMerge::addSurroundings(const OwnSurroundings& own,
+                                 const powerline::PartIds& ids,
+                                 const std::uint32_t* ranks)
 {
-  struct Where {
-    std::uint32_t input, place, part, at;
-  };
-  std::vector<Where> order;
-  for (std::size_t f = 0; f < parts.size(); ++f)
-    for (std::size_t k = 0; k < parts[f].place.size(); ++k)
-      order.push_back({parts[f].input[k],
-                       parts[f].place[k],
-                       static_cast<std::uint32_t>(f),
-                       static_cast<std::uint32_t>(k)});
-  std::sort(order.begin(), order.end(), [](const Where& a, const Where& b) {
-    return std::tie(a.input, a.place) < std::tie(b.input, b.place);
-  });
-  surroundings_.points.reserve(order.size());
-  for (const Where& where : order) {
-    const powerline::Surroundings& from = parts[where.part].all;
-    const auto support = static_cast<std::size_t>(from.support[where.at]);
-    surroundings_.points.push_back(from.points[where.at]);
-    surroundings_.kinds.push_back(from.kinds[where.at]);
-    surroundings_.support.push_back(ids_[where.part].supports.at(support));
+  for (std::size_t k = 0; k < own.place.size(); ++k) {
+    surroundings_.points[ranks[k]] = own.all.points[k];
+    surroundings_.kinds[ranks[k]] = own.all.kinds[k];
+    surroundings_.support[ranks[k]] =
+        ids.supports.at(static_cast<std::size_t>(own.all.support[k]));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,9 @@ private:
   void
   addPictures(std::size_t fragment, const std::vector<PicturePoint>& points);
   void
-  putSurroundingsInOrder(std::vector<OwnSurroundings>& parts);
+  addSurroundings(const OwnSurroundings& own,
+                  const powerline::PartIds& ids,
+                  const std::uint32_t* ranks);
   void
   joinTerrain();
   void

@@ -248,7 +248,7 @@ savePart(const std::string& result,
   std::error_code ignored; // the files tell
   std::filesystem::create_directories(std::filesystem::path(result).parent_path(),
                                       ignored);
-  std::vector<PointLabel> labels(fragment.points.size());
+  std::vector<PointLabel> labels(network.classes.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     labels[i].fragment = static_cast<std::uint32_t>(fragment.number);
     labels[i].wire = network.wire_id[i];

@@ -92,7 +92,7 @@ private:
     std::string reason;
     for (const bool again : {false, true})
       try {
-        const Fragment fragment = again ? work_.load(*now.number) : now.fragment.get();
+        Fragment fragment = again ? work_.load(*now.number) : now.fragment.get();
         if (!next)
           next = startNext(device);
         compute(fragment, *now.number, again ? 0 : device);
@@ -114,7 +114,7 @@ private:
   }
 
   void
-  compute(const Fragment& fragment, std::size_t number, std::size_t device)
+  compute(Fragment& fragment, std::size_t number, std::size_t device)
   {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();

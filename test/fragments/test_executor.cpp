@@ -190,7 +190,7 @@ TEST(Executor, AFailureDoesNotShiftTheOthers)
   FragmentWork work = record.work();
   const auto compute = work.compute;
   std::set<std::size_t> failed;
-  work.compute = [&](const Fragment& fragment, std::size_t number, std::size_t device) {
+  work.compute = [&](Fragment& fragment, std::size_t number, std::size_t device) {
     if (failed.insert(number).second)
       throw std::runtime_error("at first");
     compute(fragment, number, device);

@@ -20,9 +20,9 @@ namespace LINELET_PUBLIC fragments {
 struct FragmentWork {
   /// Loads a fragment. Called from several threads at once.
   std::function<Fragment(std::size_t number)> load;
-  /// Computes it on a device. Called from several threads at once, on every device but
-  /// the first by one at a time.
-  std::function<void(const Fragment& fragment, std::size_t number, std::size_t device)>
+  /// Computes it on a device, and may take what it holds. Called from several threads
+  /// at once, on every device but the first by one at a time.
+  std::function<void(Fragment& fragment, std::size_t number, std::size_t device)>
       compute;
   /// The fragment is done or, with a reason, has failed. Called once for each, by one
   /// thread at a time.
