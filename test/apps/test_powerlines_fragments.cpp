@@ -96,6 +96,15 @@ TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
   EXPECT_FALSE(fs::exists(path("b.fragments"))) << "nothing is to stay";
 }
 
+// Wires that go on beyond a pole may end there one above the other.
+TEST_F(PowerlinesFragmentsTest, OfAStreetAreThoseOfTheWhole)
+{
+  runWell("generate scene street " + path("street.laz") + " --seed 8");
+  runWell(job_ + path("street.laz") + " " + path("a"));
+  runWell(job_ + path("street.laz") + " " + path("b") + " --chunk 71.3");
+  expectSameFiles("a", "b");
+}
+
 TEST_F(PowerlinesFragmentsTest, AreCutForMemory)
 {
   runWell(job_ + path("tiles") + " " + path("a"));

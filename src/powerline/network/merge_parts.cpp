@@ -31,8 +31,9 @@ constexpr double length_apart = 2;  // meters, of a wire seen in whole by both
 
 /** A wire that was taken, as the whole has it. */
 struct Taken {
-  std::size_t part = 0, place = 0; ///< where from
-  WireWithEnds hung;               ///< its ends know wires and supports of the whole
+  std::size_t part = 0, place = 0;   ///< where from
+  WireWithEnds hung;                 ///< its ends know wires and supports of the whole
+  std::array<std::size_t, 2> told{}; ///< the parts that the ends are from
   Wire wire;
 };
 
@@ -236,6 +237,7 @@ private:
     taken.hung = hungAgain(loose(taken));
     for (std::size_t e = 0; e < 2; ++e)
       taken.hung.ends[e] = endOf(taken.part, loose(taken).ends[e]);
+    taken.told = {taken.part, taken.part};
   }
 
   /** Who owns a support has seen all of its wires. */
@@ -257,13 +259,17 @@ private:
             continue;
           const Point& base =
               parts_[p].supports[static_cast<std::size_t>(end.support)].base;
-          if (parts_[p].owns(base.x(), base.y()))
-            taken.hung.ends[endAt(taken, seen, e)] = endOf(p, end);
+          if (!parts_[p].owns(base.x(), base.y()))
+            continue;
+          const std::size_t at = endAt(taken, seen, e);
+          taken.hung.ends[at] = endOf(p, end);
+          taken.told[at] = p;
         }
       }
   }
 
-  /** Partners are two, and end in one place. */
+  /** Partners are two, and end in one place unless a part that saw both knows better.
+   */
   void
   matchPartners()
   {
@@ -286,8 +292,9 @@ private:
         End& end = taken_[k].hung.ends[e];
         if (end.partner < 0)
           continue;
-        End& other = taken_[static_cast<std::size_t>(end.partner)]
-                         .hung.ends[static_cast<std::size_t>(end.partner_side)];
+        Taken& partner = taken_[static_cast<std::size_t>(end.partner)];
+        const auto side = static_cast<std::size_t>(end.partner_side);
+        End& other = partner.hung.ends[side];
         if (other.partner < 0) {
           other.partner = static_cast<int>(k);
           other.partner_side = static_cast<int>(e);
@@ -297,6 +304,8 @@ private:
           end.partner = -1;
           continue;
         }
+        if (partner.told[side] == taken_[k].told[e])
+          continue;
         other.place = end.place;
         other.fixed = end.fixed;
       }
