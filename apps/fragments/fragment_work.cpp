@@ -101,8 +101,8 @@ FragmentRun::work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool 
         !told.exchange(true))
       job.frame().warn("fragment " + std::to_string(fragment.number) + " has " +
                        std::to_string(fragment.points.size()) +
-                       " points, more than headers told; if memory runs out, plan "
-                       "with a smaller --chunk");
+                       " points, more than --memory allows for; if memory runs out, "
+                       "plan with a smaller --chunk");
     const std::size_t device = shared.devices[d];
     computeOne(job, fragment, device, names[device]);
   };
