@@ -3,10 +3,13 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <linelet/tensor/eigen_features.h>
+#include <linelet/tensor/shape_factors.h>
 
 namespace {
 
@@ -30,6 +33,25 @@ TEST(EigenFeatures, OfBallDiscAndLineAreTheExtremes)
     const EigenFeatures line = eigenFeatures(scale * Eigen::Vector3d(0, 0, 1), up);
     EXPECT_EQ(line.eigenentropy, 0);
   }
+}
+
+TEST(LinearityOf, IsThatOfTheEigenvalues)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (const double flat : {1.0, 0.1, 1e-3, 0.0})
+    for (int k = 0; k < 50; ++k) {
+      Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+      for (int point = 0; point < 6; ++point) {
+        const Eigen::Vector3d v(normal(random), flat * normal(random), normal(random));
+        tensor += v * v.transpose();
+      }
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+      const Eigen::Vector3d l = solver.eigenvalues();
+      EXPECT_NEAR(linelet::linearityOf(tensor), (l[2] - l[1]) / l.sum(), 1e-8);
+    }
+  EXPECT_EQ(linelet::linearityOf(Eigen::Matrix3d::Zero()), 0);
+  EXPECT_EQ(linelet::linearityOf(Eigen::Matrix3d::Identity()), 0);
 }
 
 TEST(EigenFeatures, VerticalityIsOneOnAWallWhicheverWayItFaces)

@@ -37,4 +37,10 @@ shapeFactors(const Eigen::Vector3d& values, double extent = 0)
           3 * values[0] / sum};
 }
 
+/** \brief The linearity of a symmetric \a tensor by the closed form of its eigenvalues,
+ * where millions of them are needed; see \ref eigenAnalysis for what that costs.
+ * \return 0 where the trace vanishes */
+double
+linearityOf(const Eigen::Matrix3d& tensor);
+
 } // namespace linelet

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "curves/ridges/covariance_shape.h"
+#include <linelet/tensor/shape_factors.h>
 
 namespace linelet {
 

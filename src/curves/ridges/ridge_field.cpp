@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "covariance_shape.h"
+#include <linelet/tensor/shape_factors.h>
+
 #include "sorted_kernels.h"
 
 namespace linelet {

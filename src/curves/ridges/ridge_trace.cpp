@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "covariance_shape.h"
+#include <linelet/tensor/shape_factors.h>
+
+#include "major_direction.h"
 
 namespace linelet {
 

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "covariance_shape.h"
+#include <linelet/tensor/shape_factors.h>
+
 #include "search/nearest_walk.h"
 #include "search/sort_indices.h"
 

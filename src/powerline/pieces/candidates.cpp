@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <linelet/support/threads.h>
+#include <linelet/tensor/shape_factors.h>
 
 namespace linelet::powerline {
 
@@ -98,8 +99,9 @@ shapeAround(const UniformGrid& grid,
   const Point values = solver.eigenvalues().cwiseMax(0);
   if (!(values.sum() > 0))
     return shape;
-  shape.linearity = (values[2] - values[1]) / values.sum();
-  shape.sphericity = 3 * values[0] / values.sum();
+  const ShapeFactors factors = shapeFactors(values);
+  shape.linearity = factors.linearity;
+  shape.sphericity = factors.sphericity;
   shape.direction = solver.eigenvectors().col(2);
   return shape;
 }
@@ -128,9 +130,7 @@ seedAmongOthers(const Candidates& candidates, Index c)
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(squares);
     direction = solver.eigenvectors().col(2);
-    const Point& values = solver.eigenvalues();
-    if (!(values.sum() > 0) ||
-        values[2] - values[1] < bundle_linearity * values.sum() ||
+    if (!(shapeFactors(solver.eigenvalues()).linearity >= bundle_linearity) ||
         std::abs(direction.z()) > steepest)
       return none;
   }

@@ -7,11 +7,6 @@
 
 namespace linelet {
 
-/** \brief Linearity (l3 - l2) / (l1 + l2 + l3) of a symmetric matrix, from its
- * eigenvalues in closed form; 0 where the trace vanishes. */
-double
-linearityOf(const Eigen::Matrix3d& matrix);
-
 /** \brief Major eigenvector of a symmetric positive semidefinite \a matrix by repeated
  * squaring, on the side of \a like (used where the matrix has no major direction). */
 Point

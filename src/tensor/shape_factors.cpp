@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "covariance_shape.h"
+#include <linelet/tensor/shape_factors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,30 +29,6 @@ linearityOf(const Eigen::Matrix3d& m)
   // The largest is q + 2p cos(phi), the middle one q + 2p cos(phi - 2 pi / 3), where
   // phi = acos(r) / 3.
   return 2 * std::sqrt(3.0) * p * std::sin(std::acos(-r) / 3) / trace;
-}
-
-Point
-majorDirection(const Eigen::Matrix3d& matrix, const Point& like)
-{
-  Eigen::Matrix3d power = matrix;
-  for (int k = 0; k < 5; ++k) {
-    const double trace = power.trace();
-    if (!(trace > 0))
-      return like;
-    power /= trace;
-    power = (power * power).eval();
-  }
-  // The longest column is the direction unless the two largest eigenvalues agree.
-  int longest = 0;
-  for (int k = 1; k < 3; ++k)
-    if (power(k, k) > power(longest, longest))
-      longest = k;
-  Point direction = power.col(longest);
-  const double norm = direction.norm();
-  if (!(norm > 0))
-    return like;
-  direction /= norm;
-  return direction.dot(like) < 0 ? Point(-direction) : direction;
 }
 
 } // namespace linelet
