@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A real forest in two tiles: no border of a fragment shows in what is made of it.
+
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "run_tool.h"
+#include "test_data.h"
+
+namespace linelet::test {
+
+class RealTilesInFragments : public ToolTest {
+protected:
+  /** The neighborhood of the border between two tiles, as two files. */
+  void
+  SetUp() override
+  {
+    LINELET_NEEDS_DATA("lidar/bcts/bcts_2.laz");
+    std::filesystem::create_directories(path("tiles"));
+    for (const std::string name : {"bcts_2.laz", "bcts_3.laz"})
+      runWell("convert " + dataPath("lidar/bcts/" + name).string() + " " +
+              path("tiles/" + name) + " --bounds 885060,629650,885180,629750");
+  }
+
+  /** Writes the same in one piece and in fragments of random size. */
+  void
+  compare(const std::string& command, const std::string& ending)
+  {
+    const unsigned seed = std::random_device{}();
+    std::mt19937 random(seed);
+    const std::string chunk =
+        std::to_string(std::uniform_real_distribution<double>(25, 70)(random));
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", chunk " + chunk);
+    const std::string whole = path("whole" + ending), parts = path("parts" + ending);
+    runWell(command + path("tiles") + " " + whole);
+    runWell(command + path("tiles") + " " + parts + " --chunk " + chunk + " --json " +
+            path("parts.json"));
+    EXPECT_GT(json(path("parts.json"))["fragments"], 1);
+    if (!ending.empty()) {
+      EXPECT_TRUE(contents(whole) == contents(parts));
+      return;
+    }
+    for (const std::string name : {"bcts_2.laz", "bcts_3.laz"})
+      EXPECT_TRUE(contents(whole + "/" + name) == contents(parts + "/" + name)) << name;
+  }
+};
+
+TEST_F(RealTilesInFragments, TensorsAreThoseOfTheWhole)
+{
+  compare("tensor --radius 1 ", "");
+}
+
+TEST_F(RealTilesInFragments, CurvesAreThoseOfTheWhole)
+{
+  compare("curves ", ".obj");
+}
+
+} // namespace linelet::test
