@@ -8,10 +8,12 @@
 #include <vector>
 
 #include <linelet/support/points.h>
+#include <linelet/support/visibility.h>
 
 #include "cell_frame.h"
 
-namespace linelet::clustering {
+namespace linelet {
+namespace LINELET_PUBLIC clustering {
 
 /** \brief A set of numbers that can tell how many smaller ones it holds: a bit each,
  * in words of 32, and the count of all bits before a word. */
@@ -151,4 +153,5 @@ private:
   bool all_marked_ = false;
 };
 
-} // namespace linelet::clustering
+} // namespace clustering
+} // namespace linelet

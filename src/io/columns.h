@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <linelet/support/visibility.h>
+
 #include "source.h"
 #include "values.h"
 
@@ -29,7 +31,7 @@ wordName(std::string_view name);
  *
  * The shift is a whole number near the points where these are far from the origin, so
  * that subtracting it loses nothing. */
-Cloud
+LINELET_PUBLIC Cloud
 cloudFromColumns(const Source& source, std::vector<Column> columns);
 
 /** \brief red, green and blue with 8 bits each where the cloud has no more than that:

@@ -65,7 +65,7 @@ LINELET_PUBLIC std::string
 cleanName(std::string_view text);
 
 /** \brief Gives out names, none of them twice. */
-class UniqueNames {
+class LINELET_PUBLIC UniqueNames {
 public:
   /** \brief \a asked, or where that is taken with _2, _3, ... behind it. */
   std::string
