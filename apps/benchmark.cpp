@@ -46,15 +46,15 @@ struct BenchmarkOptions {
 void
 describe(BenchmarkOptions& s, const OptionAdder& visit)
 {
-  visit("sample", s.sample, "runs, drawn evenly from the grid");
-  visit("all", s.all, "the whole grid");
-  visit("seed", s.seed, "which runs are drawn");
+  visit("sample", s.sample, "number of runs, drawn evenly from the grid");
+  visit("all", s.all, "run the whole grid");
+  visit("seed", s.seed, "seed of that draw");
   visit("clean", s.clean, "only noise-free runs with 128, 256 and 512 points");
   visit("out", s.out, "file of rows (.csv), one per run");
   visit("plot",
         s.plot,
-        "picture (.png) of the success by geometry and noise; other methods whose rows "
-        "of the same runs stand in --out are drawn beside");
+        "picture (.png) of the success by geometry and noise, beside that of other "
+        "methods whose rows of the same runs are in --out");
   visit("box-plot",
         s.box_plot,
         "the same picture (.png) of the distances E_V, as box plots");
@@ -63,7 +63,8 @@ describe(BenchmarkOptions& s, const OptionAdder& visit)
         "only this combination of --vary, as the table numbers them; 0: all");
   visit("label",
         s.label,
-        "name of the method in the rows; empty: the preset and what else is set");
+        "name of the method in the rows; empty: the preset and the settings that "
+        "differ from the defaults");
 }
 
 /** \brief What tells rows of these settings from others: the preset, and every option
@@ -309,11 +310,10 @@ runSweep(const BenchmarkOptions& options,
 int
 runBenchmark(const std::vector<std::string>& arguments)
 {
-  Frame frame(
-      "benchmark",
-      "Reconstructs noisy test geometries over a grid of noises (127,050 runs) "
-      "or a sample of it, every run in one thread, several at a time. Rows that "
-      "stand in --out already are kept and not run again.");
+  Frame frame("benchmark",
+              "Reconstructs noisy test geometries over a grid of noises (127,050 runs) "
+              "or a sample of it, every run in one thread, several at a time. Runs "
+              "whose rows are in --out already are not repeated.");
   BenchmarkOptions options;
   ReconstructionSettings settings;
   addOptions(frame.app, options);

@@ -170,9 +170,9 @@ runCluster(const std::vector<std::string>& arguments)
   Frame frame("cluster",
               "Thins a cloud to representatives: the means of points that share a cell "
               "of a grid, with their number, covariance, normal and shape factors; "
-              "measures become means, classes and other names the most frequent one. "
-              "Points near the border of a cell may first move to the cell across, so "
-              "that the cells adapt to what stands in them.");
+              "attributes become means, classes and other labels the most frequent "
+              "one. Points near the border of a cell may first move to the cell "
+              "across, so that the cells adapt to the objects in them.");
   ClusterSettings settings;
   std::string field, camera, device, mesh;
   CloudInput input(frame);
@@ -181,11 +181,12 @@ runCluster(const std::vector<std::string>& arguments)
   const OptionAdder add(frame.app);
   add("field",
       field,
-      "attribute that makes points move, planarity say: cells grow purer in it");
+      "attribute by which points move, for example planarity: cells become purer in "
+      "it");
   add("camera",
       camera,
-      "JSON with eye and target of a camera: the cells fill its view, finer near it; "
-      "takes --cells");
+      "JSON file with the eye and target of a camera: the cells fill its view, finer "
+      "near it; needs --cells");
   add("device",
       device,
       "cluster on this OpenCL device, by number or part of its name, or auto; the "
@@ -193,8 +194,8 @@ runCluster(const std::vector<std::string>& arguments)
       "is the same");
   add("mesh",
       mesh,
-      "write the --faces of the cells as .ply, quads unless boxes are asked for; part "
-      "is the number of the representative in OUT");
+      "write the --faces of the cells to this .ply, quads unless boxes are requested; "
+      "part is the number of the representative in OUTPUT");
   frame.reads(camera);
   frame.writes(mesh);
   frame.parse(arguments);

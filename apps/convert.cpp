@@ -14,8 +14,9 @@ runConvert(const std::vector<std::string>& arguments)
 {
   Frame frame("convert",
               "Converts point files, with all attributes that both formats can hold: "
-              ".las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv, and the vertices "
-              "of .obj and of vector files (.gpkg, .geojson, .shp, .dxf, ...).");
+              ".las, .laz, .pcd, .ply, .h5, .xyz, .txt, .csv, and the vertices of "
+              ".obj; reads the vertices of vector files (.gpkg, .geojson, .shp, .dxf, "
+              "...), writes .vtkhdf for ParaView.");
   CloudInput input(frame, CloudInput::Use::Copy);
   CloudOutput output(frame);
   frame.parse(arguments);

@@ -16,7 +16,8 @@ int
 runDevices(const std::vector<std::string>& arguments)
 {
   Frame frame("devices",
-              "Lists the OpenCL devices that `tensor --engine opencl` can use.");
+              "Lists the OpenCL devices that tensor --engine opencl and cluster "
+              "--device can use.");
   frame.parse(arguments);
   frame.summary["devices"] = nlohmann::ordered_json::array();
 #ifdef LINELET_HAS_OPENCL

@@ -74,7 +74,7 @@ runEvaluate(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "evaluate",
-      "Tells how far reconstructed curves are from the true ones: largest distance "
+      "Measures how far reconstructed curves are from the true ones: largest distance "
       "(E_H), mean distance (E_V), length (E_Len) and covered length (E_Com) "
       "relative to the truth. The defaults suit curves of extent 10.");
   bench::MeasureSettings settings;

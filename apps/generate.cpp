@@ -60,9 +60,9 @@ generateGeometry(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "generate",
-      "Makes noisy samples of a known curve, for tests and measurements; or, "
-      "as linelet generate corridor or linelet generate scene, which have options of "
-      "their own (linelet generate scene --help), a scene with power lines.");
+      "Makes noisy samples of a known curve, for tests and measurements. linelet "
+      "generate corridor and linelet generate scene make scenes with power lines; they "
+      "have options of their own (linelet generate scene --help).");
   bench::SamplingSettings settings;
   std::string name, truth;
   std::vector<double> hole;
@@ -85,7 +85,7 @@ generateGeometry(const std::vector<std::string>& arguments)
   frame.writes(truth);
   frame.app
       .add_option(
-          "--hole", hole, "no samples between these parts of the length, 0 to 1")
+          "--hole", hole, "no samples between these fractions of the length, 0 to 1")
       ->delimiter(',')
       ->expected(2)
       ->type_name("A,B");

@@ -74,17 +74,16 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
       "generate corridor",
       "Simulates an airborne scan of a power line corridor: terrain, trees, "
       "houses, cranes, fences, a high-voltage line and pole lines below it. The "
-      "classes in the file are the truth (14 wire, 15 pylon or pole).");
+      "classes in the file are the truth (14 wire, 15 pylon, pole or insulator).");
   bench::CorridorSettings settings;
   std::string truth, planted;
   CloudOutput output(frame);
   OptionAdder(frame.app)(
       "truth", truth, "file for the true wires, one polyline per span");
-  OptionAdder(frame.app)(
-      "planted-truth",
-      planted,
-      "file (.csv, .geojson, .gpkg, .dxf) for what --planted put too "
-      "near to wires, as points on these");
+  OptionAdder(frame.app)("planted-truth",
+                         planted,
+                         "file (.csv, .geojson, .gpkg, .dxf) for what --planted put "
+                         "too close to wires, as points on the wires");
   frame.writes(truth);
   frame.writes(planted);
   addOptions(frame.app, settings);

@@ -79,7 +79,9 @@ runGenerateScene(const std::vector<std::string>& arguments)
   add.argument("NAME", settings.kind, "the scene" + names);
   CloudOutput output(frame);
   add("truth", truth, "file for the true wires, one polyline per span; bundles as one");
-  add("structures", structures, "file for what else is long and thin, piece by piece");
+  add("structures",
+      structures,
+      "file for everything else that is long and thin, piece by piece");
   frame.writes(truth);
   frame.writes(structures);
   addOptions(frame.app, settings);

@@ -72,16 +72,15 @@ runImage(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "image",
-      "Draws a PNG picture, without a display, or as .svg the cloud and curves as "
-      "lines (from above with --elevation 90, else in perspective): the cloud, colored "
-      "and seen "
-      "from any side, with curves over it; a multi-scale feature image, whose "
-      "columns are places along a line and whose rows are radii; the tensors of the "
-      "points, as splats that fade where they are spherical, or as ellipsoids; the "
-      "cells of a grid, as splats, planes or boxes; or the graphs "
-      "of linearity, planarity and sphericity of one point over the radius, with "
-      "the extrema and the optimal radius. Coordinates on the command line are "
-      "those of the file. Points flagged as withheld are not drawn.");
+      "Draws a picture, without a display: the cloud from any side, with curves over "
+      "it; a multi-scale feature image, whose columns are positions along a line and "
+      "whose rows are radii; the tensors of the points, as splats that fade where they "
+      "are spherical, or as ellipsoids; the cells of a grid, as splats, planes or "
+      "boxes; or the graphs of linearity, planarity and sphericity of one point over "
+      "the radius, with extrema and optimal radius. Clouds and curves can also be "
+      "drawn as .svg (from above with --elevation 90, else in perspective). "
+      "Coordinates on the command line are those of the file. Points flagged as "
+      "withheld are not drawn.");
   PictureSettings settings;
   MultiScaleSettings shapes;
   shapes.centroid = Centroid::Median;

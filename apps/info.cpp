@@ -335,9 +335,9 @@ runInfo(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "info",
-      "Says what a point file holds: extent, density, flags, classes and attributes. "
+      "Shows what a point file holds: extent, density, flags, classes and attributes. "
       "Scale unit and density are those of the points that are neither withheld nor "
-      "noise. Of several files, a table of what their headers say.");
+      "noise. For several files, prints a table of their headers.");
   CloudInput input(frame);
   frame.parse(arguments);
 

@@ -17,8 +17,8 @@ runVpc(const std::vector<std::string>& arguments)
 {
   Frame frame("vpc",
               "Writes a virtual point cloud: a list of point files with their extents, "
-              "out of their headers alone, that GIS and every command here take for "
-              "the files themselves.");
+              "from their headers alone. GIS software and every command of linelet "
+              "accept it in place of the files.");
   std::string output;
   CloudInput input(frame, CloudInput::Use::Copy);
   frame.addOutput("OUTPUT", output, "file to write, .vpc");

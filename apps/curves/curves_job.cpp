@@ -63,9 +63,11 @@ CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
     : FragmentJob(
           "curves",
           "Reconstructs the curves that run through a point cloud: wires, edges, "
-          "outlines. Written by ending: .obj .ply .vtk .csv in the coordinates of "
-          "the input, .h5 with the points beside them, and .geojson (WGS 84) .gpkg "
-          ".dxf .kml .fgb .shz or what else GDAL writes. Points flagged as withheld "
+          "outlines. The ending of OUTPUT chooses the format: .obj .ply .vtk .csv "
+          ".gpkg "
+          ".dxf .fgb .shz, .geojson and .kml (in WGS 84), .h5 (with the points), or "
+          "any "
+          "other that GDAL writes. Points flagged as withheld "
           "are ignored.",
           {500, 450}) // measured: 450 in one piece
 {
@@ -73,13 +75,13 @@ CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
   const OptionAdder add(frame_.app);
   add("simplify",
       simplify_,
-      "leave out vertices, as long as the curves stay within this "
-      "length; auto: a tenth of the noise of each; 0: none");
+      "leave out vertices as long as curves stay within this distance, in the unit of "
+      "the cloud; auto: a tenth of each curve's noise; 0: keep all");
   addOptions(frame_.app, settings_);
   add("tensors",
       tensors_,
       "published: follow the tensors of the file (attributes xx, xy, xz, yy, yz, zz), "
-      "of a diffusion tensor image say, instead of measuring shapes");
+      "for example of a diffusion tensor image, instead of measuring shapes");
   addOptions(frame_.app, vectors_);
   addOptions(frame_.app, fragments_);
   frame_.parse(arguments);

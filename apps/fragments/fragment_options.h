@@ -45,15 +45,14 @@ describe(FragmentOptions& s, Visit&& visit)
 {
   visit("memory",
         s.memory,
-        "Fragments: LAS and LAZ that would take more than this are worked on in "
-        "fragments, with the same result: 8G, 500M; auto: half of the machine's");
+        "Fragments: process LAS and LAZ that need more memory than this in fragments, "
+        "with the same result: 8G, 500M; auto: half of the machine's");
   visit("chunk",
         s.chunk,
-        "Fragments: side of the fragments, unit of the file, which are then made in "
-        "any case; 0: as wide as --memory allows");
-  visit("resume",
-        s.resume,
-        "Fragments: go on where a run of the same command was broken off");
+        "Fragments: side of the fragments, in the unit of the cloud, which are then "
+        "used in any case; 0: as wide as --memory allows");
+  visit(
+      "resume", s.resume, "Fragments: continue an interrupted run of the same command");
 }
 
 } // namespace linelet::apps

@@ -11,8 +11,8 @@ int
 runMerge(const std::vector<std::string>& arguments)
 {
   Frame frame("merge",
-              "Writes the results of a plan whose fragments are done. With --partial "
-              "also where some are not; the exit code is 1 then.");
+              "Writes the results of a plan whose fragments are done. --partial also "
+              "writes them where some are not; the exit code is then 1.");
   std::string place;
   bool partial = false;
   frame.addArgument("OUTPUT", place, "what was planned as the output");

@@ -109,12 +109,11 @@ runSchedule(const std::vector<std::string>& arguments)
 {
   Frame frame("schedule",
               "Simulates how fragments are assigned to devices by each of the five "
-              "heuristics of Grasso et al. (2015): the time until all is done, beside "
-              "that of Sufferage, and time and number of fragments of every device. "
-              "The table has one line per fragment, with a column of seconds for every "
-              "device, named in the first line; an optional column points has the "
-              "sizes, a column "
-              "fragment is ignored.");
+              "heuristics of Grasso et al. (2015): the time until all are done, "
+              "compared with that of Sufferage, and the time and number of fragments "
+              "of every device. The table has one line per fragment and one column of "
+              "seconds per device, named in the first line; an optional column points "
+              "holds the sizes, and a column fragment is ignored.");
   std::string etc, gantt;
   frame.app.add_option("--etc", etc, "CSV file of expected times to compute, seconds")
       ->type_name("FILE")

@@ -14,7 +14,7 @@ runStatus(const std::vector<std::string>& arguments)
 {
   Frame frame(
       "status",
-      "Tells how far a plan is: fragments done, failed and left, their time and "
+      "Shows the progress of a plan: fragments done, failed and left, their time and "
       "memory, and why some failed. The exit code is 0 once all are done.");
   std::string place;
   frame.addArgument("OUTPUT", place, "what was planned as the output");

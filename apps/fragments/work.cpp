@@ -31,12 +31,11 @@ pairIn(const std::string& text, char between, const char* option)
 int
 runWork(const std::vector<std::string>& arguments)
 {
-  Frame frame(
-      "work",
-      "Works on a plan: on all fragments that are not done, or on some. Any "
-      "number of workers may run at once, on machines that share the files; "
-      "what is done is not done again, and two that do the same write the same. "
-      "Fragments have numbers from 0 on.");
+  Frame frame("work",
+              "Works on a plan: on all fragments that are not done, or on some. Any "
+              "number of workers may run at once, on machines that share the files; "
+              "finished fragments are skipped, and two workers on one fragment write "
+              "the same. Fragments are numbered from 0.");
   std::string place, range, every;
   std::size_t task = 0;
   frame.addArgument("OUTPUT", place, "what was planned as the output");
@@ -48,8 +47,8 @@ runWork(const std::vector<std::string>& arguments)
   frame.app
       .add_option("--every",
                   every,
-                  "worker K of N, K from 1 on: every N-th fragment; auto: as mpirun or "
-                  "Slurm number their processes")
+                  "worker K of N, counting from 1: every N-th fragment; auto: K and N "
+                  "as mpirun or Slurm set them")
       ->type_name("K/N")
       ->excludes(one);
   frame.parse(arguments);

@@ -18,16 +18,16 @@ MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
           "multiscale",
           "Measures the shape of every point's neighborhood over many radii and "
           "chooses the one that shows a curve best. Adds the shape, direction and "
-          "radius of the optimal scale and what the graphs of linearity and "
-          "sphericity come to; prints the noise rate. All attributes of the input "
+          "radius of the optimal scale, and summaries of the graphs of linearity and "
+          "sphericity; prints the noise rate. All attributes of the input "
           "are kept; points flagged as withheld are ignored and have no shape.\n"
           "Time grows with the number of points within the largest radius: on wires "
           "in proportion to it, on surfaces to its square. A job of more than a few "
-          "seconds says before it starts how many neighbors a point has and how "
-          "long it will take. Several inputs take the radii of the first, unless "
+          "seconds says beforehand how many neighbors a point has and how long it will "
+          "take. Several inputs take the radii of the first, unless "
           "--radii or --scale-unit sets them; neighbors are found across their "
-          "borders. Fragments are computed on the processor alone (tensor --engine "
-          "all shares them out among OpenCL devices).",
+          "borders. Fragments are computed on the processor alone (those of tensor "
+          "--engine all also on OpenCL devices).",
           // Two fragments, engine and shapes; or cloud, usable points, engine, shapes
           // and their columns.
           {220, 300})
@@ -38,8 +38,8 @@ MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
   frame_.writes(graphs_);
   add("fourth-order",
       fourth_order_,
-      "also write the fourth-order tensor over all radii, weighted by this factor, and "
-      "its major eigentensor");
+      "also write the fourth-order tensor over all radii, weighted by this shape "
+      "factor, and its major eigentensor");
   describe(shift_, "centroid-shift", "shift-", add);
   addOptions(frame_.app, fragments_);
   frame_.parse(arguments);

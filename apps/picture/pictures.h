@@ -67,23 +67,25 @@ describe(PictureSettings& s, Visit&& visit)
   visit("kind",
         s.kind,
         "what to draw; --along and --probe make it a profile, --point graphs");
-  visit("colors", s.colors, "of linearity, planarity, sphericity");
-  visit("width", s.width, "of the picture, pixels");
-  visit("height", s.height, "of the picture, pixels");
-  visit(
-      "color",
-      s.color,
-      "cloud: shape (median of the factors over all radii), height, grey, rgb, normal "
-      "(of what a pixel sees), shaded (light on it), minor (light on the points by the "
-      "smallest eigenvector of their tensor, at the scale --tensor-radius), or an "
-      "attribute of the file");
+  visit("colors", s.colors, "colors of linearity, planarity and sphericity");
+  visit("width", s.width, "width of the picture, pixels");
+  visit("height", s.height, "height of the picture, pixels");
+  visit("color",
+        s.color,
+        "cloud: what to color by: shape (median of the factors over all radii), "
+        "height, grey (height in shades of gray), rgb, normal (of the surface in each "
+        "pixel), shaded (that surface, lit), minor (points, lit by the smallest "
+        "eigenvector of their tensor at --tensor-radius), or an attribute of the file");
   visit("curves",
         s.curves,
         "cloud: polylines to draw over it, in any format that linelet writes");
-  visit("azimuth", s.azimuth, "cloud: where the eye is, degrees clockwise from north");
-  visit("elevation", s.elevation, "cloud: of the eye, degrees; 90: from above");
-  visit("point-size", s.point_size, "cloud: pixels; 0: by density");
-  visit("curve-width", s.curve_width, "cloud: pixels");
+  visit("azimuth",
+        s.azimuth,
+        "cloud: direction of the eye, degrees clockwise from north");
+  visit(
+      "elevation", s.elevation, "cloud: elevation of the eye, degrees; 90: from above");
+  visit("point-size", s.point_size, "cloud: diameter of points, pixels; 0: by density");
+  visit("curve-width", s.curve_width, "cloud: width of curves, pixels");
   visit("fourth-order",
         s.fourth_order,
         "cloud as .svg: an ellipse at every point, the major eigentensor of its "
@@ -91,32 +93,36 @@ describe(PictureSettings& s, Visit&& visit)
   describe(s.normals, visit);
   visit("tensor-radius",
         s.radius,
-        "splats: radius of the tensors, for ellipsoids and --color minor as well; 0: 4 "
-        "D");
-  visit("tensor-size", s.size, "splats: half of their length; 0: D");
-  visit(
-      "tensors",
-      s.tensors,
-      "splats: of the tensors in the file (attributes xx, xy, xz, yy, yz, zz) instead "
-      "of those of the points");
+        "splats: radius of the tensors, in the unit of the cloud, also for ellipsoids "
+        "and --color minor; 0: 4 D");
+  visit("tensor-size",
+        s.size,
+        "splats: half of their length, in the unit of the cloud; 0: D");
+  visit("tensors",
+        s.tensors,
+        "splats: draw the tensors in the file (attributes xx, xy, xz, yy, yz, zz) "
+        "instead of those of the points");
   visit("splat-colors",
         s.splat_colors,
-        "splats: of linear, planar and spherical tensors, and of cells");
+        "splats: colors of linear, planar and spherical tensors, and of cells");
   visit("cell-size",
         s.cell_size,
-        "cells: edge, in the unit of the cloud; 0: 8 D. linelet cluster --mesh writes "
-        "them");
+        "cells: edge of the cells, in the unit of the cloud; 0: 8 D. linelet cluster "
+        "--mesh writes them to a file");
   visit("along", s.along, "profile: along the first curve of this file");
   visit("by-index", s.by_index, "profile: over the points, in the order of the file");
   visit("probe", s.probe, "profile: along the polyline x,y,z,x,y,z,...");
   visit("point",
         s.point,
-        "graphs of the point nearest to x,y,z, or of that number; with --kind profile: "
-        "along its direction");
-  visit("length", s.length, "profile along the direction of a point; 0: 30 D");
-  visit("columns", s.columns, "profile: positions along the line");
-  visit("rows", s.rows, "profile: radii, unless --radii are given");
-  visit("title", s.title, "of the picture; empty: chosen by its content");
+        "draw graphs of the point nearest to x,y,z, or of the point with this number; "
+        "with --kind profile: along its direction");
+  visit("length",
+        s.length,
+        "length of a profile along the direction of a point, in the unit of the cloud; "
+        "0: 30 D");
+  visit("columns", s.columns, "profile: number of positions along the line");
+  visit("rows", s.rows, "profile: number of radii, unless --radii gives them");
+  visit("title", s.title, "title of the picture; empty: by its content");
 }
 
 /** \brief The points of \a cloud, colored as \a settings say.

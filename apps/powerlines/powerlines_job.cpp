@@ -50,7 +50,7 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
                    folder_,
                    "folder for classified.las or .laz, wires and hazards as .geojson, "
                    ".gpkg and .dxf, clearances.csv, crossings.csv, fall_in.csv, "
-                   "summary.json and report.html; made if need be");
+                   "summary.json and report.html; created if missing");
   addOptions(frame_.app, settings_);
   addOptions(frame_.app, hazards_);
   frame_.reads(hazards_.limits);
@@ -61,14 +61,13 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
   add("overwrite", overwrite_, "replace results of another input in OUTDIR");
   add("reviewed",
       reviewed_,
-      "wires that somebody judged, in linelet-view or a GIS (columns review, "
-      "review_class, review_note of this file): rejected ones are left out, accepted "
-      "ones certain");
+      "file of wires reviewed in linelet-view or a GIS (columns review, review_class, "
+      "review_note): rejected ones are left out, accepted ones are certain");
   frame_.reads(reviewed_);
   addOptions(frame_.app, fragments_);
   add("buffer",
       buffer_,
-      "Fragments: how far they overlap, meters: the longest span and what hangs at its "
+      "Fragments: overlap, meters: at least the longest span with the supports at its "
       "ends");
   std::string classified = "as input";
   frame_.app.add_option("--classified", classified, "ending of the classified cloud")

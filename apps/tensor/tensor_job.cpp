@@ -22,7 +22,7 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
           "Measures the shape of every point's neighborhood: tensor, eigenvalues, "
           "major direction, normal, linearity, planarity, sphericity and number of "
           "neighbors, added to the attributes of the input. Without --radius, --knn "
-          "or a field the radius is chosen: three times the scale unit D. Points "
+          "or a field, the radius is three times the scale unit D. Points "
           "flagged "
           "as withheld are ignored and have no shape.",
           // Two fragments, engine and records; or cloud, usable points, engine, records
@@ -35,8 +35,8 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
     if constexpr (std::is_same_v<decltype(value), Engine&>)
       add(name,
           finder_.engine,
-          (std::string(help) + "; all: the grid and, side by side with it, every "
-                               "OpenCL device (see --device), in fragments")
+          (std::string(help) + "; all: the grid and every OpenCL device (see --device) "
+                               "at the same time, in fragments")
               .c_str());
     else
       add(name, value, help);
@@ -44,7 +44,7 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
   add("features",
       features_,
       "attributes to write: shape (tensor, eigenvalues, directions, shape factors, "
-      "neighbors), all, or a list of names, with verticality, omnivariance, "
+      "neighbors), all, or a list of names, also of verticality, omnivariance, "
       "eigenentropy, "
       "surface_variation");
   add("radius-field", fields_.radius, "attribute that holds the radius of every point");
@@ -55,15 +55,15 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
       finder_.search,
       "search that finds the neighbors, instead of --engine: linelet's kd-tree or "
       "grid, "
-      "or PCL's searches; all find the same");
+      "or PCL's searches; all find the same neighbors");
   add("device",
       finder_.device,
       "OpenCL device by number or part of its name; linelet devices lists them");
   addOptions(frame_.app, fragments_);
   add("schedule",
       schedule_,
-      "Fragments: heuristic of Grasso et al. (2015) that shares them out among the "
-      "devices of --engine all");
+      "Fragments: heuristic of Grasso et al. (2015) that assigns them to the devices "
+      "of --engine all");
   frame_.parse(arguments);
   settings_.threads = frame_.threads;
   settle(finder_);

@@ -40,8 +40,8 @@ describe(SamplingSettings& settings, Visit&& visit)
   visit("outliers", settings.outliers, "random points added in the bounding box");
   visit("out-of-plane",
         settings.out_of_plane,
-        "bends the curve out of its plane by this much");
-  visit("seed", settings.seed, "of everything random");
+        "how far the curve is bent out of its plane");
+  visit("seed", settings.seed, "the same seed gives the same cloud");
 }
 
 /** \brief Noisy samples of \a geometry: those of the curves in arc order, then the

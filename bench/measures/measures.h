@@ -20,7 +20,9 @@ void
 describe(MeasureSettings& settings, Visit&& visit)
 {
   visit("step", settings.step, "spacing of the samples on both curves");
-  visit("reach", settings.reach, "vertices farther from the truth cover nothing");
+  visit("reach",
+        settings.reach,
+        "vertices farther than this from the truth cover nothing");
   visit("max-mean-distance", settings.max_mean_distance, "largest E_V of a success");
 }
 

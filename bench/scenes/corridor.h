@@ -84,7 +84,7 @@ describe(CorridorSettings& s, Visit&& visit)
   visit("density", s.density, "pulses per square meter, all strips together");
   visit("altitude", s.altitude, "height of the flight above ground, meters");
   visit("divergence", s.divergence, "full opening angle of the beam, mrad");
-  visit("strips", s.strips, "parallel flight lines");
+  visit("strips", s.strips, "number of parallel flight lines");
   visit("range-noise", s.range_noise, "standard deviation along the ray, meters");
   visit("strip-error", s.strip_error, "standard deviation of a strip's offset, meters");
   visit("voltage", s.voltage, "kV of the line: sizes of pylons, spans, bundles");
@@ -92,22 +92,23 @@ describe(CorridorSettings& s, Visit&& visit)
   visit("span", s.span, "mean span, meters; 0: by voltage");
   visit(
       "catenary", s.catenary, "catenary constant of conductors, meters; 0: by voltage");
-  visit("bundle", s.bundle, "sub-conductors of a bundle, 1 or 2; 0: by voltage");
-  visit("earth-wires", s.earth_wires, "earth wires, 0 to 2");
+  visit("bundle", s.bundle, "subconductors per bundle, 1 or 2; 0: by voltage");
+  visit("earth-wires", s.earth_wires, "number of earth wires, 0 to 2");
   visit("angle", s.angle, "change of direction at one pylon, degrees");
   visit("wind", s.wind, "angle by which wires are blown out, degrees");
-  visit("low-voltage", s.low_voltage, "pole lines crossing below");
-  visit("low-voltage-wires", s.low_voltage_wires, "wires of a pole line, 1 to 6");
+  visit("low-voltage", s.low_voltage, "number of pole lines crossing below");
+  visit("low-voltage-wires", s.low_voltage_wires, "wires per pole line, 1 to 6");
   visit("relief", s.relief, "height differences of the terrain, meters");
   visit("trees", s.trees, "trees per hectare");
   visit("bushes", s.bushes, "bushes per hectare");
-  visit("houses", s.houses, "houses");
-  visit("cranes", s.cranes, "tower cranes");
-  visit("fences", s.fences, "fences");
+  visit("houses", s.houses, "number of houses");
+  visit("cranes", s.cranes, "number of tower cranes");
+  visit("fences", s.fences, "number of fences");
   visit("gaps", s.gaps, "stretches of wire without returns, per kilometer");
   visit("outliers", s.outliers, "fraction of pulses that return from empty air");
   visit("thin-ground", s.thin_ground, "keep one ground point in n");
-  visit("planted", s.planted, "trees and houses put too near to wires, .8 to 4 meters");
+  visit(
+      "planted", s.planted, "trees and houses put too close to wires, .8 to 4 meters");
   visit("seed", s.seed, "the same seed gives the same scene");
 }
 

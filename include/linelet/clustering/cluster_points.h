@@ -17,7 +17,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief What stands for the members of a cell. */
+/** \brief What represents the members of a cell. */
 struct Representative {
   Point center;                       ///< their mean
   SymmetricTensor tensor;             ///< their covariance
@@ -29,44 +29,45 @@ struct Representative {
 struct Clusters {
   static constexpr Index none = std::numeric_limits<Index>::max();
 
-  std::vector<Representative> representatives; ///< none is empty
+  std::vector<Representative> representatives; ///< each has members
   Indices cluster_of; ///< representative of every point; \ref none for points that are
                       ///< not finite or out of the camera's view
   std::array<std::int64_t, 3> cells{}; ///< of the grid, along each of its axes
   double leaf = 0; ///< edge of the cells where they are cubes, else 0
   Points normals;  ///< of the representatives, with NormalRule::EmptyCells alone
-  /// As ClusterSettings::faces says. Representatives without a plane (of fewer than
-  /// three members, or of members in a row, where normals are along their smallest
-  /// extent) have no quad.
+  /// As ClusterSettings::faces says. Representatives without a plane (fewer than three
+  /// members, or collinear members where normals are along the smallest extent) have no
+  /// quad.
   std::vector<Face> faces;
 };
 
-/** \brief Clusters points by a grid whose cells adapt to them (Schiffner et al. 2014).
+/** \brief Clusters points in a grid whose cells adapt to them (Schiffner et al. 2014).
  *
  * Points are sorted into the cells of a grid, uniform in space or in the view of a
  * camera. Then those near a border may move to the cell across it: only indices change,
- * the grid becomes curvilinear. A point has one cell to go to, that across its nearest
- * border, if it holds points at all; so it is never farther than one cell from its own,
- * and no cell appears. All decisions of a pass are taken from the state before it.
+ * the grid becomes curvilinear. A point may move only to the cell across its nearest
+ * border, and only if that holds points; so it is never more than one cell away from
+ * its own, and no new cells arise. All decisions of a pass are based on the state
+ * before it.
  *
- * The published page with the exact rule is lost; these are ours:
+ * The page of the publication with the exact rule is not available; these are ours:
  * - MoveRule::Plane: to the cell whose plane (mean and smallest eigenvector of the
  *   members' covariance) is nearer. The sum of squared distances to the planes never
  *   rises.
  * - MoveRule::Population: to the less populated one, those nearest to the border first,
- *   at most a sixth of the difference a pass (the bound of explicit diffusion in three
- *   dimensions). The sum of squared populations never rises.
+ *   at most a sixth of the difference per pass (the bound of explicit diffusion in
+ * three dimensions). The sum of squared populations never rises.
  * - MoveRule::Field: where the point's value is below its cell's mean and above that of
  *   the cell across. No cell's mean ever falls: with planarity, planar cells grow purer
  *   and edges stand out.
  *
  * Means and tensors are sums of integers, so neither the order of the points nor the
- * number of threads changes a bit; a mean is exact within 4e-6 of a cell for up to 1e8
- * points.
+ * number of threads changes a bit; means are exact to within 4e-6 of a cell for up to
+ * 1e8 points.
  * \param[in] field a value per point, for MoveRule::Field; points without one (NaN)
  * stay
- * \throws std::invalid_argument see \ref validate, and where there are more cells than
- * 2^40, or no field where one is needed
+ * \throws std::invalid_argument see \ref validate; also for more than 2^40 cells, or
+ * without a field where one is needed
  * \throws Canceled */
 Clusters
 clusterPoints(const Points& points,
@@ -74,13 +75,13 @@ clusterPoints(const Points& points,
               const std::vector<double>& field = {},
               ProgressMonitor* monitor = nullptr);
 
-/** \brief The mean of \a values over the members of every representative, of those
- * that are not NaN. */
+/** \brief The mean of \a values over the members of every representative, without NaN.
+ */
 std::vector<double>
 clusterMeans(const Clusters& clusters, const std::vector<double>& values);
 
 /** \brief The most frequent of \a values among the members of every representative,
- * the smallest of equally frequent ones: for classes and numbers that are names. */
+ * the smallest of equally frequent ones: for classes and numbers that are labels. */
 std::vector<double>
 clusterModes(const Clusters& clusters, const std::vector<double>& values);
 

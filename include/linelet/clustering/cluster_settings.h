@@ -36,9 +36,9 @@ struct Names<MoveRule> {
 /** \brief Where the normals of representatives come from. */
 enum class NormalRule {
   Tensor,    ///< the smallest extent of the members
-  EmptyCells ///< towards the empty cells around, two cells far: for cells with few
-             ///< members, and oriented to the outside (Schiffner et al. 2015; the text
-             ///< gives no formula: their mean direction, or for walls the axis of it)
+  EmptyCells ///< toward the empty cells within two cells: for cells with few members,
+             ///< oriented to the outside (Schiffner et al. 2015, without a formula;
+             ///< here their mean direction, or for walls its axis)
 };
 
 template <>
@@ -73,17 +73,17 @@ struct Names<CellFaces> {
 struct ClusterSettings {
   std::vector<double> cells; ///< number of cells along x, y and z; of a camera: across
                              ///< the picture, down, and in depth
-  double leaf = 0;           ///< edge of cubic cells
-  std::size_t count = 0;     ///< representatives wanted, of cubic cells
+  double leaf = 0;           ///< edge of cubic cells, unit of the points
+  std::size_t count = 0;     ///< approximate number of representatives, of cubic cells
   unsigned moves = 2;        ///< how often points may move
   MoveRule move_by = MoveRule::Plane;
-  double border = 0.5; ///< how near to the border of a cell a point moves, in (0, 0.5]
-                       ///< of the cell's width
+  double border = 0.5; ///< how near the border of its cell a point must be to move, in
+                       ///< (0, 0.5] of the cell's width
   NormalRule normals = NormalRule::Tensor;
   CellFaces faces = CellFaces::None;
-  std::optional<Camera> camera; ///< cells fill its view, finer near the eye; \ref cells
-                                ///< then says how many
-  unsigned threads = 0;         ///< 0: all; the result is the same for any number
+  std::optional<Camera>
+      camera;           ///< cells fill its view, finer near the eye; needs \ref cells
+  unsigned threads = 0; ///< 0: all; the result is the same for any number
 };
 
 template <class Visit>
@@ -92,20 +92,22 @@ describe(ClusterSettings& s, Visit&& visit)
 {
   visit("cells", s.cells, "number of cells along x, y and z");
   visit("leaf", s.leaf, "edge of cubic cells instead, in the unit of the cloud");
-  visit("count", s.count, "about so many representatives instead, of cubic cells");
-  visit("moves", s.moves, "how often points near a border may go to the cell across");
+  visit("count",
+        s.count,
+        "approximate number of representatives instead, of cubic cells");
+  visit("moves", s.moves, "how often points near a border may move to the cell across");
   visit("move-by", s.move_by, "what makes a point move");
   visit("border",
         s.border,
-        "how near to the border a point must be to move, in widths of its cell, at "
-        "most 0.5");
+        "how near the border a point must be to move, in widths of its cell, at most "
+        "0.5");
   visit("normals",
         s.normals,
-        "what normals are: along the smallest extent of the members, or towards the "
+        "direction of normals: along the smallest extent of the members, or toward the "
         "empty cells around");
   visit("faces",
         s.faces,
-        "what stands for the cells in a mesh: the plane of the members within their "
+        "what represents the cells in a mesh: the plane of the members within their "
         "cell, or the sides of the cell");
 }
 

@@ -18,12 +18,12 @@ namespace LINELET_PUBLIC linelet {
  * clusterPoints in a PCL chain, in place of pcl::VoxelGrid.
  *
  * One of \ref setLeafSize, \ref setGrid and \ref setCount says how fine the grid is; it
- * begins at the lower corner of the points' box. Output has one point a representative:
- * the mean of its members, other fields of the point type averaged as
- * pcl::CentroidPoint does. It is not organized and dense. Points that are not finite,
- * or not in the camera's view, have no representative: they are the removed indices,
- * where the filter was made to tell them. filter gives an empty output, with a message
- * through PCL_ERROR, where the settings make no sense.
+ * begins at the lower corner of the points' bounding box. The output has one point per
+ * representative: the mean of its members, other fields of the point type averaged as
+ * in pcl::CentroidPoint. It is dense and not organized. Points that are not finite, or
+ * not in the camera's view, have no representative: they are the removed indices, if
+ * these are extracted. For invalid settings, filter gives an empty output and a message
+ * through PCL_ERROR.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
  * any other type define PCL_NO_PRECOMPILE before the first include. */
@@ -68,7 +68,7 @@ public:
     return settings_.cells;
   }
 
-  /** \brief About so many representatives, of cubic cells. */
+  /** \brief Approximate number of representatives, of cubic cells. */
   void
   setCount(std::size_t count)
   {
@@ -107,16 +107,16 @@ public:
     return settings_.move_by;
   }
 
-  /** \brief A value for every point of the input cloud (indices do not change which),
-   * for MoveRule::Field. */
+  /** \brief A value for every point of the input cloud, whatever the indices, for
+   * MoveRule::Field. */
   void
   setField(std::vector<double> field)
   {
     field_ = std::move(field);
   }
 
-  /** \brief Cells fill the view of a camera, in the frame of the cloud; takes
-   * \ref setGrid. */
+  /** \brief Cells fill the view of a camera, in the frame of the cloud; needs \ref
+   * setGrid. */
   void
   setCamera(const Camera& camera)
   {
@@ -146,8 +146,8 @@ public:
     return settings_;
   }
 
-  /** \brief Of the last filter: count, center and covariance of every point of the
-   * output, in its order; and for every point of the input the one that stands for it,
+  /** \brief Result of the last filter: count, center and covariance of every point of
+   * the output, in its order, and the representative of every point of the input,
    * Clusters::none for points that are not among the indices or were removed. */
   const Clusters&
   getClusters() const

@@ -15,14 +15,12 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief The rectangles in plan that a scene is divided into when curves are looked
- * for in it.
+/** \brief The rectangles in plan into which a scene is divided to search it for curves.
  *
- * What is found in a block depends on the points in it and in a margin around it, on
- * none beyond: whoever has these finds the same curves there, to the last digit,
- * whatever else of the cloud is known. A scene that is not larger than a block, a small
- * cloud, and one of curves alone, whose connected components know no borders, are one
- * block. */
+ * What is found in a block depends only on the points in it and in a margin around it:
+ * these points give the same curves there, to the last digit, whatever else of the
+ * cloud is known. A scene no larger than a block, a small cloud, and a cloud of curves
+ * alone, whose connected components cross any border, are one block. */
 class CurveBlocks {
 public:
   /** \param[in] whole of the cloud */
@@ -38,7 +36,7 @@ public:
   std::size_t
   owner(const Point& p) const;
 
-  /** \brief The middle of \a block in plan; its height is 0. */
+  /** \brief The center of \a block in plan; its height is 0. */
   Point
   middle(std::size_t block) const;
 
@@ -50,8 +48,8 @@ public:
   std::vector<std::size_t>
   around(const Point& p) const;
 
-  /** \brief Along x and y, no point that takes part in a block is farther from its
-   * middle. */
+  /** \brief No point that takes part in a block is farther than this from its center
+   * along x or y. */
   double
   reach() const;
 
@@ -63,7 +61,7 @@ private:
 
 /** \brief The curves of one block, as far as it owns them.
  * \param[in] points of the cloud, in its order; all that take part in the block, and
- * maybe others
+ * possibly others
  * \param[in] settings with the traits of the whole cloud
  * \throws as \ref reconstructRefined */
 CurvePart

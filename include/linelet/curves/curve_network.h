@@ -21,7 +21,7 @@ enum class EndKind {
   Cutoff,     ///< open: no cloud point within the distance cutoff
   Bounds,     ///< open: left the bounding box of the cloud
   Iterations, ///< open: the largest number of steps was reached
-  Support,    ///< open: the points ahead do not carry the curve on
+  Support,    ///< open: the points ahead do not support the curve
   Junction,   ///< joined to other curves, see CurveEnd::junction
   Loop        ///< joined to its own other end: the curve is closed
 };
@@ -41,8 +41,7 @@ struct Names<EndKind> {
 /** \brief One end of a curve. */
 struct CurveEnd {
   EndKind kind = EndKind::Cutoff;
-  int junction =
-      -1; ///< place in CurveNetwork::junctions where kind is Junction, else -1
+  int junction = -1; ///< index in CurveNetwork::junctions if kind is Junction, else -1
 };
 
 /** \brief A polyline: an ordered run of vertices. */
@@ -51,23 +50,25 @@ struct Curve {
   bool closed = false; ///< whether the last vertex is joined to the first
   CurveEnd front;      ///< the end at points.front()
   CurveEnd back;       ///< the end at points.back()
-  std::vector<Index>
-      support; ///< cloud points explained by each vertex (count), or empty
-  /// Standard deviation of its points about it, per coordinate: that of their noise, or
-  /// of a bundle too narrow to be told apart. NaN where unknown.
+  /// Number of cloud points that each vertex explains; may be empty
+  std::vector<Index> support;
+  /// Standard deviation of its points about it, per coordinate, due to noise or to a
+  /// bundle too narrow to be resolved. NaN if unknown.
   double noise = std::numeric_limits<double>::quiet_NaN();
-  double density = std::numeric_limits<double>::quiet_NaN(); ///< points per length
-  /// Log-likelihood ratio (natural) of the curve to its background alone.
+  /// Points per length; NaN if unknown
+  double density = std::numeric_limits<double>::quiet_NaN();
+  /// Log-likelihood ratio (natural) of the curve to its background alone; NaN if
+  /// unknown.
   double evidence = std::numeric_limits<double>::quiet_NaN();
 };
 
 /** \brief A place where curves meet. */
 struct Junction {
   Point position = Point::Zero();
-  std::vector<std::size_t> curves; ///< places in CurveNetwork::curves, ascending
+  std::vector<std::size_t> curves; ///< indices in CurveNetwork::curves, ascending
 };
 
-/** \brief The result of a reconstruction: polylines and how they hang together. */
+/** \brief The result of a reconstruction: polylines and how they are connected. */
 struct CurveNetwork {
   std::vector<Curve> curves;
   std::vector<Junction> junctions;

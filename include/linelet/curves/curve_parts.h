@@ -15,7 +15,7 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The part of a cloud that owns a place in plan. Every place has one owner, and
- * what an owner has is convex. */
+ * the places of an owner form a convex region. */
 using PartOwner = std::function<std::size_t(const Point&)>;
 
 /** \brief What a part owns of a curve that was found in it. */
@@ -24,11 +24,12 @@ struct CurvePiece {
 
   /** \brief Where the curve was cut, at the border of what the part owns. */
   struct Cut {
-    std::size_t neighbor = whole; ///< who owns what is beyond; whole: it was not cut
-    Points beyond; ///< how the curve went on there, away from the cut, without it
+    /// Part that owns what is beyond; whole: it was not cut
+    std::size_t neighbor = whole;
+    Points beyond; ///< how the curve went on from the cut, without it
   };
 
-  Curve curve; ///< evidence: the share of it; ends at a cut: EndKind::Bounds
+  Curve curve; ///< evidence: its share of it; an end at a cut is EndKind::Bounds
   std::array<Cut, 2> cuts; ///< front and back
 };
 
@@ -38,24 +39,23 @@ struct CurvePart {
   std::vector<Junction> junctions; ///< of \ref pieces
 };
 
-/** \brief Cuts the curves that were found in a part, with what is around it, to what
- * the part owns.
+/** \brief Cuts the curves that were found in a part and its surroundings to what the
+ * part owns.
  * \param[in] self the part
- * \param[in] reach how far to note how curves go on */
+ * \param[in] reach length of CurvePiece::Cut::beyond */
 CurvePart
 ownedBy(const CurveNetwork& found,
         std::size_t self,
         const PartOwner& owner,
         double reach);
 
-/** \brief The curves of a whole cloud, of those of its parts.
+/** \brief The curves of a whole cloud, joined from those of its parts.
  *
- * Where two parts cut what is one curve, each knows how the other goes on: the pieces
- * are joined whose courses lie within \a tolerance of one another at the border, the
- * closest first. One that the neighbor has as far as the border only is joined to that
- * end. Noise is the root of the mean square, density the mean over the length, evidence
- * the sum. Curves and junctions are in the order of their places, however the cloud was
- * divided.
+ * Where a curve was cut, both parts know how it goes on: pieces whose courses lie
+ * within \a tolerance of each other at the border are joined, the closest first. If the
+ * neighbor has the curve only up to the border, it is joined to that end. Noise becomes
+ * the root mean square, density the mean over the length, evidence the sum. Curves and
+ * junctions are sorted by place, however the cloud was divided.
  * \param[in] tolerance distance across the curves, unit of the points */
 CurveNetwork
 joinParts(std::vector<CurvePart> parts, double tolerance);

@@ -22,20 +22,19 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL chain.
  *
- * The result proper is a \ref CurveNetwork, see \ref reconstruct. The overloads of
- * pcl::SurfaceReconstruction give the same as a PolygonMesh or as vertices, one polygon
- * a curve, its vertices in order; a closed curve repeats the index of its first vertex.
- * PCL's own writers of meshes fill polygons: write curves with linelet::io instead.
+ * The full result is a \ref CurveNetwork, see \ref reconstruct. The overloads of
+ * pcl::SurfaceReconstruction return it as a PolygonMesh or as vertices, one polygon per
+ * curve with its vertices in order; a closed curve repeats the index of its first
+ * vertex. PCL's mesh writers fill polygons: write curves with linelet::io instead.
  *
  * Points that are not finite are left out. Without input, with an index beyond the
- * cloud or a parameter out of range the result is empty, with a message through
- * PCL_ERROR; a cloud without a curve gives an empty result without a message.
- * Neighbors come from the search given by setSearchMethod (any of them; PCL hands a
- * cloud to its search only when the pointer changes, so never alter a cloud in place),
- * else from a grid of its own; the curves are the same up to rounding. All neighbors of
- * Preset::Published do, save those of points that a pre-filter has moved; of
- * Preset::Refined those by which the spacing of the points is measured, as it has no
- * others: see \ref reconstructRefined.
+ * cloud, or with a parameter out of range, the result is empty, with a message through
+ * PCL_ERROR; a cloud without a curve gives an empty result without a message. Neighbors
+ * come from the search given by setSearchMethod (any of them; PCL hands a cloud to its
+ * search only when the pointer changes, so never alter a cloud in place), else from a
+ * built-in grid; the curves are the same up to rounding. Preset::Published takes all
+ * neighbors from it, except those of points that a prefilter has moved; Preset::Refined
+ * only those that measure the spacing of the points: see \ref reconstructRefined.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
  * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own
@@ -50,7 +49,7 @@ public:
 
   EigenStreamlineCurveReconstruction() { this->check_tree_ = false; }
 
-  /** \brief Curves begun; 0 (default): as many as the points ask for. */
+  /** \brief Number of start points; 0 (default): as many as needed. */
   void
   setStartPoints(unsigned count)
   {
@@ -62,7 +61,7 @@ public:
     return settings_.start_points;
   }
 
-  /** \brief Steps of one trace; 0 (default): chosen. */
+  /** \brief Steps per trace; 0 (default): automatic. */
   void
   setMaxIterations(unsigned count)
   {
@@ -75,7 +74,7 @@ public:
   }
 
   /** \brief The widest gap that is bridged, in the unit of the cloud; 0 (default):
-   * chosen. */
+   * automatic. */
   void
   setDistanceCutoff(double distance)
   {
@@ -122,8 +121,8 @@ public:
     return settings_;
   }
 
-  /** \brief Hears of the progress of reconstruct, which throws \ref Canceled where it
-   * asks for that. Null (default): no reports. It must outlive reconstruct. */
+  /** \brief Receives the progress of reconstruct, which throws \ref Canceled on its
+   * request. Null (default): no reports. It must outlive reconstruct. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {

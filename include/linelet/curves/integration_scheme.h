@@ -19,14 +19,15 @@ namespace LINELET_PUBLIC linelet {
  * constant step. */
 enum class IntegrationScheme {
   Euler,         ///< order 1
-  Rk32,          ///< order 3, the propagating half of Bogacki-Shampine's pair
+  Rk32,          ///< order 3, the third-order formula of the Bogacki-Shampine pair
   Rk38,          ///< order 4, Kutta's 3/8 rule
   Rk4,           ///< order 4, the classical one
   Merson45,      ///< order 4, Merson
   Fehlberg45,    ///< order 5, Fehlberg
   Dopri5,        ///< order 5, Dormand & Prince 1980
   Dop853,        ///< order 8, Dormand & Prince (Hairer, Norsett, Wanner)
-  Dop853Adaptive ///< the same with steps by its error, and dense output between them
+  Dop853Adaptive ///< the same with error-controlled steps, and dense output between
+                 ///< them
 };
 
 template <>
@@ -51,7 +52,7 @@ struct ButcherTable {
   int order = 0;
 };
 
-/** \brief The table of \a scheme; of the adaptive one that of a step. */
+/** \brief The table of \a scheme; for the adaptive one, that of a step. */
 const ButcherTable&
 butcherTable(IntegrationScheme scheme);
 

@@ -20,8 +20,8 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief The methods of curve reconstruction. */
 enum class Preset {
-  Refined,   ///< ridges refitted as noisy polylines; the default
-  Published, ///< line-lets as published in 2021, what every gain is measured against
+  Refined,       ///< ridges refitted as noisy polylines; the default
+  Published,     ///< line-lets as published in 2021, the baseline of every benchmark
   PublishedQuick ///< the same with scales up to 10 D instead of 60, four times as fast
 };
 
@@ -43,8 +43,8 @@ struct Names<Preset> {
 
 /** \brief How curves are reconstructed.
  *
- * start_points, max_iterations, distance_cutoff and threads serve every preset; the
- * other parameters are those of the published presets. */
+ * start_points, max_iterations, distance_cutoff and threads apply to every preset; the
+ * other parameters belong to the published presets. */
 struct ReconstructionSettings : StreamlineSettings {
   Preset preset = Preset::Refined;
   CloudTraits whole; ///< of the cloud, if known; refined only
@@ -71,8 +71,8 @@ reconstructCurves(const Points& points,
                   const ReconstructionSettings& settings = {},
                   ProgressMonitor* monitor = nullptr);
 
-/** \brief The same, with neighbors from \a search over \a points, as far as the method
- * asks for any. */
+/** \brief The same, with neighbors from \a search over \a points, where the method
+ * needs any. */
 CurveNetwork
 reconstructCurves(const NeighborSearch& search,
                   const Points& points,

@@ -11,12 +11,12 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief What a cloud is like as a whole, so that curves are looked for in each of its
- * parts as in all of it. */
+/** \brief Properties of a whole cloud, so that curves are found in each of its parts as
+ * in all of it. */
 struct CloudTraits {
   double scale_unit = 0;      ///< D, unit of the points
-  double linear_share = 0;    ///< share of the points around which it is linear
-  double points = 0;          ///< number of points; 0: nothing is known
+  double linear_share = 0;    ///< share of the points with a linear neighborhood
+  double points = 0;          ///< number of points; 0: the traits are unknown
   Point low = Point::Zero();  ///< corners of the box around them
   Point high = Point::Zero(); ///< likewise
 };
@@ -26,17 +26,20 @@ struct CloudTraits {
 CloudTraits
 cloudTraits(const Points& points, unsigned threads = 0);
 
-/** \brief What may be set of the refined reconstruction; 0 lets it choose. */
+/** \brief Settings of the refined reconstruction; 0 lets it choose. */
 struct RefinedSettings {
-  unsigned max_iterations = 0; ///< steps of one trace from its start point; 0: no limit
-                               ///< beside the number of points
-  unsigned start_points = 0; ///< traces begun per connected component of the cloud; 0:
-                             ///< until every point that looks like a curve is explained
-  double distance_cutoff =
-      0;                     ///< widest gap that is bridged, in the unit of the points;
-                             ///< 0: an eighth of the length, where directions agree
-  bool follow_hidden = true; ///< in a scene, a curve goes on beyond a stretch that
-                             ///< hides it, where a parabola continues it
+  /// Steps per trace from its start point; 0: no limit but the number of points
+  unsigned max_iterations = 0;
+  /// Traces started per connected component of the cloud; 0: until every point that
+  /// looks like a curve is explained
+  unsigned start_points = 0;
+  /// No gap wider than this is bridged, in the unit of the points, and points nearer to
+  /// each other than this are one connected component; 0: no such limit, and 5 D. Where
+  /// directions agree, gaps of up to 2.5 D or 15 % of the joined length are bridged; in
+  /// a scene, hidden stretches of up to 150 spacings of the points.
+  double distance_cutoff = 0;
+  bool follow_hidden = true; ///< in a scene, join curves across a stretch that hides
+                             ///< them, where a parabola continues them
   unsigned threads = 0;      ///< threads; 0: all
   CloudTraits whole;         ///< of the cloud, if known
 };
@@ -44,18 +47,19 @@ struct RefinedSettings {
 /** \brief Curves of a noisy cloud: ridges give the topology, a robust refit the
  * geometry.
  *
- * In a scene in which most points are on no curve, curves are followed through what
- * surrounds them, block by block (\ref CurveBlocks). What follows is about the others.
+ * In a scene, where most points lie on no curve, curves are followed through what
+ * surrounds them, block by block (\ref CurveBlocks). The rest of this comment is about
+ * other clouds.
  *
- * Every connected component of the cloud is worked on by itself. Ridges of its smoothed
+ * Every connected component of the cloud is processed by itself. Ridges of its smoothed
  * density are traced at several bandwidths; each result is refitted as a mixture of
  * noisy polylines and uniform outliers by expectation maximization under a bending
  * prior with heavy tails, and the Bayesian information criterion picks the best. All
- * lengths follow from the spacing of the points, so the result moves, turns and scales
- * with the input; it does not depend on the number of threads.
+ * lengths follow from the spacing of the points, so the result is equivariant to
+ * translation, rotation and scaling; it does not depend on the number of threads.
  * \param[in] points any points; those with a coordinate that is not finite are left out
  * \param[in] settings see \ref RefinedSettings
- * \param[in] monitor hears of every component of the cloud that is done; may be null
+ * \param[in] monitor told of every finished component of the cloud; may be null
  * \return curves with the number of points that each vertex explains; none where the
  * cloud holds no curve
  * \throws std::invalid_argument for a negative or NaN cutoff
@@ -66,8 +70,8 @@ reconstructRefined(const Points& points,
                    ProgressMonitor* monitor = nullptr);
 
 /** \brief The same, with the spacing of the points (D, and how it varies along the
- * curves) from \a search over \a points. The densities and distances that curves are
- * fitted by are sums over points in the order of a grid, which no search could give. */
+ * curves) from \a search over \a points. The fit itself needs sums over points in the
+ * order of a grid, which no search provides. */
 CurveNetwork
 reconstructRefined(const NeighborSearch& search,
                    const Points& points,

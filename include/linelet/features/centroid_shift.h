@@ -34,17 +34,19 @@ describe(CentroidShiftSettings& s,
   visit(radius,
         s.radius,
         "first move every point to the centroid of its neighbors within this radius; "
-        "0: do not");
-  visit((prefix + "centroid").c_str(), s.centroid, "centroid it is moved to");
-  visit((prefix + "weight").c_str(), s.weighting, "kernel where that is weighted");
+        "0: off");
+  visit((prefix + "centroid").c_str(), s.centroid, "centroid that points are moved to");
+  visit((prefix + "weight").c_str(),
+        s.weighting,
+        "weighting kernel of that centroid, if it is weighted");
 }
 
-/** \brief Moves every point to the centroid of its neighborhood, which thins out noise
+/** \brief Moves every point to the centroid of its neighborhood, which reduces noise
  * across curves before the multi-scale feature or a reconstruction.
  *
- * Neighbors (d <= radius) are always those of the unmoved points. Ends of curves draw
- * in by about half the radius and curvature is cut, so the radius should be little more
- * than the noise. The same for every number of threads.
+ * Neighbors (d <= radius) are always those of the unmoved points. Ends of curves recede
+ * by about half the radius and bends are cut, so the radius should be little more than
+ * the noise. The result does not depend on the number of threads.
  * \param[in] points any; those that are not finite stay as they are
  * \throws std::invalid_argument unless the radius is positive and finite; Canceled */
 Points

@@ -9,12 +9,12 @@
 
 namespace linelet {
 
-/** \brief A piece of a larger cloud, together with the points around it: the points
- * \a begin to \a end of those that a function is given are the piece, the others are
- * there as neighbors, nearer than a margin that the function states.
+/** \brief A piece of a larger cloud, together with the points around it: of the points
+ * passed to a function, those from \ref begin to \ref end are the piece; the others are
+ * neighbors, within a margin that the function states.
  *
- * Results are those of the whole cloud to the bit where the points keep its order and
- * its coordinates (the same Cloud::shift). */
+ * Results equal those of the whole cloud to the bit if the points keep its order and
+ * coordinates (the same Cloud::shift). */
 struct CloudPiece {
   std::size_t begin = 0, end = 0;
   Point low, high; ///< box of the whole cloud

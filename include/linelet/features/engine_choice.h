@@ -19,9 +19,9 @@ struct EngineWork {
   bool nearest = false;    ///< k nearest points rather than a radius
 };
 
-/** \brief The work that settings mean for a cloud. The number of neighbors is counted
- * around a few queries among every m-th point, which takes negligible time and is good
- * to a factor of two. */
+/** \brief The work that settings require for a cloud. The number of neighbors is
+ * estimated at a few queries among every m-th point, which takes negligible time and is
+ * right within a factor of two. */
 EngineWork
 engineWork(const Points& surface,
            const Points& queries,
@@ -35,8 +35,8 @@ engineWork(const Points& surface,
  *   points it falls back to the tree, which costs the grid on top
  *
  * The constants were measured with one thread of an EPYC (Genoa) on rolling ground of
- * 100 to 200,000 points with 10 to 5,000 neighbors. They hold to a factor of two,
- * which is closer than the engines are to each other where the choice matters. */
+ * 100 to 200,000 points with 10 to 5,000 neighbors. They hold within a factor of two;
+ * where the choice matters, engines differ by more. */
 double
 estimatedSeconds(Engine engine, const EngineWork& work);
 

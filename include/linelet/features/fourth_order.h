@@ -18,7 +18,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief w_4, what the tensor of a scale counts in the fourth-order tensor. */
+/** \brief w_4, the weight of each scale's tensor in the fourth-order tensor. */
 enum class ScaleWeight { Linearity, Planarity, Sphericity, Uniform };
 
 template <>
@@ -138,11 +138,11 @@ private:
 
 /** \brief The fourth-order multi-scale tensor T = sum_k w4 t(r_k) (x) t(r_k) / sum w4.
  *
- * An extension that carries the tensors of all scales in one; its major eigentensor is
- * their compromise.
- * \param[in] tensors of the scales; those that are not finite or zero are left out
- * \param[in] weight the shape factor of each tensor that is its weight
- * \return NaN in every component where all weights are 0 */
+ * An extension that combines the tensors of all scales; its major eigentensor is a
+ * compromise between them.
+ * \param[in] tensors of the scales; those that are zero or not finite are left out
+ * \param[in] weight which shape factor of each tensor is its weight
+ * \return NaN in every component if all weights are 0 */
 FourthOrderTensor
 fourthOrderTensor(const std::vector<SymmetricTensor>& tensors,
                   ScaleWeight weight = ScaleWeight::Linearity);

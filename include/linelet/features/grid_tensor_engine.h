@@ -13,7 +13,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Engine::Grid for radii: \ref estimateTensors at the speed of the machine.
+/** \brief Engine::Grid for radii: \ref estimateTensors, vectorized.
  *
  * Points are sorted into blocks twice as wide as the radius, whose corners are
  * multiples of their width; the inner loops run over vectors of candidates, on the best
@@ -22,8 +22,8 @@ namespace LINELET_PUBLIC linelet {
  * float relative to the query's surroundings and in double beyond them; numbers of
  * neighbors are exactly those of the other engines, shape factors agree to 1e-4
  * (median and step: exactly). Memory beside input and output is 30 to 40 bytes per
- * point, and for every thread some 20 bytes per candidate: much only where a ball holds
- * a large part of the cloud.
+ * point, plus some 20 bytes per candidate and thread, which is much only if a ball
+ * holds a large part of the cloud.
  *
  * Settings and sizes are those of \ref estimateTensors with a radius, or one per query.
  * \throws std::invalid_argument, Canceled as there */
@@ -34,8 +34,8 @@ estimateTensorsOnGrid(const Points& surface,
                       const NeighborhoodSizes& sizes = {},
                       ProgressMonitor* monitor = nullptr);
 
-/** \brief The same for the points of a piece, around which \a points holds all that are
- * nearer than \ref gridMargin.
+/** \brief The same for the points of a piece; \a points also holds all those within
+ * \ref gridMargin of it.
  * \param[in] sizes one for each of \a points, or none
  * \return one record for each point of the piece */
 std::vector<PointDistributionTensor>

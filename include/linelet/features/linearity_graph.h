@@ -16,7 +16,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief How the terms of a maximum's score O_m are put together.
+/** \brief How the terms of a maximum's score O_m are combined.
  *
  * It hardly matters: the published reconstruction on the same 400 runs of the benchmark
  * grid succeeds in .325 of them with Product and in .315 with Sum (one standard error
@@ -67,8 +67,8 @@ struct Names<AreaEnd> {
       {{AreaEnd::LastMinimum, "last-minimum"}, {AreaEnd::WholeGraph, "whole-graph"}}};
 };
 
-/** \brief What the blend mu of a direction is made of, held to [0.05, 0.95]. The thesis
- * names these among seven variants without formulas of the others. */
+/** \brief How the blend mu of a direction is computed, clamped to [0.05, 0.95]. The
+ * thesis names seven variants; it gives no formulas for the others. */
 enum class BlendMode {
   Published, ///< A_j / (2 A) + CL_j - 1/2 (eq. 10)
   Integral,  ///< A_j / A
@@ -94,8 +94,8 @@ struct LinearityGraphSettings {
   ScoreWeights score_weights;
   GraphIntegral integral = GraphIntegral::Scales;
   AreaEnd area_end = AreaEnd::LastMinimum;
-  /// Smallest neighborhood whose scale may become the optimal one; the point itself
-  /// counts, so that 7 is what the scale unit D holds in the median.
+  /// Smallest neighborhood whose scale may become the optimal one, including the point
+  /// itself: the ball of radius D has a median of 7.
   unsigned min_neighbors = 7;
   BlendMode blend = BlendMode::Published;
 };
@@ -104,7 +104,8 @@ template <class Visit>
 void
 describe(LinearityGraphSettings& s, Visit&& visit)
 {
-  visit("scale-score", s.score, "how the score of a local maximum is put together");
+  visit(
+      "scale-score", s.score, "how the terms of a local maximum's score are combined");
   visit(
       "score-weights",
       s.score_weights,
@@ -114,8 +115,8 @@ describe(LinearityGraphSettings& s, Visit&& visit)
   visit("area-end", s.area_end, "where that area ends");
   visit("min-neighbors",
         s.min_neighbors,
-        "smallest neighborhood of an optimal scale, the point itself included");
-  visit("blend", s.blend, "what the blend of the optimal scale is made of");
+        "smallest neighborhood of an optimal scale, including the point itself");
+  visit("blend", s.blend, "how the blend of the optimal scale is computed");
 }
 
 /** \brief A local maximum of a linearity graph. Scales count from 0. */
@@ -123,7 +124,7 @@ struct GraphMaximum {
   std::size_t scale;    ///< k_j; on a plateau its first scale with enough neighbors
   std::size_t left;     ///< j-: nearest local minimum below, or where the graph begins
   std::size_t right;    ///< j+: nearest local minimum above, or where the graph ends
-  double area_fraction; ///< A_j / A, held to [0, 1]
+  double area_fraction; ///< A_j / A, clamped to [0, 1]
   double delta;         ///< CL_j - max(CL_j-, CL_j+)
   double score;         ///< O_m
 };
@@ -137,7 +138,7 @@ struct LinearityGraph {
   std::vector<std::size_t> minima;  ///< by scale; a plateau is named by its last scale
   double area = 0;                  ///< A, NaN where no scale is defined
   double largest = 0;               ///< CL_max, NaN where no scale is defined
-  std::size_t best = none;          ///< place in \ref maxima of the best score
+  std::size_t best = none;          ///< index in \ref maxima of the best score
   double blend = 0;                 ///< mu in [0.05, 0.95], NaN without a maximum
 
   /** \brief The optimal scale, or \ref none. */
@@ -156,21 +157,22 @@ constexpr double flat_linearity = 1e-6;
  * Rules, where the papers are silent:
  * - A scale whose linearity is NaN is not defined: the graph consists of the others.
  * - A run of equal values (within \ref flat_linearity) is one extremum. It is a minimum
- *   if the graph is higher on both sides (its ends are none), a maximum if it is lower
- *   on every side that exists; so a flat graph and a graph of one scale are maxima.
+ *   if the graph is higher on both sides (ends of the graph are not minima), a maximum
+ * if it is lower on every side that exists; so a flat graph and a graph of one scale
+ * are maxima.
  * - Maxima are sought where the neighborhood has settings.min_neighbors points, on the
  *   part of the graph from the first such scale on; j- does not reach below it.
  * - A runs from the first defined scale to the end of the last local minimum, else (or
  *   with AreaEnd::WholeGraph) to the end of the graph. Where it is 0 the fraction A_j/A
  *   is 1.
- * - The first term of the score is held between 0 and its weight, so that the score of
- *   eq. 9 has three terms between 0 and 1.
+ * - The first term of the score is clamped between 0 and its weight, so that the score
+ * of eq. 9 has three terms between 0 and 1.
  * - Of equal scores the smaller scale wins.
  *
  * \param[in] linearity CL at each scale, NaN where not defined
  * \param[in] neighbors points in the neighborhood at each scale, the point itself
- * included; not falling
- * \param[in] radii radius of each scale, rising
+ * included; not descending
+ * \param[in] radii radius of each scale, ascending
  * \throws std::invalid_argument unless the three are of the same length */
 LinearityGraph
 readLinearityGraph(const std::vector<double>& linearity,

@@ -24,7 +24,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief What measures the neighborhoods. */
+/** \brief How neighborhoods are measured. */
 enum class ScaleEngine {
   Auto,  ///< Sweep for small clouds and for few queries among many points, else Grid
   Sweep, ///< one search at the largest radius serves all scales, all in double
@@ -47,11 +47,11 @@ struct MultiScaleSettings {
   Weighting centroid_weighting = Kernel::QuadraticInverse; ///< w_C
   RadiusGrowth growth = RadiusGrowth::Exponential;
   double max_radius = 0; ///< unit of the points; 0: 60 D
-  std::vector<double>
-      radii; ///< rising; if given, they stand in place of the multi-scale sweep
+  /// Ascending; if not empty, used instead of growth and max_radius
+  std::vector<double> radii;
   /// Stop rule: the largest radius is the first at which the shape factors of no point
   /// differ by this much from those at the radius before. Only for the mean and median
-  /// centroids, where they converge. 0: no such rule.
+  /// centroids, where they converge. 0: off.
   double stop_change = 0;
   double scale_unit = 0;             ///< D; 0: measured on the points
   unsigned scale_unit_sample = 1024; ///< points that D is measured at; 0: all
@@ -65,29 +65,39 @@ template <class Visit>
 void
 describe(MultiScaleSettings& s, Visit&& visit)
 {
-  visit("weight", s.weighting, "weighting kernel of the tensor");
+  visit("weight",
+        s.weighting,
+        "weighting kernel of the tensor: a name ('?' lists them), fermi-dirac:M,T or "
+        "step:S");
   visit("centroid", s.centroid, "point of reference of the tensor");
-  visit("centroid-weight", s.centroid_weighting, "kernel of the weighted centroids");
+  visit("centroid-weight",
+        s.centroid_weighting,
+        "weighting kernel of the weighted centroids");
   visit("growth", s.growth, "how the radii grow from the scale unit D");
-  visit("max-radius", s.max_radius, "largest radius, unit of the file; 0: 60 D");
-  visit("radii", s.radii, "radii, rising, in place of growth and largest radius");
+  visit(
+      "max-radius", s.max_radius, "largest radius, in the unit of the cloud; 0: 60 D");
+  visit("radii", s.radii, "radii, ascending, instead of growth and largest radius");
   visit("stop-change",
         s.stop_change,
-        "let the largest radius be the first at which no shape factor of any point "
-        "changes by this much any more (mean and median centroids); 0: off");
-  visit("scale-unit", s.scale_unit, "scale unit D; 0: measured");
-  visit("scale-unit-sample", s.scale_unit_sample, "points D is measured at; 0: all");
+        "stop at the first radius where no shape factor of any point changes by this "
+        "much any more (mean and median centroids); 0: off");
+  visit("scale-unit",
+        s.scale_unit,
+        "scale unit D, in the unit of the cloud; 0: measured");
+  visit("scale-unit-sample",
+        s.scale_unit_sample,
+        "number of points at which D is measured; 0: all");
   visit("scale-unit-seed", s.scale_unit_seed, "seed of that sample");
   visit("engine",
         s.engine,
-        "what measures the neighborhoods; auto: sweep for small clouds, else grid");
+        "how neighborhoods are measured; auto: sweep for small clouds, else grid");
   describe(s.graph, visit);
 }
 
 /** \brief The multi-scale shape feature of a set of points. */
 struct MultiScaleShapes {
   double scale_unit = 0;     ///< D; NaN where the points have none (see scaleUnit)
-  std::vector<double> radii; ///< of the scales, rising
+  std::vector<double> radii; ///< of the scales, ascending
   std::vector<MultiScaleShape> shapes; ///< one per query
 };
 
@@ -97,7 +107,7 @@ using ShapeGraphSink = std::function<void(std::size_t query, const ShapeGraph& g
 
 /** \brief Radii that \a settings ask for on \a surface, the stop rule applied.
  * \return with scale_unit and radii set, without shapes
- * \throws std::invalid_argument where a parameter is out of range, or D is needed and
+ * \throws std::invalid_argument if a parameter is out of range, or if D is needed and
  * the points have none */
 MultiScaleShapes
 multiScaleRadii(const Points& surface,
@@ -126,13 +136,13 @@ chosenScaleEngine(const Points& surface,
  *
  * One search at the largest radius serves all scales. The tensor at radius r is that of
  * the points with d <= r; scales with fewer than two neighbors away from the query are
- * not defined. Nothing is kept per scale: who wants the graphs takes them from \a sink
- * as they come. The same for every number of threads.
+ * not defined. Nothing is kept per scale: \a sink receives the graphs as they are
+ * computed. The result does not depend on the number of threads.
  *
  * \param[in] surface points among which neighbors are sought; those with a coordinate
  * that is not finite are left out
- * \param[in] queries where the feature is wanted; NaN for one that is not finite. A
- * query that is to count as its own neighbor belongs to \a surface as well
+ * \param[in] queries where the feature is computed; NaN for one that is not finite. A
+ * query that should count as its own neighbor must be in \a surface as well
  * \throws std::invalid_argument as \ref multiScaleRadii; Canceled */
 MultiScaleShapes
 multiScaleShapes(const Points& surface,
@@ -142,7 +152,7 @@ multiScaleShapes(const Points& surface,
                  ProgressMonitor* monitor = nullptr);
 
 /** \brief The same, with neighbors from \a search over \a surface; the engine of \a
- * settings has no say. */
+ * settings has no effect. */
 MultiScaleShapes
 multiScaleShapes(const NeighborSearch& search,
                  const Points& surface,
@@ -151,9 +161,9 @@ multiScaleShapes(const NeighborSearch& search,
                  const ShapeGraphSink& sink = {},
                  ProgressMonitor* monitor = nullptr);
 
-/** \brief The same for the points of a piece of a cloud: of \a points, which holds all
- * around it that are nearer than \ref multiScaleMargin.
- * \param[in] settings with radii, and the engine that the whole cloud would take
+/** \brief The same for the points of a piece of a cloud: \a points also holds all those
+ * within \ref multiScaleMargin of it.
+ * \param[in] settings with radii, and the engine that the whole cloud would use
  * \return with a shape for each point of the piece, in order
  * \throws std::invalid_argument without radii, or with a stop rule; Canceled */
 MultiScaleShapes

@@ -26,14 +26,14 @@ struct Names<RadiusGrowth> {
       {{RadiusGrowth::Exponential, "exponential"}, {RadiusGrowth::Linear, "linear"}}};
 };
 
-/** \brief The largest radius in units of D, unless another is asked for. */
+/** \brief The default largest radius, in units of D. */
 constexpr double default_largest_radius = 60;
 
 /** \brief The radii r_0 = D, r_1, ... up to a largest one.
  * \param[in] growth how they grow
  * \param[in] scale_unit D, positive
  * \param[in] max_radius none is larger; 0: 60 D
- * \return at least one radius, rising
+ * \return at least one radius, ascending
  * \throws std::invalid_argument where \a scale_unit is not positive and finite, where
  * \a max_radius is not finite or smaller than D, or where there would be more than
  * 4096 radii */
@@ -41,8 +41,8 @@ std::vector<double>
 radiusSequence(RadiusGrowth growth, double scale_unit, double max_radius = 0);
 
 /** \brief Checks radii that a user gave.
- * \throws std::invalid_argument unless they are positive, finite, rising, at least one
- * and at most 4096 */
+ * \throws std::invalid_argument unless they are 1 to 4096 positive, finite, ascending
+ * numbers */
 void
 checkRadii(const std::vector<double>& radii);
 

@@ -24,14 +24,14 @@ namespace LINELET_PUBLIC linelet {
  * setRadiusSearch, which other features need, gives the largest radius here, as \ref
  * setMaxRadius does; setKSearch is refused. Neighbors come from the search given by
  * setSearchMethod (any of them), else from a built-in grid, which is faster: one query
- * at the largest radius serves all scales. All find the same neighbors. An engine set
- * to sweep or grid leaves the search aside.
+ * at the largest radius serves all scales. All find the same neighbors. With the engine
+ * set to sweep or grid, the search is not used.
  *
- * Output has one record a query, in order. Where nothing can be known the floats of a
- * record are NaN and is_dense is false; as everywhere in PCL only the header of the
- * cloud is carried over. compute gives an empty output, with a message through
- * PCL_ERROR, if there is no input, no finite point in the surface, an index beyond the
- * cloud, or a parameter out of range.
+ * The output has one record per query, in order. Undefined values are NaN, and is_dense
+ * is then false; as everywhere in PCL, only the header of the cloud is carried over.
+ * compute gives an empty output, with a message through PCL_ERROR, if there is no
+ * input, no finite point in the surface, an index beyond the cloud, or a parameter out
+ * of range.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
  * any other type define PCL_NO_PRECOMPILE before the first include, as for PCL's own
@@ -72,7 +72,7 @@ public:
     return settings_.max_radius;
   }
 
-  /** \brief How the radii grow, exponentially if not set. */
+  /** \brief How the radii grow, exponentially by default. */
   void
   setGrowth(RadiusGrowth growth)
   {
@@ -84,16 +84,16 @@ public:
     return settings_.growth;
   }
 
-  /** \brief Radii of the scales, rising, in place of growth and largest radius. Empty:
-   * none. */
+  /** \brief Radii of the scales, ascending, instead of growth and largest radius.
+   * Empty: none. */
   void
   setRadii(std::vector<double> radii)
   {
     settings_.radii = std::move(radii);
   }
 
-  /** \brief Whether compute keeps the graphs of every query, on if not set: 28 bytes a
-   * point and scale, 308 MB for a million points. */
+  /** \brief Whether compute keeps the graphs of every query, on by default: 28 bytes
+   * per point and scale, 308 MB for a million points and 11 scales. */
   void
   setKeepGraphs(bool keep)
   {
@@ -105,7 +105,7 @@ public:
     return keep_graphs_;
   }
 
-  /** \brief Where the graphs of every query go as they come, in order; see
+  /** \brief Receives the graphs of every query as they are computed, in order; see
    * ShapeGraphSink. */
   void
   setGraphSink(ShapeGraphSink sink)
@@ -121,7 +121,7 @@ public:
     return graphs_;
   }
 
-  /** \brief The radii of the last compute, rising. */
+  /** \brief The radii of the last compute, ascending. */
   const std::vector<double>&
   getRadii() const
   {
@@ -192,7 +192,7 @@ private:
   void
   forget();
 
-  /** \brief The search that was given, where it has a say; else null. */
+  /** \brief The search that was given, if it is to be used; else null. */
   std::unique_ptr<NeighborSearch>
   givenSearch() const;
 

@@ -13,9 +13,9 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief Summary of the shapes of a point's neighborhood over many scales.
  *
- * Everything that cannot be known is NaN (scale: -1): all of it where no scale has two
- * neighbors beside the point; the shape at the optimal scale, its radius, blend and
- * direction where no scale has enough neighbors to be chosen. */
+ * Undefined values are NaN (scale: -1): all of them if no scale has two neighbors
+ * besides the point; the shape at the optimal scale, its radius, blend and direction if
+ * no scale has enough neighbors to be chosen. */
 struct MultiScaleShape {
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -23,7 +23,7 @@ struct MultiScaleShape {
   float planarity = nan;      ///< CP at the optimal scale, [0, 1]
   float sphericity = nan;     ///< CS at the optimal scale, [0, 1]
   float optimal_radius = nan; ///< radius of the optimal scale, unit of the input
-  float blend = nan;          ///< mu, how far to trust the eigenvector, [0.05, 0.95]
+  float blend = nan; ///< mu, weight of the eigenvector in a direction, [0.05, 0.95]
   float linearity_sum = nan;  ///< A, area under the linearity graph
   float linearity_max = nan;  ///< CL_max, the largest linearity of all scales
   float min_sphericity = nan; ///< the smallest sphericity of all scales
@@ -33,15 +33,14 @@ struct MultiScaleShape {
   /// Points in the neighborhood of the optimal scale, the point itself included; 0
   /// where there is none.
   std::uint32_t neighbors = 0;
-  /// N1: neighbors beside the point in the smallest scale that has any; 0 where there
-  /// is none.
+  /// N1: neighbors besides the point at the smallest scale that has any; 0 if there is
+  /// none.
   std::uint32_t first_neighbors = 0;
   std::int32_t scale = -1; ///< the optimal scale, counted from 0
 };
 
-/** \brief The shape of one neighborhood: a point of the graphs CL, CP, CS. NaN where
- * the scale is not defined: fewer than 2 neighbors away from the point, or all weights
- * 0. */
+/** \brief The shape of one neighborhood: one point of the graphs CL, CP, CS. NaN if the
+ * scale is undefined: fewer than 2 neighbors away from the point, or all weights 0. */
 struct ScaleShape {
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 

@@ -24,9 +24,9 @@ namespace LINELET_PUBLIC linelet {
  * else from a built-in grid or kd-tree; all find the same neighbors and give the same
  * result.
  *
- * Output has one record a query, in order. Where a tensor cannot be known all floats of
- * the record are NaN and is_dense is false; `neighbors` is always what was found. As
- * everywhere in PCL only the header of the cloud is carried over. compute gives an
+ * The output has one record per query, in order. If a tensor is undefined, all floats
+ * of the record are NaN and is_dense is false; `neighbors` is always the number found.
+ * As everywhere in PCL, only the header of the cloud is carried over. compute gives an
  * empty output, with a message through PCL_ERROR, if there is no input, no finite point
  * in the surface, an index beyond the cloud, or a size of neighborhood that is not
  * positive and finite.
@@ -46,8 +46,8 @@ public:
 
   PointDistributionTensorEstimation();
 
-  /** \brief All parameters at once; a radius or k that is not 0 takes the place of what
-   * setRadiusSearch and setKSearch have set. */
+  /** \brief All parameters at once; a nonzero radius or k replaces that of
+   * setRadiusSearch and setKSearch. */
   void
   setSettings(const TensorSettings& settings)
   {
@@ -61,8 +61,8 @@ public:
   TensorSettings
   getSettings() const;
 
-  /** \brief What the sum over the neighbors is divided by, the sum of their weights if
-   * not set. */
+  /** \brief What the sum over the neighbors is divided by, by default the sum of their
+   * weights. */
   void
   setNormalization(Normalization normalization)
   {
@@ -74,8 +74,8 @@ public:
     return settings_.normalization;
   }
 
-  /** \brief A radius for every point of the input cloud (indices do not change which);
-   * points without a positive finite radius get NaN. Empty: none. */
+  /** \brief A radius for every point of the input cloud, whatever the indices; points
+   * without a positive finite radius get NaN. Empty: none. */
   void
   setRadii(std::vector<double> radii)
   {
@@ -100,8 +100,8 @@ public:
     return sizes_.counts;
   }
 
-  /** \brief Auto: the search given by setSearchMethod, else what suits. Tree and Grid
-   * leave that search aside. */
+  /** \brief Auto: the search given by setSearchMethod, else the cheapest engine. Tree
+   * and Grid do not use that search. */
   void
   setEngine(Engine engine)
   {
@@ -128,8 +128,8 @@ protected:
   bool
   initCompute() override;
 
-  /** \brief The records of the queries; another engine overrides this. What it throws
-   * as std::exception becomes a message and unknown records. */
+  /** \brief The records of the queries; other engines override this. A std::exception
+   * thrown by it becomes a message and unknown records. */
   virtual std::vector<PointDistributionTensor>
   estimate(const Points& surface,
            const Points& queries,

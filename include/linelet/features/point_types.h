@@ -9,11 +9,11 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief The neighborhood tensor of a point and what follows from it.
+/** \brief The neighborhood tensor of a point and quantities derived from it.
  *
- * All floats are NaN where the tensor cannot be known: a query that is not finite, no
- * neighbors, all neighbors at the point of reference, or no weight on any of them.
- * \ref neighbors is always what was found. */
+ * All floats are NaN if the tensor is undefined: for a query that is not finite, no
+ * neighbors, all neighbors at the point of reference, or all weights 0. \ref neighbors
+ * is always the number found. */
 struct PointDistributionTensor {
   float xx, xy, xz, yy, yz, zz;           ///< the tensor, squared length
   float lambda1, lambda2, lambda3;        ///< its eigenvalues, ascending

@@ -20,8 +20,8 @@ struct ScoreWeights {
   double scale = -1;    ///< MSSFWSize: of k_j / K
   double area = 1;      ///< MSSFWIntegral: of A_j / A
   double depth = -0.5;  ///< MSSFWMinMaxDiff: of delta
-  double step =
-      0; ///< MSSFWLinDiff: of the largest rise from the scales before and after
+  /// MSSFWLinDiff: of the largest rise from the scales before and after
+  double step = 0;
   double width = 0; ///< MSSFWidth: of (k_j+ - k_j-) / K
   /// MSSFWNeighRatio, "a neighbor to radius relation", without a formula: of
   /// (N_j / N_K) (r_K / r_j), at most 1, as it is where neighbors lie along a line.
@@ -35,7 +35,7 @@ struct ScoreWeights {
    * \throws std::invalid_argument for an unknown name or what is no finite number */
   explicit ScoreWeights(std::string_view text);
 
-  /** \brief Those that are not as published, as that constructor takes them. */
+  /** \brief Those that differ from the published ones, as text for that constructor. */
   std::string
   name() const;
 };

@@ -17,11 +17,10 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief What the features of neighborhood shapes share as PCL classes: their common
- * parameters, the checks of what they are given, and the form of what they return.
+/** \brief Common base of the PCL classes for shapes of neighborhoods: shared
+ * parameters, checks of the input, and the form of the output.
  *
- * \tparam RecordT the output, floats that are NaN where they cannot be known, with a
- * field `linearity`
+ * \tparam RecordT the output: floats, NaN if undefined, with a field `linearity`
  * \tparam Settings a struct with `weighting`, `centroid` and `threads` */
 template <typename PointInT, typename RecordT, typename Settings>
 class ShapeFeature : public pcl::Feature<PointInT, RecordT> {
@@ -30,7 +29,7 @@ class ShapeFeature : public pcl::Feature<PointInT, RecordT> {
 public:
   using PointCloudOut = typename Base::PointCloudOut;
 
-  /** \brief w_T, fermi-dirac-1 if not set. */
+  /** \brief w_T, fermi-dirac-1 by default. */
   void
   setWeighting(const Weighting& weighting)
   {
@@ -42,7 +41,7 @@ public:
     return settings_.weighting;
   }
 
-  /** \brief The point of reference, the query point if not set. */
+  /** \brief The point of reference, by default the query point. */
   void
   setCentroid(Centroid centroid)
   {
@@ -54,7 +53,7 @@ public:
     return settings_.centroid;
   }
 
-  /** \brief w_C of the weighted centroids, quadratic-inverse if not set. */
+  /** \brief w_C of the weighted centroids, quadratic-inverse by default. */
   void
   setCentroidWeighting(const Weighting& weighting)
   {
@@ -78,8 +77,8 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Hears of the progress of compute, which throws linelet::Canceled where it
-   * asks for that. Null (default): no reports. It must outlive compute. */
+  /** \brief Receives the progress of compute, which throws linelet::Canceled on its
+   * request. Null (default): no reports. It must outlive compute. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {
@@ -93,13 +92,12 @@ protected:
   using Base::input_;
   using Base::surface_;
 
-  /** \brief Takes the place of what pcl::Feature::initCompute does: that would build a
-   * kd-tree which a grid makes superfluous, and refuse sizes point by point. It leaves
-   * out the checks that are made here. */
+  /** \brief Replaces pcl::Feature::initCompute, which would build a kd-tree that the
+   * grid does not need, refuse per-point sizes, and skip the checks made here. */
   bool
   initClouds();
 
-  /** \brief Says why nothing is computed. \return false */
+  /** \brief Reports why nothing is computed. \return false */
   bool
   refuse(const char* reason);
 
@@ -107,7 +105,7 @@ protected:
   Points
   queryPoints() const;
 
-  /** \brief Copies \a records to the output; whether all are known. */
+  /** \brief Copies \a records to \a output; is_dense tells whether all are known. */
   static void
   setOutput(PointCloudOut& output, const std::vector<RecordT>& records);
 

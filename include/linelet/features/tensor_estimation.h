@@ -13,12 +13,10 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The neighborhood tensor of every query point (Ritter et al. 2012).
- * \param[in] surface the points that neighborhoods are made of
- * \param[in] queries points around which they are made; a query that is not finite gets
- * NaN
- * \param[in] settings with a radius or k, or neither if \a sizes gives them point by
- * point
- * \return one record a query, in order
+ * \param[in] surface the points among which neighbors are sought
+ * \param[in] queries centers of the neighborhoods; a query that is not finite gets NaN
+ * \param[in] settings with a radius or k, or neither if \a sizes gives them per point
+ * \return one record per query, in order
  * \throws std::invalid_argument see \ref validate
  * \throws Canceled */
 std::vector<PointDistributionTensor>
@@ -29,8 +27,8 @@ estimateTensors(const Points& surface,
                 ProgressMonitor* monitor = nullptr);
 
 /** \brief The same for the points of a piece of a cloud.
- * \param[in] points the piece, and around it all that are nearer than \ref tensorMargin
- * \param[in] settings with the engine that the whole cloud would take
+ * \param[in] points the piece, and all those within \ref tensorMargin of it
+ * \param[in] settings with the engine that the whole cloud would use
  * \param[in] sizes one for each of \a points, or none
  * \return one record for each point of the piece, in order */
 std::vector<PointDistributionTensor>
@@ -40,8 +38,8 @@ pieceTensors(const Points& points,
              const NeighborhoodSizes& sizes = {},
              ProgressMonitor* monitor = nullptr);
 
-/** \brief How far around a piece its points must be known, for neighborhoods by radius;
- * those of the nearest points reach as far as these are. */
+/** \brief How far around a piece the points must be known, for neighborhoods by radius;
+ * those of k nearest points reach as far as the k-th. */
 double
 tensorMargin(const TensorSettings& settings, const NeighborhoodSizes& sizes = {});
 

@@ -14,9 +14,9 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The record of one neighborhood: centroid, tensor, eigen-analysis and shape
- * factors, all in double. Every engine is this, or is tested against it.
+ * factors, all in double. Every engine uses it or is tested against it.
  * \param[in] offsets neighbors relative to the query point
- * \param[in] radius of the neighborhood, 0 where all neighbors lie at the query point
+ * \param[in] radius of the neighborhood, 0 if all neighbors lie at the query point
  */
 PointDistributionTensor
 tensorOf(const Points& offsets, double radius, const TensorSettings& settings);
@@ -28,8 +28,8 @@ tensorOf(const Points& offsets, double radius, const TensorSettings& settings);
 PointDistributionTensor
 recordOf(const SymmetricTensor& tensor, double extent, std::uint32_t neighbors);
 
-/** \brief The record of a point of which nothing is known, with the number of
- * neighbors that were found. */
+/** \brief The record of a point whose tensor is undefined, with the number of neighbors
+ * found. */
 PointDistributionTensor
 unknownTensor(std::uint32_t neighbors);
 

@@ -13,7 +13,7 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The neighborhood tensors of \ref estimateTensors with neighbors from \a
- * search over \a surface; the engine of \a settings has no say.
+ * search over \a surface; the engine of \a settings has no effect.
  * \throws std::invalid_argument see \ref validate
  * \throws Canceled */
 std::vector<PointDistributionTensor>

@@ -35,7 +35,7 @@ struct Names<Engine> {
   }};
 };
 
-/** \brief What a neighborhood is and how its points count. */
+/** \brief What a neighborhood is and how its points are weighted. */
 struct TensorSettings {
   double radius = 0;
   unsigned k = 0;
@@ -52,20 +52,22 @@ void
 describe(TensorSettings& s, Visit&& visit)
 {
   visit("radius", s.radius, "radius of every neighborhood, in the unit of the cloud");
-  visit("knn", s.k, "number of nearest points that make a neighborhood, instead");
+  visit("knn", s.k, "number of nearest points per neighborhood, instead of a radius");
   visit("weight",
         s.weighting,
-        "weighting of the tensor: the name of a kernel ('?' lists them), "
-        "fermi-dirac:M,T or step:S");
-  visit("centroid", s.centroid, "point of reference");
-  visit("centroid-weight", s.centroid_weighting, "weighting of weighted centroids");
+        "weighting kernel of the tensor: a name ('?' lists them), fermi-dirac:M,T or "
+        "step:S");
+  visit("centroid", s.centroid, "point of reference of the tensor");
+  visit("centroid-weight",
+        s.centroid_weighting,
+        "weighting kernel of the weighted centroids");
   visit("normalization",
         s.normalization,
         "what the sum over the neighbors is divided by");
   visit("engine", s.engine, "what finds the neighbors");
 }
 
-/** \brief Sizes of neighborhoods point by point, instead of TensorSettings::radius and
+/** \brief Sizes of neighborhoods per point, instead of TensorSettings::radius and
  * TensorSettings::k. One of the two may be given, with an entry for every query. */
 struct NeighborhoodSizes {
   std::vector<double> radii;    ///< a point without a positive finite radius gets NaN

@@ -18,8 +18,8 @@ namespace LINELET_PUBLIC fragments {
 /** \brief Waiting fragments by number of points, smallest first. */
 using Waiting = std::deque<std::size_t>;
 
-/** \brief SimpleH: what a free device takes of those that \a waiting: the slow one the
- * smallest, others the largest. Empty if none is waiting. */
+/** \brief SimpleH: what a free device takes of the fragments \a waiting: the slow
+ * device the smallest, the others the largest. Nothing if none is waiting. */
 std::optional<std::size_t>
 simpleH(const Waiting& waiting, bool slow);
 
@@ -39,7 +39,7 @@ class Dispatcher {
 public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  /** \brief Of a dynamic heuristic.
+  /** \brief By a dynamic heuristic.
    * \param[in] points of every fragment
    * \param[in] devices how many
    * \param[in] slow the device that is slower than the others, or \ref none */
@@ -48,7 +48,7 @@ public:
              std::size_t devices,
              std::size_t slow);
 
-  /** \brief Of a static schedule. */
+  /** \brief By a static schedule. */
   Dispatcher(const Schedule& schedule, std::size_t devices);
 
   /** \brief The next fragment of \a device; empty once none is left for it. */
@@ -68,8 +68,8 @@ private:
   std::vector<TimePrediction> on_; ///< one per device
 };
 
-/** \brief One for any heuristic: static ones decide by \a times, dynamic ones by
- * \a points and the slow device, which is the one with the largest sum of \a times
+/** \brief A dispatcher for any heuristic: static ones decide by \a times, dynamic ones
+ * by \a points and the slow device, which is the one with the largest sum of \a times
  * unless all are equal.
  * \param[in] points of every fragment, for the dynamic heuristics
  * \throws std::invalid_argument as \ref minMin, or unless there are as many points */

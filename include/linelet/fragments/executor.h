@@ -20,20 +20,21 @@ namespace LINELET_PUBLIC fragments {
 struct FragmentWork {
   /// Loads a fragment. Called from several threads at once.
   std::function<Fragment(std::size_t number)> load;
-  /// Computes it on a device, and may take what it holds. Called from several threads
-  /// at once, on every device but the first by one at a time.
+  /// Computes it on a device, and may consume its contents. Called from several threads
+  /// at once; for every device but the first, by one at a time.
   std::function<void(Fragment& fragment, std::size_t number, std::size_t device)>
       compute;
-  /// The fragment is done or, with a reason, has failed. Called once for each, by one
-  /// thread at a time.
+  /// Told that the fragment is done or, with a reason, has failed. Called once per
+  /// fragment, by one thread at a time.
   std::function<void(std::size_t number, const std::string& reason)> settle;
 };
 
-/** \brief Works off all fragments of \a dispatcher with one queue per device, each in
+/** \brief Processes all fragments of \a dispatcher with one queue per device, each in
  * its own thread, which loads its next fragment while it computes one (Grasso et al.
  * 2015, section 4). A fragment that fails is loaded once more and computed on the first
  * device.
- * \param[in] devices how many, 1 or more; of one alone, the queue runs in this thread
+ * \param[in] devices number of devices, 1 or more; with one, its queue runs in this
+ * thread
  * \throws Canceled, or what \a work.settle throws, once all queues have ended */
 void
 execute(Dispatcher& dispatcher,

@@ -15,8 +15,8 @@ namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
 /** \brief A record of finished work, one small file per entry, replaced atomically: a
- * killed worker leaves an entry or none. Any number of workers may write; those that
- * do the same work write the same except for times. */
+ * killed worker leaves a complete entry or none. Any number of workers may write;
+ * workers that do the same work write the same, except for times. */
 class Ledger {
 public:
   /** \brief Kinds of work; names of folders. */
@@ -28,9 +28,9 @@ public:
     bool done = false;  ///< else it failed
     std::string reason; ///< why it failed, with the file's name
     double points = 0, seconds = 0, peak_bytes = 0;
-    std::string device;                          ///< that computed it, or empty
+    std::string device;                          ///< device that computed it, or empty
     std::map<std::size_t, std::uint64_t> pieces; ///< cut: points by fragment
-    std::map<std::string, double> figures;       ///< sums for the command
+    std::map<std::string, double> figures;       ///< sums that the command keeps
   };
 
   /** \param[in] fingerprint of the plan; entries with another one are ignored */
@@ -63,8 +63,8 @@ private:
   std::string folder_, fingerprint_;
 };
 
-/** \brief Holds \a path locked among the processes of all workers that share the file
- * system, if it supports locks; released when the process ends. */
+/** \brief Locks \a path against all workers that share the file system, if it supports
+ * locks; released when the process ends. */
 class WorkLock {
 public:
   explicit WorkLock(const std::string& path);

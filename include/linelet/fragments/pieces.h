@@ -31,8 +31,8 @@ struct Fragment {
   Points points;                     ///< relative to the plan's shift
   std::vector<std::uint8_t> classes; ///< of all points; 0 where they have none
   std::vector<std::uint8_t> returns; ///< of their pulses; 0 if unknown
-  std::vector<std::uint32_t> places; ///< in their inputs
-  std::vector<bool> core;            ///< whether it owns them
+  std::vector<std::uint32_t> places; ///< indices in their inputs
+  std::vector<bool> core;            ///< whether the fragment owns them
   std::vector<Section> sections;     ///< by input
 
   /** \brief Number of points it owns. */
@@ -56,12 +56,12 @@ public:
   /** \brief Cuts the inputs of fragment \a number that are not cut yet, one worker at a
    * time, and assembles it.
    * \throws io::FileError where an input cannot be read, or has points where its header
-   * has none, or another worker has finished the fragment; Canceled */
+   * has none, or if another worker has finished the fragment; Canceled */
   Fragment
   load(std::size_t number, ProgressMonitor* monitor = nullptr) const;
 
-  /** \brief How many points \ref load will find, or more where nodes of an octree are
-   * partly outside. Cuts what is not cut yet. \throws as \ref load */
+  /** \brief Number of points that \ref load will find, or more if nodes of an octree
+   * lie partly outside. Cuts inputs that are not cut yet. \throws as \ref load */
   std::uint64_t
   points(std::size_t number, ProgressMonitor* monitor = nullptr) const;
 

@@ -15,7 +15,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief A file to read, and the state in which it must still be. */
+/** \brief A file to read, and the state in which it was planned. */
 struct PlannedInput {
   std::string path;
   std::uint64_t bytes = 0;
@@ -29,10 +29,10 @@ struct PlannedInput {
 struct Plan {
   std::string version;                    ///< of linelet
   std::string command;                    ///< tensor, multiscale, ...
-  std::vector<std::string> arguments;     ///< behind the command's name
+  std::vector<std::string> arguments;     ///< after the command's name
   std::string place;                      ///< folder that relative paths start from
   std::vector<PlannedInput> inputs;       ///< in the order of the whole cloud
-  Point shift = Point::Zero();            ///< of all points
+  Point shift = Point::Zero();            ///< subtracted from all points
   std::map<std::string, double> measures; ///< of the whole cloud, by name
   double ghost = 0;                       ///< width of the ghost zones
   double most_points = 0;                 ///< in a fragment, as memory allows; 0: any
@@ -42,7 +42,8 @@ struct Plan {
   std::string
   fingerprint() const;
 
-  /** \brief How far points are copied: \ref ghost, plus a margin for rounding. */
+  /** \brief How far beyond their box points are copied: \ref ghost, plus a margin for
+   * rounding. */
   double
   reach() const;
 

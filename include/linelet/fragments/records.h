@@ -20,8 +20,8 @@ std::string
 resultPath(const std::string& folder, std::size_t number);
 
 /** \brief Writes a record for every point that \a fragment owns.
- * \param[in] records \a bytes each, of its points from \a first to the last that it
- * owns, or beyond
+ * \param[in] records of \a bytes each, for its points from \a first to at least the
+ * last that it owns
  * \param[in] first no later than the first point that it owns
  * \throws io::FileError */
 void

@@ -81,11 +81,11 @@ struct Assignment {
   double begin = 0, end = 0; ///< seconds
 };
 
-/** \brief The fragments of every device in the order of decision; on each
- * device, without a pause. */
+/** \brief Assignments in the order in which they were decided; on each device, without
+ * gaps. */
 using Schedule = std::vector<Assignment>;
 
-/** \brief The time at which all is done, seconds; 0 if empty. */
+/** \brief The time at which all are done, seconds; 0 if empty. */
 double
 makespan(const Schedule& schedule);
 

@@ -20,16 +20,16 @@ struct Area {
 
 /** \brief Extent and number of points of an input, from its header. */
 struct Extent {
-  Area area; ///< here with its upper borders
+  Area area; ///< including its upper borders
   double points = 0;
 };
 
 /** \brief How to cut. */
 struct TilingSettings {
   double ghost = 0; ///< width of the ghost zone around a box
-  double chunk = 0; ///< side of the boxes, whose borders are multiples; 0: any
-  double most_points =
-      0; ///< with the ghost zone, as far as headers tell; 0: any number
+  double chunk = 0; ///< side of the boxes, whose borders are multiples of it; 0: any
+  /// With the ghost zone, as estimated from headers; 0: any number
+  double most_points = 0;
 };
 
 /** \brief Boxes that tile the plane: every place is in exactly one, and those along the
@@ -52,7 +52,7 @@ public:
    * \throws std::invalid_argument for an invalid length or number */
   Tiling(const std::vector<Extent>& inputs, const TilingSettings& settings);
 
-  /** \brief Of cuts, as \ref cuts gives them. */
+  /** \brief From cuts, as \ref cuts returns them. */
   explicit Tiling(std::vector<Cut> cuts);
 
   const std::vector<Cut>&

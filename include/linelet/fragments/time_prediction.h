@@ -11,10 +11,10 @@
 namespace linelet {
 namespace LINELET_PUBLIC fragments {
 
-/** \brief Time of a fragment by its number of points n, learned from finished ones:
- * t = a + b n + c n^2 by least squares (Grasso et al. 2015, section 4). As long as
- * fewer than three different sizes are known, the highest terms are omitted; never
- * negative. */
+/** \brief Predicts the time of a fragment from its number of points n, learned from
+ * finished ones: t = a + b n + c n^2 by least squares (Grasso et al. 2015, section 4).
+ * As long as fewer than three different sizes are known, the highest terms are omitted;
+ * never negative. */
 class TimePrediction {
 public:
   /** \brief Adds a finished fragment that took \a seconds. */

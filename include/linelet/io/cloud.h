@@ -41,18 +41,18 @@ typeName(const Values& values);
 
 /** \brief A named attribute of every point.
  *
- * Attributes that several formats know carry one name each, in snake_case: intensity,
- * return_number, number_of_returns, classification, scan_angle (degrees), user_data,
- * point_source_id, gps_time, red, green, blue, nir, and the flags synthetic, key_point,
- * withheld, overlap, scanner_channel, scan_direction, edge_of_flight_line. Every other
- * name is kept as the file has it. */
+ * Attributes that several formats have in common have one name, in snake_case:
+ * intensity, return_number, number_of_returns, classification, scan_angle (degrees),
+ * user_data, point_source_id, gps_time, red, green, blue, nir, and the flags synthetic,
+ * key_point, withheld, overlap, scanner_channel, scan_direction, edge_of_flight_line.
+ * Every other name is kept as the file has it. */
 struct Column {
   std::string name;
   Values values;
   std::string description; ///< from LAS extra bytes; may be empty
 };
 
-struct LasOrigin; // what a LAS to LAS trip must keep beside points and columns
+struct LasOrigin; // what LAS to LAS must keep besides points and columns
 
 /** \brief A point cloud with all attributes of its file.
  *
@@ -62,9 +62,9 @@ struct Cloud {
   Point shift = Point::Zero(); ///< in the units of the file, added on output
   Points points;               ///< relative to shift; NaN where the file has NaN
   std::vector<Column> columns; ///< each as long as points
-  std::string wkt;             ///< coordinate reference system (WKT), empty: unknown
+  std::string wkt;             ///< coordinate reference system (WKT); empty: unknown
   std::string format;          ///< format of the file: "LAS 1.4, point format 7"
-  std::shared_ptr<const LasOrigin> las; ///< set where the cloud came from LAS
+  std::shared_ptr<const LasOrigin> las; ///< set if the cloud came from LAS
 
   /** \brief The column called \a name, or null. */
   const Column*

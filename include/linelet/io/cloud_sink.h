@@ -15,23 +15,23 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Parts of a cloud cannot stand in one LAS file record by record; in one piece
- * they can. */
+/** \brief The parts of a cloud do not fit into one LAS file as they are; the whole
+ * cloud does. */
 class PartsDiffer : public FileError {
 public:
   using FileError::FileError;
 };
 
-/** \brief Writes a LAS or LAZ file a part at a time: byte for byte what \ref writeCloud
- * makes of all parts together. */
+/** \brief Writes a LAS or LAZ file part by part: byte for byte what \ref writeCloud
+ * writes for all parts together. */
 class CloudSink {
 public:
-  /** \brief Whether \a path, by its ending, can be written so. */
+  /** \brief Whether \a path, by its ending, can be written this way. */
   static bool
   takes(const std::string& path);
 
-  /** \param[in] threads to make and compress records in; 0: all
-   * \throws FileError unless it \ref takes it */
+  /** \param[in] threads that make and compress records; 0: all
+   * \throws FileError unless it \ref takes \a path */
   explicit CloudSink(const std::string& path,
                      std::vector<std::string>* warnings = nullptr,
                      ProgressMonitor* monitor = nullptr,

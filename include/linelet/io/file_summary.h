@@ -20,7 +20,7 @@ struct FileSummary {
   std::string wkt;                                 ///< reference system, empty: unknown
 };
 
-/** \brief Reads the header of a LAS or LAZ file; of others, the file.
+/** \brief Reads the header of a LAS or LAZ file, or the whole of any other file.
  * \throws FileError */
 FileSummary
 summaryOf(const std::string& path,

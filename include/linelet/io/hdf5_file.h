@@ -18,6 +18,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
+// clang-format off
 // HDF5 files (.h5) in the layout of a fibre bundle (Benger 2004), in the manner of F5:
 //
 //   /t=0                                     a time slice, attribute Time
@@ -25,12 +26,10 @@ namespace LINELET_PUBLIC io {
 //       /Points/StandardCartesianChart3D     its vertices in a chart; attributes shift
 //                                            (three numbers to be added) and wkt
 //         Positions                          compound x, y, z of doubles
-//         NAME                               an attribute of every point; six entries
-//         xx
-//                                            to zz are one compound, a tensor
+//         NAME                               an attribute of every point; xx to zz
+//                                            are one compound, a tensor
 //         Fragments                          compound first, count, low, high: the
-//         points
-//                                            of each block, and its box
+//                                            points of each block, and its box
 //       /LAS                                 what a LAS file keeps beside its points
 //     /curves                                another grid: polylines
 //       /Points/StandardCartesianChart3D     Positions of their vertices
@@ -39,13 +38,14 @@ namespace LINELET_PUBLIC io {
 //
 // All datasets are chunked, shuffled and deflated. Where linelet was built without HDF5
 // these functions throw FileError.
+// clang-format on
 
 /** \brief Whether linelet was built with HDF5. */
 bool
 hasHdf5();
 
-/** \brief Writes a cloud block by block, in memory for one of them. The file is there
- * as a whole once \ref commit returns, and not at all before. */
+/** \brief Writes a cloud block by block, with memory for one block. The file exists
+ * once \ref commit returns, complete, and not before. */
 class Hdf5CloudWriter {
 public:
   /** \param[in] like has the attributes (names, types, descriptions; without values),
@@ -58,7 +58,7 @@ public:
   operator=(const Hdf5CloudWriter&) = delete;
 
   /** \brief Adds the points of \a block as a fragment.
-   * \throws FileError where it does not have the attributes of the others */
+   * \throws FileError if its attributes are not those of the others */
   void
   append(const Cloud& block);
 
@@ -90,7 +90,7 @@ std::vector<Hdf5Fragment>
 hdf5Fragments(const std::string& path);
 
 /** \brief Reads \a count points from \a first on, with all attributes.
- * \throws FileError also where there are fewer */
+ * \throws FileError also if there are fewer */
 Cloud
 readHdf5Points(const std::string& path,
                std::size_t first,
@@ -115,7 +115,7 @@ writeHdf5Curves(const std::string& path,
 /** \brief The curves of a file in world coordinates, junctions and kinds of ends
  * included.
  * \param[out] wkt its reference system; null: not wanted
- * \throws FileError where it holds none */
+ * \throws FileError if it holds none */
 CurveNetwork
 readHdf5Curves(const std::string& path, std::string* wkt = nullptr);
 

@@ -13,14 +13,14 @@ namespace LINELET_PUBLIC io {
 
 /** \brief The point files that a user named. */
 struct InputList {
-  std::vector<std::string> files; ///< in the order of the names, none twice
-  bool several = false;           ///< more than one, or one by a folder or a list
+  std::vector<std::string> files; ///< in the order of the names, without duplicates
+  bool several = false; ///< more than one file, or one from a folder or a list
 };
 
 /** \brief Finds the point files that \a names name: files, folders (all point files
- * right in them, by name), virtual point clouds (.vpc) and lists (.txt whose lines are
- * paths, relative to the list).
- * \throws FileError where there is none, or a list names what is not there */
+ * directly in them, by name), virtual point clouds (.vpc) and lists (.txt whose lines
+ * are paths, relative to the list).
+ * \throws FileError if there are none, or if a list names a missing file */
 InputList
 findInputs(const std::vector<std::string>& names);
 

@@ -16,12 +16,12 @@ namespace LINELET_PUBLIC io {
 /** \brief Everything in a LAS or LAZ file except its points. */
 struct LasSummary {
   Point scale, offset;              ///< world = scale * integer + offset
-  int copc_levels = 0;              ///< of the octree of a COPC file; 0: it is none
-  int epsg = 0;                     ///< code of the reference system; 0: none is known
+  int copc_levels = 0;              ///< of the octree of a COPC file; 0: not COPC
+  int epsg = 0;                     ///< code of the reference system; 0: unknown
   std::vector<std::string> records; ///< user, number and length of each
 };
 
-/** \brief That of the file \a cloud came from; nothing where it was no LAS. */
+/** \brief That of the file \a cloud came from; nothing if it was not LAS. */
 std::optional<LasSummary>
 lasSummary(const Cloud& cloud);
 

@@ -12,8 +12,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Puts the points of \a more behind those of \a cloud, relative to its shift,
- * with the attributes that both have.
+/** \brief Appends the points of \a more to \a cloud, relative to its shift, with the
+ * attributes that both have.
  * \param[out] warnings one sentence for the attributes that only one of them has */
 void
 append(Cloud& cloud, const Cloud& more, std::vector<std::string>* warnings = nullptr);

@@ -13,7 +13,7 @@ namespace linelet {
 namespace LINELET_PUBLIC io {
 
 /** \brief Writes faces as binary PLY, for CloudCompare, MeshLab, ParaView or Blender:
- * corners that faces share once, and of every face its corners, normal and part.
+ * each shared corner once, and the corners, normal and part of every face.
  * \param[in] shift added to the corners
  * \throws FileError */
 void

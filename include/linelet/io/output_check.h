@@ -10,8 +10,9 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Fails at once where writeCloud to \a path would fail after long work: its
- * ending names no format that is written, or no file can be made there. Leaves no file.
+/** \brief Fails at once if writeCloud to \a path would fail after long work: because
+ * its ending names no format that can be written, or no file can be created there.
+ * Leaves no file.
  * \throws FileError */
 void
 checkCloudOutput(const std::string& path);
@@ -20,13 +21,13 @@ checkCloudOutput(const std::string& path);
 void
 checkCurvesOutput(const std::string& path);
 
-/** \brief Whether \a one and \a other are the same file, by whatever names and links,
- * or would be once both exist. Devices and pipes, which hold nothing, never are. */
+/** \brief Whether \a one and \a other are the same file, under any names and links, or
+ * would be once both exist. Devices and pipes, which hold nothing, never are. */
 bool
 isSameFile(const std::string& one, const std::string& other);
 
-/** \brief What all names of the same file (\ref isSameFile) have in common; empty for
- * devices and pipes. */
+/** \brief A key that is equal for all names of the same file (\ref isSameFile); empty
+ * for devices and pipes. */
 std::string
 identityOf(const std::string& path);
 

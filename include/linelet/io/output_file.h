@@ -16,11 +16,11 @@ namespace LINELET_PUBLIC io {
 
 class StagedFile;
 
-/** \brief A file under construction. Nothing stands at its path before \ref commit;
- * without it, nothing stays. */
+/** \brief A file under construction. Nothing exists at its path before \ref commit;
+ * without it, nothing remains. */
 class OutputFile {
 public:
-  /** \throws FileError where no file can be made at \a path */
+  /** \throws FileError if no file can be created at \a path */
   explicit OutputFile(const std::string& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -36,7 +36,7 @@ public:
   void
   rewrite(std::size_t place, std::string_view bytes);
 
-  /** \brief The file is whole: put it in its place. \throws FileError */
+  /** \brief The file is complete: moves it into place. \throws FileError */
   void
   commit();
 
@@ -49,17 +49,19 @@ private:
   std::FILE* file_ = nullptr;
 };
 
-/** \brief Fails where no file can be made at \a path; makes none. \throws FileError */
+/** \brief Fails if no file can be created at \a path; creates none. \throws FileError
+ */
 void
 checkWritable(const std::string& path);
 
-/** \brief Removes what processes of this machine that were killed left under
- * construction in \a folder. */
+/** \brief Removes unfinished files that killed processes of this machine left in \a
+ * folder. */
 void
 removeLeftovers(const std::string& folder);
 
-/** \brief Removes all files under construction, by whatever writer; none is made or
- * published afterwards. For a program that ends at once, from any of its threads. */
+/** \brief Removes all files under construction, whatever their writer; none is created
+ * or published afterwards. For a program that is about to exit, from any of its
+ * threads. */
 void
 removeUnfinishedFiles();
 

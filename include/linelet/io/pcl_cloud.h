@@ -41,7 +41,7 @@ forEachAttribute(F f)
         "curvature", [](auto& point) -> auto& { return point.curvature; });
 }
 
-/** \brief What a channel of \a column is divided by to become 8 bits. */
+/** \brief Divisor that reduces a channel of \a column to 8 bits. */
 inline double
 colorDivisor(const Column& column)
 {
@@ -54,8 +54,8 @@ colorDivisor(const Column& column)
 } // namespace detail
 
 /** \brief The points of \a cloud, relative to its shift, as a PCL cloud: x, y, z, and
- * intensity, colors and normals where both have them. What is missing stays at P's
- * default. */
+ * intensity, colors and normals where both have them. Missing values stay at P's
+ * defaults. */
 template <class P>
 pcl::PointCloud<P>
 toPcl(const Cloud& cloud)

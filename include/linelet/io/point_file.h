@@ -17,15 +17,16 @@ namespace LINELET_PUBLIC io {
 
 /** \brief How to read a point file. */
 struct ReadOptions {
-  bool lenient = false; ///< read what is whole of a file that ends too early
+  bool lenient = false; ///< read what is complete of a truncated file
   /// Only points in X0,Y0,X1,Y1 or in X0,Y0,Z0,X1,Y1,Z1, borders included, in the
   /// coordinates of the file; empty: all.
   std::vector<double> bounds, bounds_3d;
-  double resolution = 0; ///< COPC: no more points than for this distance; 0: all
-  std::string crs;       ///< reference system of the input, "EPSG:n", a WKT or its file
-  unsigned threads = 0;  ///< to decompress in; 0: all
-  std::optional<Point> shift; ///< Cloud::shift to choose, as near as a LAS grid allows
-  /// Columns to read, of those that the file has; of LAZ with point formats 6 to 10,
+  /// COPC: levels for this point spacing only, unit of the file; 0: all
+  double resolution = 0;
+  std::string crs; ///< reference system of the input: "EPSG:n", WKT or a file of it
+  unsigned threads = 0;       ///< for decompression; 0: all
+  std::optional<Point> shift; ///< Cloud::shift to use, as nearly as a LAS grid allows
+  /// Columns to read, of those that the file has; in LAZ with point formats 6 to 10,
   /// the others are not even decompressed. Nothing: all.
   std::optional<std::vector<std::string>> attributes;
 };
@@ -34,41 +35,41 @@ template <class Visit>
 void
 describe(ReadOptions& s, Visit&& visit)
 {
-  visit("lenient", s.lenient, "read what is whole of a file that ends too early");
+  visit("lenient", s.lenient, "read what is complete of a truncated file");
   visit("bounds", s.bounds, "read only points within X0,Y0,X1,Y1");
   visit("bounds-3d", s.bounds_3d, "read only points within X0,Y0,Z0,X1,Y1,Z1");
   visit("resolution",
         s.resolution,
-        "COPC: read only the levels that points at this distance take; 0: all");
-  visit(
-      "crs",
-      s.crs,
-      "reference system of the input, in place of its own: EPSG:n or a file with WKT");
+        "COPC: read only as many levels as this point spacing takes, in the unit of "
+        "the cloud; 0: all");
+  visit("crs",
+        s.crs,
+        "reference system of the input, in place of its own: EPSG:n or a WKT file");
 }
 
 /** \brief How to write a point file. */
 struct WriteOptions {
-  /// Write coordinates less the shift of the cloud, which goes into a file beside, PATH
-  /// with .shift behind, where \ref readCloud finds it. Not for LAS, which has its own.
+  /// Write coordinates relative to the shift of the cloud, and the shift to PATH.shift,
+  /// where \ref readCloud finds it. Not for LAS, which has its own.
   bool shifted = false;
-  unsigned threads = 0; ///< to make and compress records in; 0: all
+  unsigned threads = 0; ///< that make and compress records; 0: all
 };
 
 template <class Visit>
 void
 describe(WriteOptions& s, Visit&& visit)
 {
-  visit("shifted",
-        s.shifted,
-        "write coordinates less a shift, small enough for the floats of PCL, and the "
-        "shift to OUTPUT.shift, where linelet finds it again (not for .las, .laz and "
-        ".h5)");
+  visit(
+      "shifted",
+      s.shifted,
+      "subtract a shift from the coordinates, so that they fit PCL's floats, and write "
+      "it to OUTPUT.shift, where linelet finds it again (not for .las, .laz and .h5)");
 }
 
 /** \brief Reads .las, .laz (and .copc.laz), .pcd, .ply, .h5, .xyz/.txt/.csv or the
- * vertices of .obj, by ending, and where linelet::vector is linked those of vector
- * files (.gpkg, .geojson, .shp, ...); with a file of its shift beside it (see \ref
- * WriteOptions) in world coordinates.
+ * vertices of .obj, by ending, and, if linelet::vector is linked, those of vector files
+ * (.gpkg, .geojson, .shp, ...). A PATH.shift beside it (see \ref WriteOptions) is
+ * added.
  * \param[in] path the file
  * \param[in] options see there
  * \param[out] warnings one sentence for every loss (null: not wanted)
@@ -80,7 +81,7 @@ readCloud(const std::string& path,
           ProgressMonitor* monitor = nullptr);
 
 /** \brief Writes \a cloud in the format that the ending of \a path names, and removes
- * a file of a shift that was there for another cloud.
+ * the PATH.shift of an earlier cloud.
  * \param[out] warnings one sentence for every attribute the format cannot hold
  * \throws FileError */
 void

@@ -15,19 +15,19 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Reads a point file a block of points at a time, in its order. Of LAS and LAZ
- * no more than a block is in memory, each chunk is decoded once, and all that the
- * options leave out is skipped; other formats are one block. */
+/** \brief Reads a point file block by block, in its order. For LAS and LAZ, only one
+ * block is in memory, each chunk is decoded once, and what the options leave out is
+ * skipped; other formats are a single block. */
 class PointStream {
 public:
-  /** \param[in] block about how many points to read at a time */
+  /** \param[in] block approximate number of points to read at a time */
   PointStream(std::string path,
               ReadOptions options,
               std::size_t block = 1000000,
               std::vector<std::string>* warnings = nullptr,
               ProgressMonitor* monitor = nullptr);
 
-  /** \brief Of LAS and LAZ: goes on with the blocks (chunks) that begin at or behind
+  /** \brief LAS and LAZ: continues with the blocks (chunks) that begin at or after
    * point \a first of the file, and before \a behind. */
   void
   seek(std::size_t first, std::size_t behind);

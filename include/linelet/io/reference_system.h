@@ -12,18 +12,18 @@ namespace LINELET_PUBLIC io {
 
 struct Cloud;
 
-/** \brief Name of the reference system that \a wkt describes; empty where it is unknown
- * or cannot be understood. */
+/** \brief Name of the reference system that \a wkt describes; empty if it is unknown or
+ * not understood. */
 std::string
 referenceName(const std::string& wkt);
 
-/** \brief The units that coordinates count in. */
+/** \brief The units of coordinates. */
 struct Units {
-  double plan = 1;                   ///< meters in one of x and y; NaN: no lengths
-  double height = 1;                 ///< meters in one of z
+  double plan = 1;                   ///< meters per unit of x and y; NaN: not a length
+  double height = 1;                 ///< meters per unit of z
   std::string plan_name = "metre";   ///< "degree", "US survey foot", ...
   std::string height_name = "metre"; ///< the same for z
-  bool height_stated = true;         ///< else z is taken to count as x and y do
+  bool height_stated = true;         ///< else z is assumed to have the unit of x and y
 
   /** \brief Whether every unit is the meter. */
   bool
@@ -34,13 +34,13 @@ struct Units {
 };
 
 /** \brief The units of the reference system \a wkt: those of its horizontal and of its
- * vertical part. Meters where it is empty or cannot be understood. */
+ * vertical part. Meters if it is empty or not understood. */
 Units
 unitsOf(const std::string& wkt);
 
-/** \brief Why lengths in the plan of \a cloud mean nothing, as a clause to follow the
- * name of its file: its reference system counts in degrees, or none is told and the
- * coordinates look like it. Empty where they are lengths for all that is known. */
+/** \brief Why lengths in the plan of \a cloud are meaningless, as a clause to follow
+ * the name of its file: its reference system is in degrees, or it has none and the
+ * coordinates look like degrees. Empty if they are lengths as far as is known. */
 std::string
 degreesIn(const Cloud& cloud);
 

@@ -14,7 +14,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Numbers of classes, as text: "7,18"; "none" and "all" name no number. */
+/** \brief Class numbers, as text: "7,18"; "none" and "all" name no number. */
 class ClassList {
 public:
   /** \throws std::invalid_argument */
@@ -40,12 +40,12 @@ private:
   std::vector<int> numbers_;
 };
 
-/** \brief Which points of a classified cloud an analysis may use. Says nothing of
+/** \brief Which points of a classified cloud an analysis may use. Without effect on
  * clouds without classes. */
 struct ClassFilter {
   /// Points of these classes are ignored: by default noise, low and high (ASPRS).
   ClassList ignored{"7,18"};
-  /// If it names any, only points of these take part, ignored or not.
+  /// If it names any, only points of these classes are used, ignored or not.
   ClassList kept{"all"};
 
   bool
@@ -58,21 +58,21 @@ describe(ClassFilter& s, Visit&& visit)
 {
   visit("ignore-classes",
         s.ignored,
-        "points of these classes take no part, unless they are kept; none: all do");
-  visit("keep-classes", s.kept, "only points of these classes take part");
+        "ignore points of these classes, unless --keep-classes names any; none: ignore "
+        "none");
+  visit("keep-classes", s.kept, "use only points of these classes");
 }
 
 /** \brief The points of a cloud that an analysis may use.
  *
- * A point flagged as withheld counts as deleted (so the LAS specification: not to be
- * included in processing), and noise is no part of any surface. Both stay in the cloud,
- * so that a file written again has them bit for bit; here they have no coordinates,
- * which every analysis passes over. Overlap, synthetic and key points are points like
- * others. */
+ * Points flagged as withheld count as deleted (LAS specification: not to be included in
+ * processing), and noise is part of no surface. Both stay in the cloud, so that a file
+ * written from it has them bit for bit; here their coordinates are NaN, which every
+ * analysis skips. Overlap, synthetic and key points are used like others. */
 class UsablePoints {
 public:
   /** \brief Those of \a cloud, which must outlive this.
-   * \param[out] warnings one sentence for each reason why points are left out */
+   * \param[out] warnings one sentence for each reason to leave points out */
   explicit UsablePoints(const Cloud& cloud,
                         std::vector<std::string>* warnings = nullptr,
                         const ClassFilter& classes = {});
@@ -91,7 +91,7 @@ public:
     return withheld_;
   }
 
-  /** \brief How many of the others are left out for their class. */
+  /** \brief How many of the others are left out because of their class. */
   std::size_t
   ignored() const
   {

@@ -28,11 +28,12 @@ struct VectorFeature {
   Points vertices; ///< world coordinates; a closed line and the ring of a polygon
                    ///< repeat their first vertex
   Attributes attributes;
-  std::string drawing_layer; ///< its layer in a DXF drawing; empty: that of the layer
-  std::string label;         ///< text beside it in a DXF drawing; empty: none
+  /// Its layer in a DXF drawing; empty: the name of the layer
+  std::string drawing_layer;
+  std::string label; ///< text beside it in a DXF drawing; empty: none
 };
 
-/** \brief Features of one kind under one name. */
+/** \brief Features of one kind, with a name. */
 struct VectorLayer {
   enum class Kind { Points, Lines, Polygons };
   std::string name;
@@ -44,7 +45,7 @@ struct VectorLayer {
 
 /** \brief How to write a vector file. */
 struct VectorOptions {
-  std::string output_crs; ///< EPSG:n, WKT or a file of it; empty: that of the input
+  std::string output_crs; ///< EPSG:n, WKT or a WKT file; empty: that of the input
   bool keep_crs = false;  ///< GeoJSON in the system of the input, not in WGS 84
 };
 
@@ -54,27 +55,28 @@ describe(VectorOptions& s, Visit&& visit)
 {
   visit("output-crs",
         s.output_crs,
-        "reference system of vector outputs: EPSG:n or a file of WKT (heights stay)");
+        "reference system of vector outputs: EPSG:n or a WKT file (heights are "
+        "unchanged)");
   visit("keep-crs",
         s.keep_crs,
         "GeoJSON in the reference system of the input, named in the former crs member, "
         "instead of WGS 84 (RFC 7946)");
 }
 
-/** \brief Writes layers as .geojson, .gpkg, .dxf, a single one as .csv, or what else
- * GDAL has a driver for (.kml, .fgb, .shz, ...): 3D, in full precision, in the given
- * reference system. An existing file is replaced; the same input gives the same bytes.
+/** \brief Writes layers as .geojson, .gpkg, .dxf, a single one as .csv, or in any other
+ * format that GDAL has a driver for (.kml, .fgb, .shz, ...): 3D, in full precision, in
+ * the given reference system. An existing file is replaced; the same input gives the
+ * same bytes.
  *
  * GeoJSON holds all layers in one collection, each feature with a property `layer`, in
- * degrees of WGS 84 with nine decimals (RFC 7946), as KML is; see \ref VectorOptions.
- * Where the reference system is unknown it has the coordinates as they are. DXF holds
- * no attributes: there a feature has its VectorFeature::drawing_layer, and its label
+ * degrees of WGS 84 with nine decimals (RFC 7946), as does KML; see \ref VectorOptions.
+ * If the reference system is unknown, coordinates are written as they are. DXF holds no
+ * attributes: there a feature has its VectorFeature::drawing_layer, and its label
  * becomes a text on the layer `labels`; a polygon is a closed line. CSV has the
  * attributes, unknown numbers left empty, and the geometry as WKT in the last column,
  * `WKT`.
  * \param[in] wkt reference system, empty: unknown
- * \param[out] warnings one sentence where readers will take the coordinates for what
- * they are not
+ * \param[out] warnings one sentence if readers will misinterpret the coordinates
  * \throws FileError, Canceled */
 void
 writeLayers(const std::string& path,
@@ -85,10 +87,10 @@ writeLayers(const std::string& path,
             const VectorOptions& options = {});
 
 /** \brief Writes \a network by the ending of \a path: .obj (v / l), .ply (edges), .vtk
- * (lines), .csv, .h5 (with junctions, see hdf5_file.h), or any of \ref writeLayers,
- * which alone are reprojected.
+ * (lines), .csv, .h5 (with junctions, see hdf5_file.h), or any format of \ref
+ * writeLayers; only those are reprojected.
  * \param[in] shift added to every vertex: the output is in world coordinates
- * \param[in] wkt see \ref writeLayers, as for \a warnings
+ * \param[in] wkt see \ref writeLayers, also for \a warnings
  * \throws FileError, Canceled */
 void
 writeCurves(const std::string& path,
@@ -100,8 +102,8 @@ writeCurves(const std::string& path,
             const VectorOptions& options = {});
 
 /** \brief Reads the lines of a .geojson, .gpkg or .dxf file with their attributes,
- * layer by layer; layers without lines are left out. The features of a layer have the
- * attributes that their layer has columns.
+ * layer by layer; layers without lines are left out. The features of a layer have one
+ * attribute per column of the layer.
  * \throws FileError */
 std::vector<VectorLayer>
 readLayers(const std::string& path);
@@ -109,7 +111,7 @@ readLayers(const std::string& path);
 /** \brief Reads polylines back from any file of \ref writeCurves or \ref writeLayers,
  * by ending (.ply and .vtk in ASCII); a line whose last vertex is its first is closed.
  * \param[in] shift subtracted from every vertex
- * \param[out] wkt reference system, empty where the file has none; may be null
+ * \param[out] wkt reference system, empty if the file has none; may be null
  * \throws FileError */
 CurveNetwork
 readCurves(const std::string& path,

@@ -12,8 +12,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Writes a virtual point cloud (.vpc, a STAC item collection in GeoJSON) of
- * \a files, which it names relative to its own folder.
+/** \brief Writes a virtual point cloud (.vpc, a STAC item collection in GeoJSON) of \a
+ * files, with their paths relative to its own folder.
  * \param[out] warnings one sentence for files without a reference system
  * \throws FileError */
 void

@@ -9,7 +9,8 @@ namespace linelet {
 namespace LINELET_PUBLIC io {
 
 /** \brief The shift that readers choose along an axis for coordinates from \a low to \a
- * high: a whole number near them; 0 where they are near the origin, or none. */
+ * high: a whole number near them; 0 if they are near the origin, or if there are none.
+ */
 double
 wholeShift(double low, double high);
 

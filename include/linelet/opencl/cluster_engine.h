@@ -15,12 +15,12 @@ namespace linelet {
 namespace LINELET_PUBLIC opencl {
 
 /** \brief \ref linelet::clusterPoints on an OpenCL 1.2 device with double precision,
- * bit for bit: cells, sums and moves of the points are the device's, the planes and
- * means of cells the host's. Not for use by several threads at once. */
+ * with the same bits: the device computes cells, sums and moves of points, the host the
+ * planes and means of cells. Not for use by several threads at once. */
 class ClusterEngine {
 public:
-  /** \brief Opens a device, as \ref TensorEngine does. \throws Error also where it has
-   * no double precision */
+  /** \brief Opens a device, as \ref TensorEngine does. \throws Error also if it has no
+   * double precision */
   explicit ClusterEngine(const std::string& device = {});
   ~ClusterEngine();
   ClusterEngine(ClusterEngine&&) noexcept;

@@ -21,7 +21,7 @@ public:
   {
   }
 
-  /** \brief OpenCL's error code, 0 where the failure is not one of OpenCL's. */
+  /** \brief OpenCL's error code, 0 if the failure is not OpenCL's. */
   int
   code() const
   {
@@ -40,10 +40,10 @@ struct Device {
   std::string type;         ///< "cpu", "gpu" or "accelerator"
   std::uint64_t memory = 0; ///< global memory, bytes
   unsigned compute_units = 0;
-  bool double_precision = false; ///< whether it computes in double
+  bool double_precision = false; ///< whether it supports double
 };
 
-/** \brief All devices of all platforms; empty where OpenCL has none. */
+/** \brief All devices of all platforms; empty if there are none. */
 std::vector<Device>
 devices();
 

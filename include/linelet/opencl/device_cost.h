@@ -12,8 +12,8 @@ namespace LINELET_PUBLIC opencl {
 /** \brief What work on an OpenCL device costs, in seconds. */
 struct DeviceCost {
   double start = 0; ///< opening the device and building the kernels
-  double point = 0; ///< transfer, cells and sorting of a point
-  double pair = 0;  ///< a query and one of its neighbors
+  double point = 0; ///< transfer, cells and sorting, per point
+  double pair = 0;  ///< per pair of a query and a neighbor
 };
 
 /** \brief Seconds that a device needs for \a work; infinite for k nearest points. */
@@ -21,14 +21,14 @@ double
 estimatedSeconds(const DeviceCost& device, const EngineWork& work);
 
 /** \brief Whether \a device is the cheapest engine. It has to beat the grid on eight
- * threads, whatever this machine has: the choice depends on the work alone. Never for
- * settings that \ref TensorEngine::estimate refuses. */
+ * threads, whatever this machine has, so that the choice depends on the work alone.
+ * Never true for settings that \ref TensorEngine::estimate refuses. */
 bool
 isCheapest(const DeviceCost& device,
            const EngineWork& work,
            const TensorSettings& settings);
 
-/** \brief Why the engine cannot compute with \a settings, null if it can: the weighted
+/** \brief Why the engine cannot compute with \a settings; null if it can. The weighted
  * median and unbounded weightings need double. */
 const char*
 unsupported(const TensorSettings& settings);

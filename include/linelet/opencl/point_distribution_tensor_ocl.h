@@ -17,8 +17,8 @@ namespace LINELET_PUBLIC linelet {
  *
  * Same settings, same output, same rules for indices, search surface and points that
  * are not finite. There is no weighted median; setSearchMethod and setEngine have no
- * say. The device is opened by the first compute and kept. Where it fails, all records
- * are unknown (NaN) and the reason goes to PCL_ERROR. Prebuilt for the same point
+ * effect. The device is opened by the first compute and kept. If it fails, all records
+ * are undefined (NaN) and the reason goes to PCL_ERROR. Prebuilt for the same point
  * types. */
 template <typename PointInT>
 class PointDistributionTensorEstimationOCL
@@ -33,7 +33,7 @@ public:
   explicit PointDistributionTensorEstimationOCL(std::string device = {});
 
   /** \brief The engine, for its device, its stage times and its memory limit.
-   * \throws opencl::Error where the device cannot be opened */
+   * \throws opencl::Error if the device cannot be opened */
   opencl::TensorEngine&
   getDeviceEngine();
 

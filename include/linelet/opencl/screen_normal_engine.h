@@ -13,9 +13,9 @@
 namespace linelet {
 namespace LINELET_PUBLIC opencl {
 
-/** \brief \ref linelet::screenNormals on an OpenCL 1.2 device, a work-item a pixel; the
- * normals agree within 1e-5. They are turned to the eye and smoothed by the host. Not
- * for use by several threads at once. */
+/** \brief \ref linelet::screenNormals on an OpenCL 1.2 device, with one work-item per
+ * pixel; the normals agree within 1e-5. The host turns them toward the eye and smooths
+ * them. Not for use by several threads at once. */
 class ScreenNormalEngine {
 public:
   /** \brief Opens a device, as \ref TensorEngine does. \throws Error */

@@ -15,14 +15,15 @@
 namespace linelet {
 namespace LINELET_PUBLIC opencl {
 
-/** \brief What a part of the work took, in seconds of wall time. */
+/** \brief Elapsed time of every stage, seconds. */
 struct StageTimes {
-  double upload = 0;   ///< cells and places on the host, and their way to the device
-  double grid = 0;     ///< keys of cells, sorting and the table of cells
+  /// Cells and positions on the host, and their transfer to the device
+  double upload = 0;
+  double grid = 0;     ///< cell keys, sorting and the cell table
   double nearest = 0;  ///< the search for k nearest points
   double tensor = 0;   ///< the tensor kernel
   double analysis = 0; ///< eigen-analysis and records, on the device
-  double download = 0; ///< the way back
+  double download = 0; ///< transfer to the host
 };
 
 /** \brief The neighborhood tensor on an OpenCL 1.2 device (Grasso et al. 2015).
@@ -30,19 +31,19 @@ struct StageTimes {
  * Keys of cells, a bitonic sort, neighbors, centroids, tensors and their
  * eigen-analysis are computed on the device, in float relative to each query point.
  * Shape factors agree with \ref estimateTensors within 1e-4, neighbors exactly: pairs
- * that float cannot tell are decided in double, where the device has none by completing
- * these queries on the host. The k nearest points are those of the ball that counting
- * narrows down to; queries around which several are equally far, or which lie far from
- * all points, are completed on the host as well.
+ * that float cannot decide are decided in double, on a device without double by
+ * completing these queries on the host. The k nearest points are those of a ball that
+ * is narrowed down by counting; queries with ties, or far from all points, are
+ * completed on the host as well.
  *
- * A cloud that does not fit into the device's memory, or whose cells are too many for a
- * key of 64 bits, is cut into slabs with a margin as wide as the radius. A device that
- * is a processor runs on all of its cores. Not for use by several threads at once. */
+ * A cloud that does not fit into the device's memory, or has too many cells for a
+ * 64-bit key, is cut into slabs with a margin as wide as the radius. A CPU device runs
+ * on all of its cores. Not for use by several threads at once. */
 class TensorEngine {
 public:
-  /** \brief Opens a device: the first GPU, else the first of any kind; or the one of
-   * the number or with the part of a name given.
-   * \throws Error listing the devices where there is none such */
+  /** \brief Opens a device: by number or part of its name; if empty, the first GPU,
+   * else the first device of any kind.
+   * \throws Error listing the devices if there is no such device */
   explicit TensorEngine(const std::string& device = {});
   ~TensorEngine();
   TensorEngine(TensorEngine&&) noexcept;
@@ -52,12 +53,12 @@ public:
   const Device&
   device() const;
 
-  /** \brief Uses at most \a bytes of the device's memory at a time; 0, as at the start,
-   * stands for four fifths of what it has. */
+  /** \brief Uses at most \a bytes of the device's memory at a time; 0 (default): four
+   * fifths of it. */
   void
   setMemoryLimit(std::size_t bytes);
 
-  /** \brief As \ref linelet::estimateTensors; settings.engine has no say,
+  /** \brief As \ref linelet::estimateTensors; settings.engine has no effect, and
    * settings.threads is for the host's part.
    * \throws std::invalid_argument for what is \ref unsupported, and for k nearest
    * points on a device without double precision
@@ -70,7 +71,7 @@ public:
            const NeighborhoodSizes& sizes = {},
            ProgressMonitor* monitor = nullptr);
 
-  /** \brief Of the last \ref estimate, summed over its slabs. */
+  /** \brief Times of the last \ref estimate, summed over its slabs. */
   const StageTimes&
   stageTimes() const;
 
@@ -78,8 +79,9 @@ public:
   std::size_t
   queriesOnHost() const;
 
-  /** \brief How many slabs the last \ref estimate was cut into: 1 if all fits; radii of
-   * each magnitude, and each round of the search for nearest points, have their own. */
+  /** \brief How many slabs the last \ref estimate was cut into: 1 if everything fits;
+   * radii of each order of magnitude, and each round of the search for nearest points,
+   * have their own. */
   std::size_t
   slabs() const;
 

@@ -15,7 +15,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief What comes too near to a wire. */
+/** \brief What comes too close to a wire. */
 enum class HazardKind : std::uint8_t {
   Ground,     ///< the terrain
   Vegetation, ///< trees, bushes
@@ -30,12 +30,12 @@ constexpr std::size_t hazard_kinds = 6;
 /** \brief How near it is, by the limits of its kind. */
 enum class Severity : std::uint8_t { None, Low, Medium, High };
 
-/** \brief Distances that are in order, by what is near and how severe less is; meters.
+/** \brief Least acceptable distances, by what is near and by severity; meters.
  *
  * For all kinds but FallIn a distance below \ref low is a hazard. For FallIn it is the
  * gap that remains between the falling tree and the wire; at 0 it touches. */
 struct ClearanceLimits {
-  /** \brief Distances below which the severity is high, medium, low; not falling. */
+  /** \brief Distances below which the severity is high, medium, low; ascending. */
   struct Row {
     double high = 0, medium = 0, low = 0;
   };
@@ -52,7 +52,7 @@ struct ClearanceLimits {
   Severity
   severity(HazardKind kind, double distance) const;
 
-  /** \brief The largest distance that is a hazard to anything standing beside. */
+  /** \brief The largest distance at which anything beside a wire is a hazard. */
   double
   largest() const;
 };
@@ -67,17 +67,17 @@ uniformLimits(double clearance);
  * - "en50341:KV": EN 50341-1:2012, clause 5 and 5.9, empirical distances Del and Dpp
  * for the nominal voltage KV (3 to 750): ground 5 m + Del (at least 6), trees 1.5 m +
  * Del, buildings 4 m + Del (at least 5), other lines 1 m + Dpp (at least 2), their
- * supports 2 m + Del (at least 3). National annexes say other things.
- * - "nesc:KV": ground by NESC (IEEE C2) rule 232, 18.5 ft and 0.4 in for every kV above
- *   22 phase to ground; buildings and other lines likewise from 7.5 ft and 4 ft; trees
- *   by California's General Order 95, appendix E (4, 6, 10 and 15 ft).
- * - else a file: a line "KIND HIGH MEDIUM LOW" each for ground, vegetation, building,
- *   wire, support, fall_in, meters, # begins a comment. What it leaves out is as in
- *   \a otherwise.
+ * supports 2 m + Del (at least 3). National annexes differ.
+ * - "nesc:KV": ground by NESC (IEEE C2) rule 232, 18.5 ft plus 0.4 in per kV above 22
+ * kV phase to ground; buildings and other lines likewise from 7.5 ft and 4 ft; trees by
+ * California's General Order 95, appendix E (4, 6, 10 and 15 ft).
+ * - else a file: one line "KIND HIGH MEDIUM LOW" each for ground, vegetation, building,
+ * wire, support and fall_in, in meters; # begins a comment. Kinds it leaves out are
+ * taken from \a otherwise.
  *
- * What these standards demand holds at their own load cases and with conditions that no
- * point cloud shows: the presets are starting values, not a proof of conformity. Their
- * reserves (between medium and low) are our own.
+ * These standards apply to specific load cases, with conditions that no point cloud
+ * shows: the presets are starting values, not a proof of compliance. Their margins
+ * (between medium and low) are our own.
  * \throws std::invalid_argument that names line and value; io::FileError */
 ClearanceLimits
 readLimits(const std::string& name_or_file, const ClearanceLimits& otherwise);

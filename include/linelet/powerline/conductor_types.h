@@ -11,7 +11,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief What a wire is made of, as far as its sag depends on it. */
+/** \brief Properties of a conductor on which its sag depends. */
 struct Conductor {
   std::string name;
   double area = 0;      ///< square millimeters, all metals
@@ -19,19 +19,19 @@ struct Conductor {
   double mass = 0;      ///< kilograms per kilometer
   double modulus = 0;   ///< final modulus of elasticity, gigapascal
   double expansion = 0; ///< 1e-6 per kelvin
-  double creep = 0; ///< elongation still to come, as the warming that gives as much, K
+  double creep = 0; ///< elongation still to come, as the warming that causes as much, K
 };
 
 /** \brief Common types: ACSR by ASTM B 232 (E and expansion by stranding as in DIN
- * 48204, which CIGRE TB 324 and catalogs give alike), Al/St by DIN 48204 (EN 50182),
- * and AAAC by ASTM B 399. Areas, diameters and masses as manufacturers' catalogs print
- * them (Nexans, Bare Overhead Conductors; Oman Cables, Overhead Line Conductors). */
+ * 48204, CIGRE TB 324 and catalogs), Al/St by DIN 48204 (EN 50182), and AAAC by ASTM B
+ * 399. Areas, diameters and masses are those of manufacturers' catalogs (Nexans, Bare
+ * Overhead Conductors; Oman Cables, Overhead Line Conductors). */
 const std::vector<Conductor>&
 knownConductors();
 
 /** \brief A type by its name ("Drake", "240/40"), or from a file: lines "KEY VALUE"
  * with the keys area (mm2), diameter (mm), mass (kg/km), modulus (GPa), expansion
- * (1e-6/K), and, if need be, name and creep (K); # begins a comment.
+ * (1e-6/K), and optionally name and creep (K); # begins a comment.
  * \throws std::invalid_argument that names line and value; io::FileError */
 Conductor
 readConductor(const std::string& name_or_file);

@@ -13,24 +13,24 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Takes every wire out of an airborne or UAV scan, without training or map.
+/** \brief Extracts every wire from an airborne or UAV scan, without training or a map.
  *
  * Candidates above ground with a line-like neighborhood seed wires; a wire grows along
- * itself as a parabola (the head of a catenary) with robust weights, as long as the
+ * itself as a parabola (approximating a catenary) with robust weights, as long as the
  * points ahead stand out from those around; it is broken at supports, accepted by
- * evidence, joined with its continuation, and fitted as a catenary. Finding nothing is
- * a normal result.
+ * evidence, joined with its continuation, and fitted as a catenary. A network without
+ * wires is a valid result.
  *
  * \param[in] points meters, z up; points that are not finite are ignored
  * \param[in] classes class of every point, or empty; read for the ground (2) with
  * PowerLineSettings::use_classes, and passed on to the output for all other points
  * \param[in] settings see there
- * \param[in] monitor hears of the stages; may cancel
- * \param[out] part unless null: what was found, as \ref mergeParts wants it, where the
- * points are a part of a cloud
+ * \param[in] monitor told of the stages; may cancel
+ * \param[out] part if not null: what was found, for \ref mergeParts, when the points
+ * are a part of a cloud
  * \return wires, supports and a label for every point
- * \throws std::invalid_argument for a setting out of range, or classes of another
- * length
+ * \throws std::invalid_argument for a setting out of range, or if there are not as many
+ * classes as points
  * \throws Canceled */
 PowerLineNetwork
 extractPowerLines(const Points& points,

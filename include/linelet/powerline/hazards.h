@@ -13,48 +13,51 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A stretch of a wire that something is nearer to than its limit. Meters, in
+/** \brief A stretch of a wire that is closer to something than its limit. Meters, in
  * the coordinates of the network. */
 struct Encroachment {
-  int id = 0; ///< place in Hazards::clearances + 1
+  int id = 0; ///< index in Hazards::clearances + 1
   HazardKind kind = HazardKind::Ground;
   Severity severity = Severity::Low; ///< by \ref nearest
   int wire = 0, span = 0, circuit = 0;
   int other = 0;           ///< id of the other wire or support; 0 for all other kinds
-  double from = 0, to = 0; ///< of the wire's catenary
+  double from = 0, to = 0; ///< parameters s of the wire's catenary
   double length = 0;       ///< along the wire
   Points line;             ///< the stretch
   Clearance nearest;       ///< where the distance is least
-  double vertical = 0, horizontal = 0; ///< parts of that distance; vertical: down
-  std::size_t points = 0;              ///< how many were nearer than the limit
+  double vertical = 0,
+         horizontal = 0;  ///< components of that distance; vertical: downward
+  std::size_t points = 0; ///< number of points closer than the limit
   Points outline;    ///< convex, closed, around what is too near, at its mean height
-  double area = 0;   ///< in plan of what is too near, square meters (vegetation)
-  double volume = 0; ///< of what is to be cut, cubic meters (vegetation)
+  double area = 0;   ///< in plan of what is too near (vegetation), square meters
+  double volume = 0; ///< of what must be cut (vegetation), cubic meters
 };
 
 /** \brief A place where two lines cross in plan. */
 struct Crossing {
-  int id = 0; ///< place in Hazards::crossings + 1
+  int id = 0; ///< index in Hazards::crossings + 1
   Severity severity = Severity::None;
   int upper = 0, lower = 0;                                 ///< ids of the wires
   Point upper_at = Point::Zero(), lower_at = Point::Zero(); ///< one above the other
   double vertical = 0;                                      ///< between these
-  Clearance nearest;     ///< where the two are closest: on the upper wire, on the lower
-  double horizontal = 0; ///< part of the closest distance
+  /// Where the two are closest: a point on each wire, the upper first
+  Clearance nearest;
+  double horizontal = 0; ///< component of the least distance
   double angle = 0;      ///< between the two in plan, degrees, (0, 90]
 };
 
-/** \brief A tree as tall as it is far from a wire: a stiff rod that turns about its
+/** \brief A tree that could reach a wire by falling: a rigid rod that turns about its
  * foot on the terrain. */
 struct FallIn {
-  int id = 0; ///< place in Hazards::fall_in + 1
+  int id = 0; ///< index in Hazards::fall_in + 1
   Severity severity = Severity::Low;
   int wire = 0, span = 0, circuit = 0;
   Point top = Point::Zero(), foot = Point::Zero();
   double height = 0;        ///< top above foot
-  Point at = Point::Zero(); ///< the place of the wire that is nearest to the foot
+  Point at = Point::Zero(); ///< point of the wire nearest to the foot
   double distance = 0;      ///< from the foot to that place
-  double gap = 0; ///< distance - height: what remains when it has fallen; negative: hit
+  double gap = 0; ///< distance - height: what remains when it has fallen; negative: it
+                  ///< hits the wire
 };
 
 /** \brief What is hazardous along the wires of a network. */
@@ -62,19 +65,19 @@ struct Hazards {
   std::string state; ///< of the conductors; "as scanned" where they were not moved
   ClearanceLimits limits;
   std::vector<Encroachment> clearances; ///< by wire and place
-  std::vector<Crossing> crossings;      ///< all of them, also those in order
+  std::vector<Crossing> crossings;      ///< all of them, also those without a hazard
   std::vector<FallIn> fall_in;          ///< the least gap first
-  StateOfWires moved; ///< the wires in that state, their Wire::ground measured; without
-                      ///< a wire where they hang as scanned
+  StateOfWires moved; ///< the wires in that state, with Wire::ground measured; empty
+                      ///< for the state as scanned
 };
 
 /** \brief Every stretch of a wire that is nearer to something than its limit, all
  * crossings, and the trees that would reach a wire by falling.
  *
- * A stretch is the union, over the points of one kind, of the parts of the wire that
- * each is nearer to than the limit; gaps of up to a meter are closed. Distances to the
- * ground are those to the interpolated terrain in space, to other wires those between
- * the curves, to everything else those to its points.
+ * A stretch is the union of the parts of the wire that are closer than the limit to any
+ * point of one kind; gaps of up to a meter are closed. Distances in space are measured
+ * to the interpolated terrain, between the curves of wires, and to the points of
+ * everything else.
  * \throws Canceled */
 Hazards
 findHazards(const PowerLineNetwork& network,

@@ -9,12 +9,12 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief The way between a cloud, which may count in feet, and a network of its lines,
- * which is in meters: the same axes, from the same origin (io::Cloud::shift). */
+/** \brief Converts between a cloud, which may be in feet, and the network of its lines,
+ * which is in meters: with the same axes and origin (io::Cloud::shift). */
 class MetricFrame {
 public:
   /** \brief The frame of \a cloud, by the units of its reference system.
-   * \throws std::invalid_argument where these are no lengths (degrees) */
+   * \throws std::invalid_argument if these are not lengths (degrees) */
   explicit MetricFrame(const io::Cloud& cloud);
 
   /** \brief A point of the cloud (without its shift) in meters. */
@@ -31,7 +31,7 @@ public:
     return of_network.cwiseQuotient(unit_) + shift_;
   }
 
-  /** \brief Meters above the zero of heights, of a height in the network. */
+  /** \brief Height in meters above the file's zero, of a height in the network. */
   double
   metersAbove(double z) const
   {
@@ -46,7 +46,7 @@ public:
 
 private:
   io::Units units_;
-  Point shift_, unit_; // unit_: meters in one of each axis
+  Point shift_, unit_; // unit_: meters per unit of each axis
 };
 
 } // namespace powerline

@@ -13,30 +13,30 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A wire before it has its place in a network. Its ends are 0 (front) and 1
+/** \brief A wire that is not yet part of a network. Its ends are 0 (front) and 1
  * (back). */
 struct LooseWire {
-  /** \brief Where it ends, and who goes on there. Places in the lists of the part. */
+  /** \brief Where it ends, and what continues it. Indices in the lists of the part. */
   struct End {
     Point place = Point::Zero(); ///< attachment point, or the last place with points
-    int partner = -1;            ///< wire that goes on beyond the support; -1: none
-    int partner_end = 0;         ///< which of its ends is there
-    int support = -1;            ///< -1: none seen
-    bool fixed = false;          ///< place is an attachment point
+    int partner = -1;    ///< wire that continues it beyond the support; -1: none
+    int partner_end = 0; ///< which of that wire's ends is there
+    int support = -1;    ///< -1: none seen
+    bool fixed = false;  ///< place is an attachment point
   };
 
   Wire wire; ///< id: that of the network of the part
-  /// Polynomial that it was followed by, in its own frame: origin (2) and direction (2)
-  /// in plan, deviation to the left (3) and height (3) by the way along, begin and end
-  /// of that way, robust scale of the residuals, tolerance, thickness of a bundle.
-  /// Meters.
+  /// Polynomial along which it was followed, in its own frame: origin (2) and direction
+  /// (2) in plan, deviation to the left (3) and height (3) as functions of the distance
+  /// along it, first and last such distance, robust scale of the residuals, tolerance,
+  /// thickness of a bundle. Meters.
   std::array<double, 15> course{};
   std::array<End, 2> ends;
-  Points points; ///< that it is fitted to
+  Points points; ///< to which it is fitted
 };
 
-/** \brief What was found in a part of a cloud, so that it can be put together with that
- * of others. */
+/** \brief What was found in a part of a cloud, to be merged with that of other parts.
+ */
 struct NetworkPart {
   std::vector<LooseWire> wires;
   std::vector<Support> supports;
@@ -49,21 +49,21 @@ struct NetworkPart {
 };
 
 /** \brief What became of the wires and supports of a part: by their id there, their id
- * in the whole; 0: gone. */
+ * in the whole; 0: dropped. */
 struct PartIds {
   std::vector<int> wires, supports;
 };
 
-/** \brief The network of all of a cloud, without labels of points and without terrain.
+/** \brief The network of a whole cloud, without labels of points and without terrain.
  *
  * A wire is taken from the part that owns the middle of its catenary, a support and
  * the attachment points there from the one that owns its axis; a wire whose attachment
- * points another part knows better is fitted again to its points. What two parts own,
- * because they place it on both sides of a border, is taken once, and so is what
- * neither of them does. Jumpers and insulators are taken from the part that owns their
- * middle. A line that nothing explains is taken from every part as far as
- * that owns its places, and joined at the borders. Spans, lines and all ids follow from
- * these as for one cloud. Parts must overlap by a whole span and its supports.
+ * points another part knows better is fitted again to its points. What both or neither
+ * of two parts own, because they place it on different sides of a border, is taken
+ * once. Jumpers and insulators are taken from the part that owns their middle. Of an
+ * unexplained line, each part gives what it owns, joined at the borders. Spans,
+ * circuits and all ids follow as for one cloud. Parts must overlap by a whole span and
+ * its supports.
  * \param[out] ids of each part */
 PowerLineNetwork
 mergeParts(const std::vector<NetworkPart>& parts, std::vector<PartIds>& ids);

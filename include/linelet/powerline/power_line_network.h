@@ -19,7 +19,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Classes of LAS 1.4 (ASPRS) that linelet gives. */
+/** \brief Classes of LAS 1.4 (ASPRS) that linelet assigns. */
 constexpr std::uint8_t wire_class = 14;
 constexpr std::uint8_t pylon_class = 15;     ///< transmission tower; poles as well
 constexpr std::uint8_t connector_class = 16; ///< insulators between wire and structure
@@ -32,39 +32,41 @@ constexpr std::uint8_t unclassified = 1;
  *
  *     p(s) = lowest + s d + a (cosh(s / a) - 1) (cos(phi) z + sin(phi) r),
  *
- * s from \ref from to \ref to. The lowest point may lie outside of the span. */
+ * with s from \ref from to \ref to. The lowest point may lie outside the span. */
 struct Catenary {
   Point lowest = Point::Zero(); ///< vertex of the curve
   double a = 1000;    ///< horizontal tension over weight per length, meters; > 0
   double azimuth = 0; ///< degrees clockwise from +y (north), [0, 360)
-  double swing = 0; ///< degrees out of the vertical, to the right positive; 0: no wind
-  double from = 0;  ///< s of the front end, meters
-  double to = 0;    ///< s of the back end, > from
+  double swing = 0;   ///< degrees from the vertical, positive to the right; 0: no wind
+  double from = 0;    ///< s of the front end, meters
+  double to = 0;      ///< s of the back end, > from
 
   /** \brief The point at \a s, meters along the azimuth from the lowest point. */
   Point
   at(double s) const;
 
-  /** \brief s of the point of the curve beside \a p (same place along the azimuth). */
+  /** \brief s of the point of the curve beside \a p (at the same distance along the
+   * azimuth). */
   double
   along(const Point& p) const;
 
-  /** \brief Distance of \a p from the curve in the plane across it, meters. */
+  /** \brief Distance of \a p from the curve in the plane perpendicular to it, meters.
+   */
   double
   distance(const Point& p) const;
 
-  /** \brief Vertices from front to back, straight pieces at most \a deviation off the
-   * curve. */
+  /** \brief Vertices from front to back; the edges deviate from the curve by at most \a
+   * deviation, meters. */
   Points
   polyline(double deviation = 0.005) const;
 };
 
 /** \brief The closest approach of something to a wire from below or beside. */
 struct Clearance {
-  double distance =
-      std::numeric_limits<double>::quiet_NaN(); ///< meters; NaN: none near
-  Point wire = Point::Zero();                   ///< place on the wire
-  Point other = Point::Zero(); ///< place on the ground, or the vegetation point
+  /// Meters; NaN: none near
+  double distance = std::numeric_limits<double>::quiet_NaN();
+  Point wire = Point::Zero();  ///< place on the wire
+  Point other = Point::Zero(); ///< place on the ground, or point of the object
 
   /** \brief Whether anything was near enough to be measured. */
   bool
@@ -74,12 +76,12 @@ struct Clearance {
   }
 };
 
-/** \brief The judgment of a reviewer about a wire. */
+/** \brief A reviewer's verdict on a wire. */
 struct Review {
   enum class Verdict {
     None,     ///< not reviewed
     Accepted, ///< it is a wire
-    Rejected  ///< it is none
+    Rejected  ///< it is not a wire
   };
   Verdict verdict = Verdict::None;
   int point_class = -1; ///< class for its points, 0 to 255; -1: that of wires
@@ -92,47 +94,48 @@ struct Review {
   }
 };
 
-/** \brief One wire (or bundle) in one span: the vector that is asked for. */
+/** \brief One wire (or bundle) in one span. */
 struct Wire {
-  int id = 0;      ///< place in PowerLineNetwork::wires + 1; 0 stands for no wire
+  int id = 0;      ///< index in PowerLineNetwork::wires + 1; 0 means no wire
   int span = 0;    ///< id of its span
-  int circuit = 0; ///< id of its line (chain of spans)
-  int number = 0;  ///< 1, 2, ... across the span, from left to right, then downwards;
-                   ///< stays with a conductor from span to span where that can be told
+  int circuit = 0; ///< id of its circuit (chain of spans)
+  int number = 0;  ///< 1, 2, ... across the span, from left to right, then downward;
+                  ///< stays with a conductor from span to span where it can be followed
   Catenary curve;
   Point front = Point::Zero(),
         back = Point::Zero();              ///< end points, = curve at its ends
   int front_support = 0, back_support = 0; ///< ids of the supports there; 0: none seen
-  int conductors = 1;     ///< 2: stands for a bundle whose conductors the points do not
-                          ///< tell apart everywhere (two or more)
-  std::size_t points = 0; ///< cloud points that it explains
+  int conductors = 1; ///< 2: a bundle (of two or more) whose conductors the points do
+                      ///< not resolve everywhere
+  std::size_t points = 0; ///< number of cloud points that it explains
   double rms = 0;         ///< of their distances to the curve, meters
   double length = 0;      ///< along the curve, meters
-  double span_length = 0; ///< horizontal distance of the end points, meters
+  double span_length = 0; ///< horizontal distance between the end points, meters
   double sag = 0;         ///< largest vertical distance from the chord, meters
   double largest_gap = 0; ///< longest stretch without a point, meters
   Clearance ground;       ///< lowest vertical clearance to the terrain
-  Clearance vegetation;  ///< smallest distance to a point off ground that is no part of
+  Clearance vegetation;  ///< least distance to a point above ground that is not part of
                          ///< the line (trees, bushes, houses)
   double confidence = 1; ///< [0, 1]
-  std::string reason;    ///< why the confidence is low; empty where it is not
+  std::string reason;    ///< why the confidence is low; empty if it is not
   Review review;         ///< see review.h
 };
 
-/** \brief Vertices of \a wire from its front to its back point, which wires that meet
- * at a support share exactly. */
+/** \brief Vertices of \a wire from its front to its back point; wires that meet at a
+ * support share that point exactly. */
 Points
 polyline(const Wire& wire, double deviation = 0.005);
 
 /** \brief All wires between two neighboring supports. */
 struct Span {
-  int id = 0;                           ///< place in PowerLineNetwork::spans + 1
-  int circuit = 0;                      ///< id of its line
-  int number = 0;                       ///< 1, 2, ... along the line
-  int from_support = 0, to_support = 0; ///< ids; 0: none seen (edge of the data, say)
-  std::vector<int> wires;               ///< ids, by wire number
-  double length = 0;                    ///< mean horizontal length of its wires, meters
-  double azimuth = 0; ///< degrees clockwise from +y, in the direction of the line
+  int id = 0;      ///< index in PowerLineNetwork::spans + 1
+  int circuit = 0; ///< id of its line
+  int number = 0;  ///< 1, 2, ... along the circuit
+  int from_support = 0,
+      to_support = 0;     ///< ids; 0: none seen (at the edge of the data, for example)
+  std::vector<int> wires; ///< ids, by wire number
+  double length = 0;      ///< mean horizontal length of its wires, meters
+  double azimuth = 0; ///< degrees clockwise from +y, in the direction of the circuit
 };
 
 /** \brief A pylon or pole. */
@@ -141,25 +144,26 @@ struct Support {
     Pylon, ///< a tower: wider than a pole
     Pole   ///< all points within half a meter or so of one axis
   };
-  int id = 0; ///< place in PowerLineNetwork::supports + 1
+  int id = 0; ///< index in PowerLineNetwork::supports + 1
   Kind kind = Kind::Pylon;
-  Point base = Point::Zero(); ///< on the ground; its lowest point where none is known
-  Point top = Point::Zero();  ///< straight above, as high as its highest point
-  double height = 0;          ///< top - base, meters; NaN where no ground is known
-  std::size_t points = 0; ///< cloud points given to it; 0: inferred from wires alone
-  double confidence = 1;  ///< [0, 1]
+  Point base = Point::Zero(); ///< on the ground; its lowest point if no ground is known
+  Point top = Point::Zero();  ///< above the base, at the height of its highest point
+  double height = 0;          ///< top - base, meters; NaN if no ground is known
+  /// Number of cloud points assigned to it; 0: inferred from wires alone
+  std::size_t points = 0;
+  double confidence = 1; ///< [0, 1]
 };
 
 /** \brief The loop that leads the current past a support: from the end of a conductor
  * on one side to that of the same phase on the other, clear of the structure. */
 struct Jumper {
-  int id = 0;             ///< place in PowerLineNetwork::jumpers + 1
+  int id = 0;             ///< index in PowerLineNetwork::jumpers + 1
   int support = 0;        ///< id; 0: gone
   int from_wire = 0;      ///< ids of the wires that it connects; of a bundle in
   int to_wire = 0;        ///< several vectors, one of them; 0: gone
   Points course;          ///< vertices, from clamp to clamp
   double length = 0;      ///< along the course, meters
-  double sag = 0;         ///< largest height of the chord above it, meters
+  double sag = 0;         ///< largest vertical distance below the chord, meters
   double rms = 0;         ///< of the distances of its points to the course, meters
   std::size_t points = 0; ///< cloud points of it
 };
@@ -172,32 +176,31 @@ struct InsulatorString {
     Suspension, ///< a wire hangs from it
     Jumper      ///< a jumper hangs from it
   };
-  int id = 0; ///< place in PowerLineNetwork::insulators + 1
+  int id = 0; ///< index in PowerLineNetwork::insulators + 1
   Kind kind = Kind::Tension;
   int support = 0; ///< id; 0: gone
   int wire = 0;    ///< id of the wire that it holds; 0: none
-  int jumper = 0;  ///< id of the jumper that it holds or that begins there; 0
+  int jumper = 0;  ///< id of the jumper that it holds or that begins there; 0: none
   Point structure = Point::Zero(), live = Point::Zero(); ///< its ends
   double length = 0;                                     ///< between them, meters
   std::size_t points = 0;                                ///< cloud points of it
 };
 
-/** \brief A line: spans that follow each other from support to support. */
+/** \brief A circuit: spans that follow each other from support to support. */
 struct Circuit {
-  int id = 0;                ///< place in PowerLineNetwork::circuits + 1
+  int id = 0;                ///< index in PowerLineNetwork::circuits + 1
   std::vector<int> spans;    ///< ids, in order
   std::vector<int> supports; ///< ids, in order, one more than spans; 0: none seen
 };
 
-/** \brief Something above ground that looks like a line at its own scale, and is part
- * of no wire or support that was found: a wire that was missed, or a crane, a pipe, a
- * ridge, a fence. */
+/** \brief Something above ground that looks like a line at its own scale but belongs to
+ * no wire or support found: a missed wire, or a crane, pipe, ridge or fence. */
 struct UnexplainedLine {
-  int id = 0;             ///< place in PowerLineNetwork::unexplained + 1
+  int id = 0;             ///< index in PowerLineNetwork::unexplained + 1
   Points course;          ///< vertices, from one end to the other
   double length = 0;      ///< meters
   double width = 0;       ///< standard deviation of its points about it, meters
-  std::size_t points = 0; ///< cloud points of it that nothing explains
+  std::size_t points = 0; ///< number of its cloud points that nothing explains
 };
 
 /** \brief Time that a stage took. */
@@ -206,8 +209,8 @@ struct StageTime {
   double seconds = 0;
 };
 
-/** \brief What \ref extractPowerLines found, in the coordinates of the points it got,
- * or in meters from the same origin (MetricFrame) where these were not meters. */
+/** \brief What \ref extractPowerLines found, in the coordinates of its input, or in
+ * meters from the same origin (MetricFrame) if the input is not in meters. */
 struct PowerLineNetwork {
   std::vector<Wire> wires;
   std::vector<Span> spans;
@@ -219,26 +222,27 @@ struct PowerLineNetwork {
 
   /// \name One entry per point, in input order
   /// @{
-  std::vector<std::uint8_t> classes; ///< 14 wire or jumper, 15 pylon or pole, 16
-                                     ///< insulators that were found (1 where they only
-                                     ///< were given), else as given
-  std::vector<std::int32_t> wire_id; ///< 0: none, or a jumper
-  std::vector<std::int32_t> span_id; ///< 0: none
-  std::vector<float> wire_distance;  ///< to its wire, meters; NaN: none
+  /// 14 wire or jumper, 15 pylon or pole, 16 insulator; else as given, but 1 where 14
+  /// or 15 was given
+  std::vector<std::uint8_t> classes;
+  std::vector<std::int32_t> wire_id;        ///< 0: none, or a jumper
+  std::vector<std::int32_t> span_id;        ///< 0: none
+  std::vector<float> wire_distance;         ///< to its wire, meters; NaN: none
   std::vector<std::uint8_t> is_unexplained; ///< 1: point of an \ref unexplained line
   /// @}
 
-  Ground ground; ///< terrain, for profiles and clearances; without a height where the
-                 ///< cloud has none, as where only wires were kept
+  Ground ground; ///< terrain, for profiles and clearances; without heights if the cloud
+                 ///< has no ground
   std::vector<StageTime> stages; ///< in order
 };
 
-/** \brief Length of all that is unexplained, meters. */
+/** \brief Total length of the unexplained lines, meters. */
 double
 unexplainedLength(const PowerLineNetwork& network);
 
 /** \brief Whether so much is unexplained that the network may lack whole wires: more
- * than a twentieth of the length of the wires found, and than a short span (25 m). */
+ * than a twentieth of the length of the wires found, and more than a short span (25 m).
+ */
 bool
 muchIsUnexplained(const PowerLineNetwork& network);
 

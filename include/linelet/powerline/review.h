@@ -13,23 +13,23 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A wire as it was reviewed, with the judgment. */
+/** \brief A wire as it was reviewed, with the verdict. */
 struct ReviewedWire {
   Points vertices; ///< from end to end, in the coordinates of the network
   Review review;
 };
 
-/** \brief For every wire of \a network the place in \a reviewed of the wire that it is,
- * or -1: the one that covers most of it, of those that run within half the spacing of
- * a bundle's conductors of it along more than half of the shorter of the two. */
+/** \brief For every wire of \a network, the index of the same wire in \a reviewed, or
+ * -1: of those that run within half the spacing of a bundle's conductors along more
+ * than half of the shorter of the two, the one that covers most of it. */
 std::vector<int>
 matchReviewed(const PowerLineNetwork& network,
               const std::vector<ReviewedWire>& reviewed);
 
-/** \brief Lets what was said stand in \a network: rejected wires leave it (their points
- * are unclassified again; spans, lines and supports that only they made go with them,
- * supports with points of their own stay), accepted ones are certain, and every wire
- * keeps class and note. Everything is numbered anew, in the same order.
+/** \brief Applies reviews to \a network: rejected wires leave it (their points are
+ * unclassified again; spans, circuits and supports that exist only because of them go
+ * with them, supports with points of their own stay), accepted ones become certain, and
+ * every wire keeps class and note. Everything is renumbered, in the same order.
  * \return one sentence for every accepted wire that was not found */
 std::vector<std::string>
 applyReview(PowerLineNetwork& network, const std::vector<ReviewedWire>& reviewed);

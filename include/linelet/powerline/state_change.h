@@ -13,12 +13,12 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A state of the conductors that is asked for. */
+/** \brief A requested state of the conductors. */
 struct ConductorState {
   std::string name;       ///< as it was given
   double temperature = 0; ///< of the conductor, degrees Celsius
-  double ice = 0;         ///< thickness of a sleeve of ice, millimeters
-  double wind = 0;        ///< pressure on the diameter with its ice, pascal
+  double ice = 0;         ///< radial thickness of the ice, millimeters
+  double wind = 0;        ///< pressure on the diameter including ice, pascals
 };
 
 /** \brief "75C", "0C,ice=10mm,wind=400Pa".
@@ -26,20 +26,20 @@ struct ConductorState {
 ConductorState
 parseState(const std::string& text);
 
-/** \brief Weight and wind on a meter of conductor. */
+/** \brief Weight and wind load per meter of conductor. */
 struct ConductorLoad {
-  double vertical = 0, horizontal = 0; ///< newton per meter
+  double vertical = 0, horizontal = 0; ///< newtons per meter
 
   /** \brief Of both together. */
   double
   resultant() const;
 
-  /** \brief How far out of the vertical it pulls, degrees. */
+  /** \brief Angle of the resultant from the vertical, degrees. */
   double
   swing() const;
 };
 
-/** \brief With ice of 900 kg/m3 (EN 50341-1, glaze). */
+/** \brief The load in a state, with ice of 900 kg/m3 (EN 50341-1, glaze). */
 ConductorLoad
 loadOf(const Conductor& conductor, const ConductorState& state);
 
@@ -49,19 +49,18 @@ struct SpanShape {
   double length = 0, rise = 0;
 };
 
-/** \brief The horizontal tension after a change of state of a section between two dead
- * ends, whose spans all have the same.
+/** \brief The horizontal tension after a change of state in a section between two dead
+ * ends, whose spans all share one tension.
  *
- * The unstretched length of the section is what does not change but by warming. For
- * every span it is the catenary's length less its elastic elongation: with a = H / w,
- * span l and rise h, L^2 = h^2 + (2 a sinh(l / 2a))^2 and an elongation of H / (2 E A)
- * (l + a sinh(l / a) cosh(2 m / a)), tanh(m / a) = h / L. Level spans and small sags
- * give the state equation of the ruling span sqrt(sum l^3 / sum l) (CIGRE TB 324, 2007,
- * 5.2).
+ * The unstretched length of the section changes only by warming. For every span it is
+ * the catenary's length less its elastic elongation: with a = H / w, span l and rise h,
+ * L^2 = h^2 + (2 a sinh(l / 2a))^2 and an elongation of H / (2 E A) (l + a sinh(l / a)
+ * cosh(2 m / a)), tanh(m / a) = h / L. Level spans and small sags give the state
+ * equation of the ruling span sqrt(sum l^3 / sum l) (CIGRE TB 324, 2007, 5.2).
  * \param[in] before, after the spans in the plane of the load at that state
- * \param[in] tension horizontal, newton; \a load and \a new_load in newton per meter
+ * \param[in] tension horizontal, newtons; \a load and \a new_load in newtons per meter
  * \param[in] warming kelvin, creep included
- * \throws std::invalid_argument where a quantity is not positive */
+ * \throws std::invalid_argument if a quantity is not positive */
 double
 tensionAfter(const std::vector<SpanShape>& before,
              const std::vector<SpanShape>& after,

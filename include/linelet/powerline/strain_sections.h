@@ -11,12 +11,13 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A conductor from dead end to dead end, and what becomes of it. */
+/** \brief A conductor from dead end to dead end, before and after the change of state.
+ */
 struct StrainSection {
   int circuit = 0;
   std::vector<int> wires;              ///< ids, in order
   double ruling_span = 0;              ///< meters
-  double tension = 0, new_tension = 0; ///< horizontal, newton
+  double tension = 0, new_tension = 0; ///< horizontal, newtons
 };
 
 /** \brief The wires of a network in another state. */
@@ -28,9 +29,11 @@ struct StateOfWires {
 /** \brief How wires are brought to another state. */
 struct StateSettings {
   Conductor conductor;
-  double measured_temperature = 15; ///< of the conductor during the scan, Celsius
-  double dead_end_angle = 10;       ///< a line that turns by more ends at its support
-  std::vector<int> dead_ends;       ///< ids of supports that are dead ends in any case
+  /// Of the conductor during the scan, degrees Celsius
+  double measured_temperature = 15;
+  /// Degrees; where a line turns by more, the support is a dead end
+  double dead_end_angle = 10;
+  std::vector<int> dead_ends; ///< ids of supports that are dead ends in any case
 };
 
 /** \brief Brings every wire of \a network to \a state, section by section.
@@ -38,9 +41,9 @@ struct StateSettings {
  * A section is a chain of wires from attachment to attachment. It ends where the line
  * ends, turns by more than \ref StateSettings::dead_end_angle, at the supports that are
  * named, and where the catenary constants on both sides differ by more than four times
- * what the scatter of their points explains: insulators that hang let tensions become
- * equal. Attachments stay where they are; every wire keeps its own ratio to the
- * section's mean, so that no change of state changes no curve.
+ * what the scatter of their points explains: suspension insulators would let tensions
+ * become equal. Attachments stay in place; every wire keeps its own ratio to the
+ * section's mean, so that the state as scanned leaves all curves unchanged.
  * \param[in] side 1 or -1: wind blows to the right or to the left of the wires
  * \throws std::invalid_argument */
 StateOfWires

@@ -15,16 +15,16 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief What stands near the lines: points that are no ground, wire or own support,
- * each told apart. Found once, for any number of states of the wires. */
+/** \brief What stands near the lines: classified points that are not ground, a wire, or
+ * a support of that wire's own line. Found once, for any number of states of the wires.
+ */
 struct Surroundings {
   Points points;
   std::vector<HazardKind> kinds; ///< Vegetation, Building or Support
   std::vector<int> support;      ///< id of the support it belongs to, or 0
 };
 
-/** \brief What the classes of a file say of its points, ASPRS unless another scheme is
- * told. */
+/** \brief The meaning of a file's classes, by default those of ASPRS. */
 struct SurroundingClasses {
   io::ClassList vegetation{"3,4,5"};
   io::ClassList buildings{"6,17"};
@@ -40,16 +40,16 @@ describe(SurroundingClasses& s, Visit&& visit)
 
 /** \brief Collects what stands near the wires of \a network.
  *
- * A point of one of \a classes is what that says. All others (0, 1 and what is not
- * named here) are told apart by shape and returns: roofs and walls are planar over some
- * meters and give single echoes, masts and booms are linear there, wires that were not
- * found are linear and take no part, the rest is vegetation; fewer than four such
- * points within a meter of each other are a bird or noise. Points of the classes 2, 7,
- * 8, 9, 11, 13 to 16 and 18 are none of them, nor is anything but a building at the
- * bodies, arms and insulators of the supports of a wire.
+ * Points of \a classes are what these say. All others (0, 1 and those not named here)
+ * are distinguished by shape and returns: roofs and walls are planar over some meters
+ * and give single echoes, masts and booms are linear there, wires that were not found
+ * are linear and left out, and the rest is vegetation; fewer than four such points
+ * within a meter of each other are a bird or noise. Points of the classes 2, 7, 8, 9,
+ * 11, 13 to 16 and 18 are none of them, nor is anything but a building at the bodies,
+ * arms and insulators of the supports of a wire.
  * \param[in] cloud what the network was extracted from
- * \param[in] usable its points that take part
- * \param[in] limits how far from a wire is near
+ * \param[in] usable its points that are used
+ * \param[in] limits the largest of which defines what is near
  * \throws Canceled */
 Surroundings
 findSurroundings(const PowerLineNetwork& network,

@@ -17,13 +17,13 @@ namespace LINELET_PUBLIC powerline {
 bool
 belowClearance(const Wire& wire, double limit);
 
-/** \brief Whether there are wires and neither ground nor an object was seen near any of
- * them: no clearance is known. */
+/** \brief Whether there are wires, but neither ground nor an object was seen near any
+ * of them, so that no clearance is known. */
 bool
 clearancesAreUnknown(const PowerLineNetwork& network);
 
-/** \brief How many wires come below \a limit; nothing where clearances are unknown,
- * which a 0 would call in order. */
+/** \brief How many wires come below \a limit; nothing if clearances are unknown, which
+ * a 0 would misreport. */
 std::optional<std::size_t>
 wiresBelowClearance(const PowerLineNetwork& network, double limit);
 

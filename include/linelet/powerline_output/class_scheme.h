@@ -16,14 +16,14 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief What becomes of points that came with the class of a wire or tower but are
- * none of those found. */
+/** \brief What to do with points that had the class of a wire or tower but belong to
+ * none found. */
 enum class ExistingClasses {
-  Keep, ///< they stay what they were
+  Keep, ///< they keep their class
   Reset ///< they become unclassified (1)
 };
 
-/** \brief The classes that a classified cloud gets. */
+/** \brief The classes to assign to a cloud. */
 struct ClassScheme {
   unsigned wire = wire_class, tower = pylon_class; ///< 0 to 255
   ExistingClasses existing = ExistingClasses::Keep;
@@ -37,21 +37,21 @@ describe(ClassScheme& s, Visit&& visit)
   visit("tower-class", s.tower, "class of towers and poles there (ASPRS: 15)");
   visit("existing-classes",
         s.existing,
-        "points that come with one of these classes but belong to nothing that was "
-        "found: keep the class, or reset it to unclassified (1)");
+        "what to do with points that had one of these classes but belong to no wire or "
+        "support found: keep the class, or reset it to unclassified (1)");
 }
 
-/** \throws std::invalid_argument where a class is above 255 or both are the same */
+/** \throws std::invalid_argument if a class is above 255 or both are the same */
 void
 check(const ClassScheme& scheme);
 
-/** \brief Gives \a cloud what was found: the classes of \a scheme in `classification`,
- * and the columns `wire_id` and `span_id` (0: none), `wire_distance` (meters, NaN:
- * none) and `unexplained` (1: part of PowerLineNetwork::unexplained). Every other class
- * and attribute stays as it is.
- * \return how many points had one of these classes but are none of those found
- * \throws std::invalid_argument unless the network belongs to the cloud, and see
- * \ref check */
+/** \brief Adds to \a cloud what was found: the classes of \a scheme in
+ * `classification`, and the columns `wire_id` and `span_id` (0: none), `wire_distance`
+ * (meters, NaN: none) and `unexplained` (1: part of PowerLineNetwork::unexplained).
+ * Every other class and attribute stays as it is.
+ * \return how many points had one of these classes but belong to nothing that was found
+ * \throws std::invalid_argument unless the network belongs to the cloud; see also \ref
+ * check */
 std::size_t
 classify(io::Cloud& cloud,
          const PowerLineNetwork& network,

@@ -25,16 +25,16 @@ namespace LINELET_PUBLIC powerline {
 std::vector<std::string>
 powerLineFiles(const std::string& folder, bool compress = false);
 
-/** \brief Makes \a folder if need be and makes sure that files can be written there, so
- * that this fails before long work.
+/** \brief Creates \a folder if it does not exist and checks that files can be written
+ * there, so that failures come before long work.
  * \throws io::FileError */
 void
 makeOutputFolder(const std::string& folder, bool compress = false);
 
 /** \brief Writes `classified.las` (or `.laz`), wires and hazards as .geojson, .gpkg and
  * .dxf, `clearances.csv`, `crossings.csv`, `fall_in.csv`, `summary.json` and
- * `report.html` into \a folder, which is made if need be. An empty network gives the
- * same files, valid and without wires.
+ * `report.html` into \a folder, which is created if it does not exist. An empty network
+ * gives the same files, valid and without wires.
  * \param[in] folder where to; older files of these names are replaced
  * \param[in] cloud what the network was extracted from; move it in to save memory
  * \param[out] warnings one sentence for everything that a format cannot hold
@@ -48,8 +48,8 @@ writePowerLineFiles(const std::string& folder,
                     std::vector<std::string>* warnings = nullptr,
                     ProgressMonitor* monitor = nullptr);
 
-/** \brief Writes the same files but the classified cloud; \a cloud may be but those
- * points of the input that pictures are to show, with \ref OutputOptions::input. */
+/** \brief Writes the same files except the classified cloud; \a cloud may hold only the
+ * points of the input that pictures show, with \ref OutputOptions::input set. */
 std::vector<std::string>
 writeNetworkFiles(const std::string& folder,
                   const io::Cloud& cloud,
@@ -58,7 +58,7 @@ writeNetworkFiles(const std::string& folder,
                   std::vector<std::string>* warnings = nullptr,
                   ProgressMonitor* monitor = nullptr);
 
-/** \brief What to say of \a unconfirmed points, see \ref classify, and of what the
+/** \brief Warns of \a unconfirmed points, see \ref classify, and of lines that the
  * network does not explain. */
 void
 warnOfDoubts(const PowerLineNetwork& network,

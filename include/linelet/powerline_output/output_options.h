@@ -19,10 +19,10 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Where results come from: what a reader needs to reproduce them. */
+/** \brief Provenance of results: what a reader needs to reproduce them. */
 struct Provenance {
   std::string program;             ///< name and version; may be empty
-  std::string date;                ///< of the run, in words; may be empty
+  std::string date;                ///< of the run, as text; may be empty
   std::vector<std::string> inputs; ///< files
   std::vector<std::pair<std::string, std::string>> settings; ///< name and value
 };
@@ -33,20 +33,20 @@ struct InputExtent {
   Point low = Point::Zero(), high = Point::Zero(); ///< world coordinates
 };
 
-/** \brief What the outputs say beside the network itself. */
+/** \brief What the outputs contain besides the network itself. */
 struct OutputOptions {
   std::string source;   ///< name of the input, for headings; may be empty
   double clearance = 5; ///< a clearance below this is a hazard, meters
   ClassScheme classes;
-  io::ClassFilter points;    ///< which of the cloud took part
+  io::ClassFilter points;    ///< which points of the cloud were used
   io::VectorOptions vectors; ///< of all vector files
   bool compress = false;     ///< classified.laz instead of classified.las
-  unsigned threads = 0;      ///< to write in; 0: all
+  unsigned threads = 0;      ///< for writing; 0: all
   Provenance provenance;     ///< for the report
-  /// Of all of the input, where the cloud holds but a part of it.
+  /// Of the whole input, if the cloud holds only a part of it.
   std::optional<InputExtent> input;
-  std::vector<Hazards> hazards; ///< at each state of the wires, first as scanned;
-                                ///< empty: not looked for
+  std::vector<Hazards> hazards; ///< in each state of the wires, first as scanned;
+                                ///< empty: not searched for
 };
 
 } // namespace powerline

@@ -14,8 +14,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief The network as one HTML page that needs nothing else: totals, plan, hazards,
- * and for every span its profile and its wires. The same input gives the same text. */
+/** \brief The network as one self-contained HTML page: totals, plan, hazards, and the
+ * profile and wires of every span. The same input gives the same text. */
 std::string
 powerLineReport(const io::Cloud& cloud,
                 const PowerLineNetwork& network,

@@ -21,14 +21,14 @@ powerLineSummary(const io::Cloud& cloud,
                  const PowerLineNetwork& network,
                  const OutputOptions& options);
 
-/** \brief Whose results \a folder holds, by its summary, where it holds any that are
- * not of \a cloud called \a source: a name, or "an unknown input". Else empty. */
+/** \brief If \a folder holds results of another input than \a cloud named \a source, by
+ * their summary: the name of that input, or "an unknown input". Else empty. */
 std::string
 otherResultsIn(const std::string& folder,
                const io::Cloud& cloud,
                const std::string& source);
 
-/** \brief The same, of an input of that extent. */
+/** \brief The same, for an input of that extent. */
 std::string
 otherResultsIn(const std::string& folder,
                const InputExtent& input,

@@ -17,10 +17,9 @@ namespace LINELET_PUBLIC powerline {
 
 /** \brief Reads reviews of wires: the lines of a file like `wires.gpkg` whose
  * columns `review` (accepted, rejected or empty), `review_class` (-1: none) and
- * `review_note` the viewer, or a GIS, filled in. Lines of which nothing was said are
- * read too.
- * \param[in] cloud whose network it is about: gives shift and units
- * \throws io::FileError where there is no such column, or it says something else */
+ * `review_note` the viewer, or a GIS, filled in. Lines without a review are read too.
+ * \param[in] cloud whose network was reviewed: gives shift and units
+ * \throws io::FileError if there is no such column, or if it holds something else */
 std::vector<ReviewedWire>
 readReview(const std::string& path, const io::Cloud& cloud);
 

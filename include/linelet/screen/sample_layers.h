@@ -14,17 +14,17 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief What the pixels of a picture see: up to eight samples each, with their
- * positions in space; or the points of an organized cloud, a sample each.
+ * positions in space; or the points of an organized cloud, one sample per pixel.
  *
- * The samples of a layer are those of all pixels row by row: sample (layer * height +
- * row) * width + column. */
+ * A layer holds one sample of every pixel, row by row: sample (layer * height + row) *
+ * width + column. */
 struct SampleLayers {
   static constexpr Index nothing = std::numeric_limits<Index>::max();
 
   int width = 0, height = 0, layers = 1;
-  Point origin = Point::Zero(); ///< what positions are relative to, so that floats do
+  Point origin = Point::Zero(); ///< origin of positions, so that float suffices
   std::vector<float> x, y, z;   ///< NaN where nothing is seen
-  Indices point;                ///< what is seen: number of a point, or \ref nothing
+  Indices point;                ///< index of the visible point, or \ref nothing
 
   std::size_t
   at(int column, int row, int layer = 0) const
@@ -36,12 +36,14 @@ struct SampleLayers {
   }
 };
 
-/** \brief Draws points as discs that face the eye into depth buffers, several to a
- * pixel: what pass one of Schiffner et al. 2013 leaves in a multi-sample buffer.
+/** \brief Draws points, as discs that face the eye, into depth buffers with several
+ * samples per pixel: the result of pass one of Schiffner et al. 2013, a multi-sample
+ * buffer.
  * \param[in] point_size diameter of the discs, pixels
- * \param[in] diameter the same in units of the cloud, nearer discs look larger; 0: none
- * \param[in] layers samples per pixel: 1, 2, 4 or 8, at the places usual for
- * multi-sampling
+ * \param[in] diameter of the discs in the unit of the cloud, so that nearer ones look
+ * larger, but not smaller than \a point_size; 0: \a point_size alone
+ * \param[in] layers samples per pixel: 1, 2, 4 or 8, at the usual positions of
+ * multisampling
  * \param[in] threads 0: all; the result is the same for any number
  * \throws std::invalid_argument */
 SampleLayers

@@ -14,7 +14,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief What a normal is made of. */
+/** \brief How a normal is computed. */
 enum class ScreenNormalMethod {
   LocalDerivatives, ///< LD: the steps to the next pixels, n = d/dy x d/dx
   PlaneDiagonals,   ///< PD: cross products of diagonals between opposite samples
@@ -32,20 +32,20 @@ struct Names<ScreenNormalMethod> {
                 {ScreenNormalMethod::Tensor, "tensor"}}};
 };
 
-/** \brief How normals of a picture are estimated (Schiffner et al. 2013).
+/** \brief How screen-space normals are estimated (Schiffner et al. 2013).
  *
  * Under noise, derivatives are by far the worst, and triangles worse than the other
  * two. The diagonals are the least-squares slope of their samples, the best there is on
- * a plane; the tensor comes close to them, and makes use of every sample beside edges,
- * gaps and the distance limit, where triangles need pairs and diagonals four.
+ * a plane; the tensor comes close to them, and next to edges, gaps and the distance
+ * limit it uses every sample, while triangles need pairs and diagonals need four.
  *
- * The weight of the tensor is 1/|d|: the text at hand prints the norm with a 2 beside
- * it, which is its kind or its square, and with the square errors are larger. */
+ * The weight of the tensor is 1/|d|: the publication prints the norm with a 2 beside
+ * it, which may mean the 2-norm or its square; with the square, errors are larger. */
 struct ScreenNormalSettings {
   ScreenNormalMethod method = ScreenNormalMethod::Tensor;
-  /// Pixels that take part: 5, 9, 17 or 25. The positions in the publication are in a
-  /// figure alone; ours are rings of four, in this order: the diagonals at 1 and 2
-  /// pixels, (2, 0) and those like it, the diagonals at 3, (1, 0), (3, 0). 5 takes one
+  /// Pixels that take part: 5, 9, 17 or 25. The publication shows their positions only
+  /// in a figure; ours are rings of four, in this order: the diagonals at 1 and 2
+  /// pixels, (2, 0) and its rotations, the diagonals at 3, (1, 0), (3, 0). 5 takes one
   /// ring, 9 two, 17 four, 25 six.
   unsigned samples = 9;
   double max_distance = 0; ///< samples farther from the pixel's own, in the unit of the
@@ -58,28 +58,30 @@ template <class Visit>
 void
 describe(ScreenNormalSettings& s, Visit&& visit)
 {
-  visit("normal-method", s.method, "normals: what they are made of");
-  visit("normal-samples", s.samples, "normals: pixels that take part, 5, 9, 17 or 25");
+  visit("normal-method", s.method, "normals: how they are computed");
+  visit(
+      "normal-samples", s.samples, "normals: number of pixels sampled, 5, 9, 17 or 25");
   visit("normal-distance",
         s.max_distance,
-        "normals: samples farther than this are ignored, in the unit of the cloud");
-  visit("normal-smoothing", s.smoothing, "normals: passes of smoothing");
+        "normals: ignore samples farther than this, in the unit of the cloud; 0: use "
+        "all");
+  visit("normal-smoothing", s.smoothing, "normals: number of smoothing passes");
 }
 
 /** \brief Checks the settings. \throws std::invalid_argument */
 void
 validate(const ScreenNormalSettings& settings);
 
-/** \brief A unit vector a pixel, row by row; NaN where there is none. */
+/** \brief One unit vector per pixel, row by row; NaN where there is none. */
 struct NormalImage {
   int width = 0, height = 0;
   std::vector<float> x, y, z;
 };
 
-/** \brief The normals of what is seen, turned towards the eye.
+/** \brief The normals of what is visible, turned toward the eye.
  *
- * A pixel's own position is the mean of its samples that lie within the distance limit
- * of its first one; it has a normal where enough samples are about it.
+ * A pixel's own position is the mean of those of its samples that lie within the
+ * distance limit of the first one; it has a normal if enough samples are around it.
  * \param[in] eye where the samples are seen from, relative to their origin, or for a
  * parallel projection any place far in front
  * \throws std::invalid_argument */

@@ -15,12 +15,12 @@ namespace LINELET_PUBLIC linelet {
 /** \brief The normals of an organized cloud, from the pixels around each: \ref
  * screenNormals in a PCL chain, in place of pcl::IntegralImageNormalEstimation.
  *
- * Neighbors are pixels: no search method, radius or k takes part, and neither does a
- * search surface. Normals are turned towards the sensor's origin. Where there is none
- * (a point that is not finite, too few neighbors within the distance limit) it is NaN
- * and is_dense is false; curvature is NaN, it is not estimated. compute gives an empty
- * output, with a message through PCL_ERROR, if there is no input, the cloud is not
- * organized, or an index or a setting makes no sense.
+ * Neighbors are pixels: search method, radius, k and search surface are not used.
+ * Normals are turned toward the sensor's origin. Undefined normals (of a point that is
+ * not finite, or has too few neighbors within the distance limit) are NaN, and is_dense
+ * is then false; curvature is not estimated and is NaN. compute gives an empty output,
+ * with a message through PCL_ERROR, if there is no input, the cloud is not organized,
+ * or an index or a setting is invalid.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal, with
  * pcl::Normal. For any other type define PCL_NO_PRECOMPILE before the first include. */
@@ -35,7 +35,7 @@ public:
 
   ScreenSpaceNormalEstimation();
 
-  /** \brief What normals are made of, the tensor if not set. */
+  /** \brief How normals are computed, by default from the tensor. */
   void
   setMethod(ScreenNormalMethod method)
   {
@@ -47,7 +47,7 @@ public:
     return settings_.method;
   }
 
-  /** \brief Pixels that take part: 5, 9 (if not set), 17 or 25. */
+  /** \brief Number of pixels sampled: 5, 9 (default), 17 or 25. */
   void
   setPattern(unsigned samples)
   {
@@ -59,7 +59,8 @@ public:
     return settings_.samples;
   }
 
-  /** \brief Points farther from a pixel's own take no part; 0 (if not set): all do. */
+  /** \brief Points farther than this from a pixel's own are ignored; 0 (default): none
+   * are. */
   void
   setMaxDistance(double distance)
   {
@@ -71,7 +72,7 @@ public:
     return settings_.max_distance;
   }
 
-  /** \brief Passes of smoothing, none if not set. */
+  /** \brief Number of smoothing passes, 0 by default. */
   void
   setSmoothing(unsigned passes)
   {
@@ -101,11 +102,11 @@ protected:
   using Base::indices_;
   using Base::input_;
 
-  /** \brief In place of pcl::Feature's, which asks for a radius or k. */
+  /** \brief Replaces that of pcl::Feature, which requires a radius or k. */
   bool
   initCompute() override;
 
-  /** \brief The normals; another engine overrides this. */
+  /** \brief The normals; other engines override this. */
   virtual NormalImage
   estimate(const SampleLayers& samples, const Eigen::Vector3f& eye);
 

@@ -13,9 +13,9 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief The faces, opaque, lit from beside the eye as the ellipsoids are; where they
- * meet, the nearer one is seen. Left out are faces with a corner that is not finite or
- * not between the camera's near and far depth.
+/** \brief The faces, opaque and lit from beside the eye, like the ellipsoids; where
+ * they overlap, the nearest is visible. Faces with a corner that is not finite, or not
+ * between the camera's near and far depth, are left out.
  * \param[in] colors of the parts that the faces belong to: red, green, blue in [0, 1]
  */
 GlyphImage

@@ -19,14 +19,14 @@ namespace LINELET_PUBLIC linelet {
 struct TensorGlyph {
   Point center = Point::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns e1, e2, e3
-  Eigen::Vector3d half_lengths =
-      Eigen::Vector3d::Ones(); ///< along these, in the unit of the cloud
+  /// Along these, in the unit of the cloud
+  Eigen::Vector3d half_lengths = Eigen::Vector3d::Ones();
   ShapeFactors shape{};
   std::array<float, 3> color{}; ///< red, green, blue in [0, 1]
 };
 
-/** \brief The glyph of a tensor whose longest half axis is \a size, the others as the
- * roots of the eigenvalues are to each other.
+/** \brief The glyph of a tensor whose longest half axis is \a size; the half axes are
+ * proportional to the square roots of the eigenvalues.
  * \param[in] colors of linearity, planarity and sphericity, mixed by the factors */
 TensorGlyph
 glyphOf(const Point& center,
@@ -57,17 +57,18 @@ struct GlyphImage {
 /** \brief How tensor splats look. */
 struct SplatSettings {
   double fade = 3;      ///< alpha is (1 - sphericity) to this power
-  double stripes = 1.5; ///< waves of the Gabor function from the middle to the border
-  double narrowest = 0.25; ///< half width of a splat at least, of its half length
-  unsigned threads = 0;    ///< 0: all; the picture is the same for any number
+  double stripes = 1.5; ///< periods of the Gabor function from the center to the border
+  /// Least half width of a splat, as a fraction of its half length
+  double narrowest = 0.25;
+  unsigned threads = 0; ///< 0: all; the picture is the same for any number
 };
 
-/** \brief Alpha in the middle of a splat. */
+/** \brief Alpha at the center of a splat. */
 double
 opacity(const ShapeFactors& shape, const SplatSettings& settings);
 
 /** \brief Tensor splats (Ritter & Benger 2012): a disc in the plane of e3 and e2, as
- * long as these axes are, which fades out towards its border. Linear tensors carry
+ * long as these axes are, which fades out toward its border. Linear tensors carry
  * stripes along e3 (a Gabor function), planar ones none; the more spherical, the more
  * transparent. Discs are blended from back to front, exactly, so that the order of the
  * glyphs does not matter. Glyphs with anything that is not finite are left out. */
@@ -76,8 +77,8 @@ drawSplats(const std::vector<TensorGlyph>& glyphs,
            const Camera& camera,
            const SplatSettings& settings = {});
 
-/** \brief The ellipsoids of the tensors, opaque, lit from beside the eye; where they
- * meet, the nearer surface is seen. */
+/** \brief The ellipsoids of the tensors, opaque and lit from beside the eye; where they
+ * overlap, the nearest surface is visible. */
 GlyphImage
 drawEllipsoids(const std::vector<TensorGlyph>& glyphs,
                const Camera& camera,

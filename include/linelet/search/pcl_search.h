@@ -114,8 +114,8 @@ private:
   void
   forEachCandidate(const Point& query, double radius, Visit&& visit) const
   {
-    // Relative: sums of squares in float, projection into an image. Absolute: what a
-    // coordinate loses in float, in the boxes of an octree as well.
+    // Relative: sums of squares in float, projection into an image. Absolute: rounding
+    // of coordinates to float, also in the boxes of an octree.
     constexpr double relative = 1e-4;
     constexpr double absolute = 4 * std::numeric_limits<float>::epsilon();
     const double coordinate = std::max(largest_, query.cwiseAbs().maxCoeff());

@@ -10,14 +10,15 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Which part of the rows of a grid may lie in a cylinder. */
+/** \brief Which part of each row of a grid may lie in a cylinder. */
 struct RowsOfCylinder {
-  /** \param[in] from, to middles of its flat ends
-   * \param[in] margin the cylinder is made larger by it all around */
+  /** \param[in] from, to centers of its flat ends
+   * \param[in] margin by which the cylinder is enlarged on all sides */
   RowsOfCylinder(const Point& from, const Point& to, double radius, double margin);
 
   /** \brief The first and the last x that the cylinder may reach in the row of all
-   * (x, y, z) with y in \a y and z in \a z; the first beyond the last where none. */
+   * (x, y, z) with y in \a y and z in \a z; the first is larger than the last if there
+   * is none. */
   std::array<double, 2>
   alongRow(const std::array<double, 2>& y, const std::array<double, 2>& z) const;
 

@@ -285,7 +285,7 @@ UniformGrid::forEachRunInCylinder(const Point& from,
 {
   if (points_.empty() || !(radius >= 0) || !from.allFinite() || !to.allFinite())
     return;
-  const double margin = 1e-3 * row_size_; // rounding is far below
+  const double margin = 1e-3 * row_size_; // rounding errors are far smaller
   const RowsOfCylinder cylinder(from, to, radius, margin);
   const Point &low = cylinder.low, &high = cylinder.high;
   if ((high.array() < min_.array()).any() || (low.array() > max_.array()).any())

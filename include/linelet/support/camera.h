@@ -23,11 +23,11 @@ struct Camera {
   double field_of_view = 60; ///< vertical, degrees in (0, 180); 0: parallel projection
   double view_height = 1;    ///< parallel projection: height of what is seen
   int width = 640, height = 480; ///< pixels
-  double near = 0;               ///< nearest visible depth, units
-  double far = std::numeric_limits<double>::infinity(); ///< farthest
+  double near = 0;               ///< nearest visible depth, unit of the scene
+  double far = std::numeric_limits<double>::infinity(); ///< farthest visible depth
 
-  /** \brief Turns the camera from \a eye towards \a target, \a up being upwards as far
-   * as that is possible. */
+  /** \brief Places the camera at \a from and turns it toward \a target, with \a up
+   * upward as far as possible. */
   void
   lookAt(const Point& from, const Point& target, const Point& up = Point::UnitZ())
   {
@@ -48,7 +48,8 @@ struct Camera {
     return field_of_view > 0;
   }
 
-  /** \brief Half of the picture's height at depth 1 (perspective), or at any. */
+  /** \brief Half the height of the picture in the scene, at depth 1 (perspective) or at
+   * any depth (parallel). */
   double
   halfHeight() const
   {
@@ -56,7 +57,8 @@ struct Camera {
     return perspective() ? std::tan(field_of_view * degree / 2) : view_height / 2;
   }
 
-  /** \brief Pixels a unit of length takes at depth 1 (perspective), or at any. */
+  /** \brief Pixels per unit of length, at depth 1 (perspective) or at any depth
+   * (parallel). */
   double
   focalLength() const
   {
@@ -72,7 +74,7 @@ struct Camera {
     return {width / 2.0 + scale * at.x(), height / 2.0 + scale * at.y(), at.z()};
   }
 
-  /** \brief The point at a place of the picture and a depth. */
+  /** \brief The point at given pixel coordinates and depth. */
   Point
   unproject(const Point& pixel) const
   {

@@ -10,7 +10,7 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief A flat convex face. */
 struct Face {
-  Index part = 0; ///< number of what it belongs to: a representative, say
+  Index part = 0; ///< index of what it belongs to, such as a representative
   Points corners; ///< counterclockwise, seen from where the normal points
   Point normal = Point::Zero();
 };

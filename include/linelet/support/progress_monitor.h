@@ -47,7 +47,7 @@ public:
 };
 
 /** \brief Ends work that \a monitor, which may be null, asked to stop. Not for loops
- * that run in several threads: nothing may be thrown out of these. \throws Canceled */
+ * that run in several threads, out of which nothing may be thrown. \throws Canceled */
 inline void
 throwIfCanceled(const ProgressMonitor* monitor)
 {

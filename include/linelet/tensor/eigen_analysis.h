@@ -34,9 +34,9 @@ struct EigenSystem {
  *
  * Iterative (QL), because the closed form loses the small eigenvalues of wire-like
  * tensors: its relative error is 3e-9 in double and more than 100 % in float, against
- * 6e-12 here. Negative eigenvalues are rounding and set to 0. Signs are canonical: the
- * largest component of every eigenvector, the first one in a tie, is positive.
- * \return NaN throughout where the tensor is not finite */
+ * 6e-12 here. Negative eigenvalues, due to rounding, are set to 0. Signs are canonical:
+ * the largest component of every eigenvector, the first one in a tie, is positive.
+ * \return all NaN if the tensor is not finite */
 EigenSystem
 eigenAnalysis(const SymmetricTensor& tensor);
 

@@ -13,7 +13,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Features of a neighborhood beside its shape factors (Weinmann et al. 2015),
+/** \brief Features of a neighborhood besides its shape factors (Weinmann et al. 2015),
  * with eigenvalues divided by their sum L, so that none depends on the unit or size of
  * the neighborhood.
  *
@@ -30,7 +30,7 @@ struct EigenFeatures {
 };
 
 /** \brief The features of eigenvalues l1 <= l2 <= l3, not negative, and the direction
- * of the smallest; NaN throughout where these are NaN or 0. */
+ * of the smallest; all NaN if these are NaN or 0. */
 inline EigenFeatures
 eigenFeatures(const Eigen::Vector3d& values, const Eigen::Vector3d& normal)
 {

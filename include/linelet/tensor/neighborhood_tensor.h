@@ -92,9 +92,9 @@ struct Names<Normalization> {
  * Ritter et al. 2012, Ritter & Benger 2012. Positive semidefinite up to rounding.
  * \param[in] neighbors p_i, best relative to the query point
  * \param[in] centroid c, in the same coordinates
- * \param[in] radius r of the neighborhood; 0 where all neighbors lie at one place
+ * \param[in] radius r of the neighborhood; 0 if all neighbors coincide
  * \param[in] weighting w_T
- * \param[in] normalization what stands in the place of sum(w_i)
+ * \param[in] normalization the divisor: sum(w_i), or the number of neighbors
  * \return NaN in every entry if the divisor is 0: no neighbors, or none with a weight
  */
 SymmetricTensor

@@ -38,7 +38,7 @@ shapeFactors(const Eigen::Vector3d& values, double extent = 0)
 }
 
 /** \brief The linearity of a symmetric \a tensor by the closed form of its eigenvalues,
- * where millions of them are needed; see \ref eigenAnalysis for what that costs.
+ * for use on millions of them; see \ref eigenAnalysis for the loss of accuracy.
  * \return 0 where the trace vanishes */
 double
 linearityOf(const Eigen::Matrix3d& tensor);

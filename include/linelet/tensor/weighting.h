@@ -19,10 +19,9 @@ namespace LINELET_PUBLIC linelet {
  * in units of the radius. The ease kernels are 1 minus the easing curve of that name,
  * the cs-rbf kernels compactly supported radial basis functions. linear-inverse,
  * quadratic-inverse and cubic-inverse are capped at 1 up to x = 0.1; inverse-distance
- * (1/x) and inverse-squared-distance (1/x^2; Ritter et al. 2012) are not, and give no
- * weight to a point at the centroid itself. The last two take parameters: FermiDirac is
- * 1 / (e^((x - m) / T) + 1), Step is 1 up to S and 0 beyond. A new kernel is a row in
- * kernel_table.h. */
+ * (1/x) and inverse-squared-distance (1/x^2; Ritter et al. 2012) are not, and are 0 at
+ * the centroid itself. The last two take parameters: FermiDirac is 1 / (e^((x - m) / T)
+ * + 1), Step is 1 up to S and 0 beyond. A new kernel is a row in kernel_table.h. */
 enum class Kernel {
 #define LINELET_KERNEL(kernel, name, support, weight) kernel,
   LINELET_KERNELS(LINELET_KERNEL)
@@ -60,7 +59,7 @@ supportOf(Kernel kernel)
   return KernelSupport::Everywhere;
 }
 
-/** \brief Whether a kernel grows without bound towards x = 0, so that rounding of x
+/** \brief Whether a kernel grows without bound toward x = 0, so that rounding of x
  * decides weights. */
 constexpr bool
 isUnbounded(Kernel kernel)

@@ -40,7 +40,7 @@ CurvilinearGridClustering<PointT>::applyFilter(PointCloud& output)
   output.is_dense = true;
   removed_indices_->clear();
   clusters_ = {};
-  // Points that are not asked for are as good as not finite.
+  // Points that are not among the indices are treated as not finite.
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Points points(input_->size(), Point(nan, nan, nan));
   try {
@@ -68,7 +68,7 @@ CurvilinearGridClustering<PointT>::applyFilter(PointCloud& output)
   output.resize(means.size());
   for (std::size_t k = 0; k < means.size(); ++k) {
     means[k].get(output[k]);
-    // Its mean of the coordinates is a sum of floats.
+    // CentroidPoint averages coordinates in float.
     output[k].getVector3fMap() =
         clusters_.representatives[k].center.template cast<float>();
   }

@@ -26,7 +26,7 @@ EigenStreamlineCurveReconstruction<PointInT>::refuse(const char* reason) const
   return false;
 }
 
-// Base::reconstruct would use the input before it looks whether there is one.
+// Base::reconstruct would use the input before checking that there is one.
 template <typename PointInT>
 bool
 EigenStreamlineCurveReconstruction<PointInT>::chosenPoints(Points& points,

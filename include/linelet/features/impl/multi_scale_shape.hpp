@@ -85,7 +85,7 @@ MultiScaleShapeFeature<PointInT>::computeFeature(PointCloudOut& output)
   const Points queries = this->queryPoints();
   MultiScaleSettings settings = settings_;
   settings.radii = radii_ = plan_.radii;
-  settings.stop_change = 0; // it has had its say
+  settings.stop_change = 0; // already applied
   scale_unit_ = plan_.scale_unit;
   if (scale_unit_ > 0)
     settings.scale_unit = scale_unit_;
