@@ -13,10 +13,10 @@
 
 namespace linelet::clustering {
 
-/** \brief So many points, one after the other, and the cells they are in. */
+/** \brief A block of consecutive points, and the cells they are in. */
 struct PointBlock {
   static constexpr int size = 256; ///< whose numbers fit into a byte
-  static constexpr int margin = 8; ///< that whole vectors can be read beyond the end
+  static constexpr int margin = 8; ///< so that whole vectors can be read beyond the end
   static constexpr double nowhere = -1;
 
   int count = 0;
@@ -27,13 +27,13 @@ struct PointBlock {
   std::uint8_t starts[size + margin]; ///< of runs of points in one cell
 };
 
-/** \brief Three coordinates each; infinite the wrong way round if the box is empty. */
+/** \brief Corners of a box; inverted infinities if it is empty. */
 struct Corners {
   double *low, *high;
 };
 
-/** \brief What \ref CellFrame::locate, \ref nearestFace and the sums of members do, on
- * vectors: the same bits. */
+/** \brief What \ref CellFrame::locate, \ref nearestFace and the sums of members do,
+ * vectorized, with the same bits. */
 struct BoxKernels {
   /// Widens the corners by the points all of whose coordinates are finite.
   void (*extend)(const Point* points, std::size_t count, const Corners& corners);
@@ -41,7 +41,7 @@ struct BoxKernels {
   /// Finds the cells of up to PointBlock::size points, and nothing else.
   void (*locate)(const CellFrame& frame, const Point* points, int count, PointBlock&);
 
-  /// The same, and the offsets in so many bits, see \ref CellOrigin.
+  /// The same, and the offsets as integers of the given bits, see \ref CellOrigin.
   void (*locateMembers)(
       const CellFrame& frame, int bits, const Point* points, int count, PointBlock&);
 
@@ -61,8 +61,8 @@ struct BoxKernels {
   void (*add)(const PointBlock&, int first, int count, CellSums& sums);
 };
 
-/** \brief Offsets of so many bits, see \ref offsetBits, add up exactly in double over a
- * block: 2 (bits + 1) + log2(PointBlock::size) < 53. */
+/** \brief Offsets of this many bits, see \ref offsetBits, add up exactly in double over
+ * a block: 2 (bits + 1) + log2(PointBlock::size) < 53. */
 constexpr int exact_bits = 21;
 
 /** \brief The kernels for this processor. */

@@ -15,8 +15,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC clustering {
 
-/** \brief A set of numbers that can tell how many smaller ones it holds: a bit each,
- * in words of 32, and the count of all bits before a word. */
+/** \brief A set of numbers with ranks: one bit each, in words of 32, and the count of
+ * all bits before each word. */
 struct RankedBits {
   std::vector<std::uint32_t> words, before;
   std::size_t count = 0;
@@ -121,8 +121,8 @@ public:
     return occupied.smaller(bit(key));
   }
 
-  /** \brief The same for any cell, even outside of the grid; \ref none where it has no
-   * slot. */
+  /** \brief The same for any cell, even outside the grid; \ref none if it has no slot.
+   */
   Index
   find(const Cell& cell) const;
 
@@ -133,7 +133,7 @@ public:
   RankedBits marked;   ///< bricks that may hold points
   RankedBits occupied; ///< cells of these bricks that do
 
-  /** \brief Marks all bricks, if that costs little beside \a points points. */
+  /** \brief Marks all bricks, if that is cheap compared with \a points points. */
   bool
   markAll(std::size_t points);
 

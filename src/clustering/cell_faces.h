@@ -13,8 +13,8 @@
 namespace linelet::clustering {
 
 /** \brief The faces of cells that hold points, in the order of the representatives.
- * \param[in] clusters with representatives, and normals where they are those of quads
- * \param[in] is_filled for every slot whether its cell holds points */
+ * \param[in] clusters with representatives, and with normals if quads use them
+ * \param[in] is_filled whether the cell of each slot holds points */
 std::vector<Face>
 cellFaces(CellFaces kind,
           const Clusters& clusters,

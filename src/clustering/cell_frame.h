@@ -17,7 +17,7 @@ namespace linelet::clustering {
 using Cell = std::array<std::int32_t, 3>;
 
 /** \brief The undistorted grid: boxes in space, or pieces of a camera's view whose
- * depth grows with their distance, so that all are of like proportions. */
+ * depth grows with their distance, so that all have similar proportions. */
 struct CellFrame {
   Cell cells = {1, 1, 1}; ///< along each axis
   bool perspective = false;
@@ -32,9 +32,9 @@ struct CellFrame {
   double scale_x = 1, scale_y = 1;     ///< cells per unit at depth 1
   std::vector<double> depths;          ///< where the layers of cells end, ascending
 
-  /** \brief Around the finite points, as the settings say; \a leaf, if not 0, takes the
-   * place of theirs.
-   * \throws std::invalid_argument where there would be too many cells */
+  /** \brief Around the finite points, as the settings say; \a leaf, if not 0, replaces
+   * theirs.
+   * \throws std::invalid_argument if there would be too many cells */
   static CellFrame
   around(const Points& points,
          const ClusterSettings& settings,
@@ -42,9 +42,9 @@ struct CellFrame {
          int threads);
 
   /** \brief Finds the cell of \a point, and how far through it the point is, in [0, 1]
-   * along each axis; in the middle where there is one cell alone. What a device does as
-   * well: nothing but sums, products and quotients in double, in this order.
-   * \return false where the point is not finite or not in view */
+   * along each axis; in the middle if there is only one cell. Devices do the same: only
+   * sums, products and quotients in double, in this order.
+   * \return false if the point is not finite or not in view */
   template <bool Perspective>
   bool
   locate(const Point& point, Cell& cell, Point& part) const;
@@ -53,18 +53,18 @@ struct CellFrame {
   Point
   middle(const Cell& cell) const;
 
-  /** \brief The lower corner of a cell, which may be the one behind the last. */
+  /** \brief The lower corner of a cell, which may be one past the last. */
   Point
   corner(const Cell& cell) const;
 
-  /** \brief Lengths along the axes of space that no member of a cell, which may come
-   * from a neighbor, is farther from its middle than twice. */
+  /** \brief Half of the largest distance of a member, which may come from a neighbor,
+   * from the middle of its cell, along each axis of space. */
   Point
   reach(const Cell& cell) const;
 
 private:
-  /** \brief The place in a camera's view that many cells across and down, and so far
-   * away. */
+  /** \brief The position in a camera's view at the given number of cells across and
+   * down, and at the given depth. */
   Point
   inView(double across, double down, double depth) const;
 };

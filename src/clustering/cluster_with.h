@@ -15,12 +15,13 @@
 namespace linelet {
 namespace LINELET_PUBLIC clustering {
 
-/** \brief Makes an engine for points, which outlive it, and a field's integers. */
+/** \brief Creates an engine for points, which must outlive it, and the integers of a
+ * field. */
 using MakePasses = std::function<std::unique_ptr<PointPasses>(
     const Points& points, std::vector<std::int32_t> field, int threads)>;
 
-/** \brief \ref clusterPoints with an engine: it does what is done point by point,
- * everything that is done cell by cell is done here. */
+/** \brief \ref clusterPoints with an engine, which does the work per point; the work
+ * per cell is done here. */
 Clusters
 clusterWith(const MakePasses& make,
             const Points& points,

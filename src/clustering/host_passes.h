@@ -16,7 +16,7 @@ namespace LINELET_PUBLIC clustering {
 
 /** \brief The passes on the threads of this machine.
  * \param[in] points must outlive the result
- * \param[in] field integers of the field, empty where there is none */
+ * \param[in] field integers of the field, empty if there is none */
 std::unique_ptr<PointPasses>
 hostPasses(const Points& points, std::vector<std::int32_t> field, int threads);
 

@@ -11,7 +11,7 @@
 namespace linelet::clustering {
 
 /** \brief The edge of cubic cells of which about \a settings.count hold points: within
- * half a percent, or as near as the cloud allows. */
+ * half a percent, or as close as the cloud allows. */
 double
 leafForCount(PointPasses& passes,
              const Points& points,

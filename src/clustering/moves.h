@@ -13,8 +13,8 @@
 
 namespace linelet::clustering {
 
-/** \brief How far the borders move under MoveRule::Population: for every slot and
- * face the steps from it that belong to the cell behind.
+/** \brief How far the borders move under MoveRule::Population: for every slot and face,
+ * the number of steps from it that belong to the cell beyond.
  * \param[in] border_counts see PointPasses::borderCounts
  * \param[in] populations of every slot
  * \param[in] passes how often */
@@ -24,7 +24,7 @@ populationShifts(const std::vector<std::uint32_t>& border_counts,
                  const Indices& neighbors,
                  unsigned passes);
 
-/** \brief Mean and covariance of what was summed up. */
+/** \brief Mean and covariance from sums. */
 struct CellMoments {
   Point mean = Point::Zero();
   SymmetricTensor tensor;

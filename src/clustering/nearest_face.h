@@ -31,7 +31,7 @@ nearestFace(const Point& part, double border, double step_scale)
   const double distance = 0.5 - farthest;
   if (!(distance < border))
     return inside_cell;
-  // Rounding may put points a hair outside of their cell.
+  // Rounding may put points slightly outside their cell.
   const auto step =
       static_cast<std::uint32_t>(distance > 0 ? distance * step_scale : 0);
   return static_cast<std::uint8_t>(face * steps + (step < steps ? step : steps - 1));

@@ -14,17 +14,17 @@
 
 namespace linelet::clustering {
 
-/** \brief Locates points block by block, on vectors where the cells are boxes. */
+/** \brief Locates points block by block, vectorized if the cells are boxes. */
 class BlockLocator {
 public:
-  /** \brief Finds cells alone. */
+  /** \brief Finds only cells. */
   BlockLocator(const CellDirectory& directory, const CellFrame& frame)
       : BlockLocator(directory, frame, 0, 0)
   {
   }
 
-  /** \param[in] border see \ref nearestFace; 0: faces are not asked for
-   * \param[in] bits of offsets, in boxes; 0: they are not asked for */
+  /** \param[in] border see \ref nearestFace; 0: faces are not needed
+   * \param[in] bits of offsets, in boxes; 0: they are not needed */
   BlockLocator(const CellDirectory& directory,
                const CellFrame& frame,
                double border,

@@ -21,22 +21,22 @@ namespace LINELET_PUBLIC clustering {
 /** \brief Faces of a cell: -x, +x, -y, +y, -z, +z; f ^ 1 is the face across. */
 constexpr std::uint32_t faces = 6;
 
-/** \brief Steps in which the distance to a border is told. */
+/** \brief Number of steps into which the distance to a border is quantized. */
 constexpr std::uint32_t steps = 8;
 
-/** \brief What a point has to do with the border of its cell: face * steps + step,
- * nearest steps first; or that no border is near. */
+/** \brief Code of a point's distance from the border of its cell: face * steps + step,
+ * nearest steps first; this value if no border is near. */
 constexpr std::uint8_t inside_cell = 255;
 
-/** \brief Where the members of a cell are summed up from, and in which unit. */
+/** \brief Origin and unit of the sums over the members of a cell. */
 struct CellOrigin {
   std::array<double, 3> middle;
   std::array<double, 3> scale; ///< integers per unit of length
 };
 
 /** \brief Bits of an offset of a whole reach (see \ref CellFrame::reach): as many as
- * still let sums of the squares of \a points offsets, each at most twice as long, fit
- * into 63 bits. */
+ * let the sum of squares of \a points offsets, each up to twice as long, fit into 63
+ * bits. */
 inline int
 offsetBits(std::size_t points)
 {
@@ -70,7 +70,7 @@ struct CellSums {
   }
 };
 
-/** \brief The plane of a cell's members; a normal of 0: they have none. */
+/** \brief The plane of a cell's members; normal 0: none. */
 struct CellPlane {
   std::array<double, 3> point{}, normal{};
 };
@@ -83,8 +83,8 @@ struct FieldSum {
 /** \brief The value of the field at points that have none. */
 constexpr std::int32_t no_value = INT32_MIN;
 
-/** \brief All that is done point by point. Every engine gives the same bits: what it
- * sums are integers, and what it decides it computes in double in the order stated. */
+/** \brief All work per point. Every engine gives the same bits: sums are of integers,
+ * and decisions are computed in double in the order stated. */
 class PointPasses {
 public:
   virtual ~PointPasses() = default;
@@ -99,12 +99,12 @@ public:
   virtual void
   findHomes(CellDirectory& directory, const CellFrame& frame, double border) = 0;
 
-  /** \brief Says where and in which units \ref sums are told, for every slot. */
+  /** \brief Sets origin and unit of \ref sums for every slot. */
   virtual void
   setOrigins(const std::vector<CellOrigin>& origins) = 0;
 
-  /** \brief Says where points can move to.
-   * \param[in] neighbors slots behind the faces of every slot */
+  /** \brief Sets where points can move to.
+   * \param[in] neighbors slots beyond the faces of every slot */
   virtual void
   setNeighbors(const Indices& neighbors) = 0;
 
@@ -113,25 +113,25 @@ public:
   virtual std::vector<std::uint32_t>
   borderCounts() = 0;
 
-  /** \brief The sums of what is assigned to every slot, until the next call. */
+  /** \brief The sums over the members of every slot; valid until the next call. */
   virtual const std::vector<CellSums>&
   sums() = 0;
 
   virtual std::vector<FieldSum>
   fieldSums() = 0;
 
-  /** \brief Points less than shifts[slot * faces + face] steps from a face are behind
-   * it, all others at home. */
+  /** \brief Assigns points less than shifts[slot * faces + face] steps from a face to
+   * the cell beyond it, all others to their home. */
   virtual void
   moveBySteps(const std::vector<std::uint8_t>& shifts) = 0;
 
-  /** \brief Points go to the plane that is nearer, if both cells have one: the distance
-   * is |((x - px) nx + (y - py) ny) + (z - pz) nz|. */
+  /** \brief Assigns points to the nearer plane, if both cells have one: the distance is
+   * |((x - px) nx + (y - py) ny) + (z - pz) nz|. */
   virtual void
   moveToPlanes(const std::vector<CellPlane>& planes) = 0;
 
-  /** \brief Points go across where their value is below the mean here and above the
-   * mean there; NaN: a cell without one. */
+  /** \brief Moves points across if their value is below the mean here and above the
+   * mean there; NaN: a cell without a mean. */
   virtual void
   moveByField(const std::vector<double>& means) = 0;
 

@@ -7,7 +7,7 @@
 
 namespace linelet::clustering {
 
-/** \brief The places of the bits set in a byte, one after the other, a byte each. */
+/** \brief The positions of the bits set in a byte, one byte each. */
 struct SetBits {
   std::uint8_t places[256][8] = {};
 

@@ -17,7 +17,7 @@ class SharedBits {
 public:
   explicit SharedBits(std::size_t words) : words_(words) {}
 
-  /** \brief Sets a bit; most are set already, which is cheaper to see than to do. */
+  /** \brief Sets a bit; most are set already, which is cheaper to test than to set. */
   void
   set(std::uint64_t number)
   {

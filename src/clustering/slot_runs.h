@@ -13,8 +13,8 @@
 
 namespace linelet::clustering {
 
-/** \brief The slots cut into a run per thread, so that one thread visits all points of
- * a slot. */
+/** \brief The slots, divided into one run per thread, so that one thread visits all
+ * points of a slot. */
 class SlotRuns {
 public:
   bool

@@ -44,8 +44,8 @@ addPoint(const Point& p, const CellOrigin& origin, CellSums& sum)
   addOffsets<Sign>(x, y, z, sum);
 }
 
-/** \brief Distance of \a p from \a plane; NaN where there is no plane, which no
- * comparison passes. */
+/** \brief Distance of \a p from \a plane; NaN, for which every comparison is false, if
+ * there is no plane. */
 inline double
 distance(const CellPlane& plane, const Point& p)
 {

@@ -18,11 +18,11 @@
 namespace linelet::clustering {
 
 /** \brief The cells that one thread's points lie in, numbered as they are first met:
- * one pass over the points finds them and sums up their members, and what it touches is
- * as near in memory as the points are in space, however fine the grid is. */
+ * one pass over the points finds them and sums their members, and memory access is as
+ * local as the points are in space, however fine the grid. */
 class TouchedCells {
 public:
-  /** \brief Whether a grid of so many keys is small enough for a number each. */
+  /** \brief Whether a grid with this many keys is small enough for one number each. */
   static bool
   suit(std::uint64_t keys, std::size_t points)
   {
@@ -30,8 +30,8 @@ public:
     return keys <= (points > few ? points : few);
   }
 
-  /** \param[in] all how many keys there are
-   * \param[in] points how many there are */
+  /** \param[in] all number of keys
+   * \param[in] points number of points */
   TouchedCells(std::uint64_t all, std::size_t points)
       // Pages of cells that are never touched are never filled.
       : numbers_(static_cast<Index*>(std::calloc(all, sizeof(Index))))

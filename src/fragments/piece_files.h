@@ -13,8 +13,8 @@
 
 namespace linelet::fragments {
 
-/** \brief A point in the file of a piece, where they follow one another; whether a file
- * is whole, the ledger knows. Read on the machine, or kind of machine, that wrote it.
+/** \brief A point in the file of a piece, which is an array of these; the ledger knows
+ * whether a file is complete. Read on the machine, or kind of machine, that wrote it.
  */
 struct PieceRecord {
   double x, y, z;
@@ -47,7 +47,7 @@ public:
   void
   flush();
 
-  /** \brief Gives all files their names. \return points by fragment
+  /** \brief Gives all files their final names. \return points by fragment
    * \throws io::FileError */
   std::map<std::size_t, std::uint64_t>
   publish();

@@ -17,9 +17,9 @@ namespace linelet::fragments {
 
 constexpr std::size_t block_size = 500000; ///< points read at a time
 
-/** \brief Calls \a use with every usable point of \a cloud, which begins at place \a
- * first of \a input, as a record, and its world coordinates. \throws io::FileError
- * where one lies outside of what the header of \a input names */
+/** \brief Calls \a use with every usable point of \a cloud, which begins at index \a
+ * first of \a input, as a record, and its world coordinates. \throws io::FileError if
+ * one lies outside the bounds in the header of \a input */
 template <class Use>
 void
 forEachRecord(const Plan& plan,

@@ -21,18 +21,18 @@ struct FileColumn {
   int axis = 0;
 };
 
-/** \brief x, y and z in world coordinates, with 4 bytes where these hold them.
+/** \brief x, y and z in world coordinates, with 4 bytes where that is exact.
  *
- * \param warn_pcl whether to warn where they do not, as PCL then reads none of them */
+ * \param warn_pcl whether to warn where it is not, as PCL then reads none of them */
 std::vector<FileColumn>
 coordinateColumns(const Target& target, const Cloud& cloud, bool warn_pcl);
 
-/** \brief The cloud's 8 bit colors as red, green and blue; none where it has others or
+/** \brief The cloud's 8-bit colors as red, green and blue; nothing if it has others or
  * none. */
 std::vector<Column>
 colorColumns(const Cloud& cloud);
 
-/** \brief Names as words, each its own; x, y and z are taken. */
+/** \brief Names as words, all different; x, y and z are taken. */
 class WordNames {
 public:
   WordNames();

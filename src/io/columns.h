@@ -29,18 +29,18 @@ wordName(std::string_view name);
 /** \brief Makes a cloud of columns among which are x, y and z. Packed colors (rgb,
  * rgba) are taken apart.
  *
- * The shift is a whole number near the points where these are far from the origin, so
- * that subtracting it loses nothing. */
+ * The shift is a whole number near the points if these are far from the origin, so that
+ * subtracting it loses nothing. */
 LINELET_PUBLIC Cloud
 cloudFromColumns(const Source& source, std::vector<Column> columns);
 
-/** \brief red, green and blue with 8 bits each where the cloud has no more than that:
- * bytes, or 16 bit values whose lower half is empty, as LAS stores 8 bit colors. */
+/** \brief red, green and blue with 8 bits each if the cloud has no more than that:
+ * bytes, or 16-bit values whose lower half is empty, as LAS stores 8-bit colors. */
 std::optional<std::array<std::vector<std::uint8_t>, 3>>
 byteColors(const Cloud& cloud);
 
-/** \brief Stands before the names of other attributes than coordinates, normals and
- * colors in PLY files, as CloudCompare writes them. */
+/** \brief Prefix of the names of all attributes but coordinates, normals and colors in
+ * PLY files, as CloudCompare writes them. */
 constexpr std::string_view scalar_prefix = "scalar_";
 
 /** \brief Whether \a name is red, green or blue. */

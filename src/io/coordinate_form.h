@@ -14,7 +14,7 @@ struct CoordinateForm {
   bool floats = true; ///< every world coordinate is a float
   int decimals = -1;  ///< of all world coordinates, -1: more than 9
 
-  /** \brief Whether a float is near enough to tell the coordinate. */
+  /** \brief Whether a float is close enough to represent the coordinate. */
   bool fits_float = true;
 };
 

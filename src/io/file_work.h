@@ -11,7 +11,7 @@
 
 namespace linelet::io {
 
-/** \brief A file at work, and whom to tell about it. */
+/** \brief A file being processed, and where to report about it. */
 struct FileWork {
   std::string name; ///< path, for messages
   std::vector<std::string>* warnings = nullptr;

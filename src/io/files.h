@@ -13,7 +13,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief A file in memory, read-only: mapped where it is a regular file. */
+/** \brief A file in memory, read-only: mapped if it is a regular file. */
 class MappedFile {
 public:
   /** \throws FileError, Canceled */
@@ -32,7 +32,7 @@ public:
 
 private:
   std::string_view bytes_;
-  std::string owned_; ///< content of what cannot be mapped (pipes)
+  std::string owned_; ///< content of files that cannot be mapped (pipes)
   void* mapped_ = nullptr;
 };
 

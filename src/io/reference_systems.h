@@ -10,25 +10,25 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief What the GeoTIFF keys of a file say of its reference system: EPSG codes of
+/** \brief What the GeoTIFF keys of a file say about its reference system: EPSG codes of
  * its parts and of their units, 0 where not given. */
 struct ReferenceCodes {
   int plan = 0, height = 0;
   int plan_unit = 0, height_unit = 0;
 };
 
-/** \brief What readers of point files ask of reference systems. GDAL answers, in
- * linelet::vector; a program that is linked without it takes WKT as it stands. */
+/** \brief What readers of point files need from reference systems. GDAL provides it, in
+ * linelet::vector; a program linked without it takes WKT as it is. */
 struct ReferenceSystems {
   /** \brief Whether \a wkt describes a system. */
   bool (*isUnderstood)(const std::string& wkt);
 
-  /** \brief WKT of the system with these codes; a unit that is given counts more than
-   * that of the system. Empty where PROJ does not know the horizontal part. */
+  /** \brief WKT of the system with these codes; a given unit takes precedence over that
+   * of the system. Empty if PROJ does not know the horizontal part. */
   std::string (*wktOfCodes)(const ReferenceCodes& codes);
 
-  /** \brief WKT of a system of which nothing but the unit is known; empty for meters
-   * and for units that are none of length. */
+  /** \brief WKT of a system of which only the unit is known; empty for meters and for
+   * units that are not lengths. */
   std::string (*wktOfUnit)(int code);
 
   /** \brief WKT of the system that \a text names: EPSG:n, a WKT, or a file that holds
@@ -38,7 +38,7 @@ struct ReferenceSystems {
   /** \brief See \ref referenceName. */
   std::string (*nameOf)(const std::string& wkt);
 
-  /** \brief EPSG code of the system \a wkt; 0 where it states none. */
+  /** \brief EPSG code of the system \a wkt; 0 if it states none. */
   int (*epsgOf)(const std::string& wkt);
 };
 
@@ -49,7 +49,7 @@ referenceSystems();
 /** \brief WKT of the reference system that a user declares: EPSG:n, a WKT, or a file
  * that holds one.
  * \param[in] option that it is the value of, for messages
- * \throws FileError where it is none, or nobody is there to ask */
+ * \throws FileError if it is none of these, or without linelet::vector */
 std::string
 declaredReference(const std::string& text, const std::string& option = "--crs");
 

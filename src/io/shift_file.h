@@ -9,12 +9,12 @@
 
 namespace linelet::io {
 
-/** \brief The shift in the file beside \a path, zero where there is none.
+/** \brief The shift in PATH.shift, zero if there is none.
  * \throws FileError if it does not hold three numbers */
 Point
 readShift(const std::string& path);
 
-/** \brief Puts \a shift beside \a path, or takes away what is there if it is zero.
+/** \brief Writes \a shift to PATH.shift, or removes that file if the shift is zero.
  * \throws FileError */
 void
 writeShift(const std::string& path, const Point& shift);

@@ -18,7 +18,7 @@ namespace linelet::io {
 
 /** \brief The bytes of a file, to read.
  *
- * Readers work on memory: a mapped file, or what a fuzzer made up. */
+ * Readers work on memory: a mapped file, or the input of a fuzzer. */
 struct Source : FileWork {
   std::string_view bytes;
   ReadOptions options;
@@ -64,10 +64,10 @@ store(char* at, T value)
 LINELET_PUBLIC std::string
 cleanName(std::string_view text);
 
-/** \brief Gives out names, none of them twice. */
+/** \brief Assigns names, none of them twice. */
 class LINELET_PUBLIC UniqueNames {
 public:
-  /** \brief \a asked, or where that is taken with _2, _3, ... behind it. */
+  /** \brief \a asked, or if that is taken, with _2, _3, ... appended. */
   std::string
   take(const std::string& asked);
 
@@ -75,7 +75,7 @@ private:
   std::map<std::string, int> used_; ///< name -> largest number behind it
 };
 
-/** \brief Number of points between two looks at the monitor. */
+/** \brief Number of points between two checks of the monitor. */
 constexpr std::size_t block_points = 8192;
 
 } // namespace linelet::io

@@ -10,12 +10,12 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Where the content of a file grows until it is whole: a name beside its own,
- * or the file itself where that is a device or a pipe. Unless published, it is removed
- * in the end, with what other writers (GDAL) put beside it. */
+/** \brief Where a file is written until it is complete: under a temporary name beside
+ * its own, or directly if it is a device or a pipe. Unless published, it is removed in
+ * the end, with what other writers (GDAL) put beside it. */
 class StagedFile {
 public:
-  /** \throws FileError where \a path is a folder, or its name too long */
+  /** \throws FileError if \a path is a folder, or if its name is too long */
   explicit StagedFile(const std::string& path);
   ~StagedFile();
   StagedFile(const StagedFile&) = delete;
@@ -28,7 +28,7 @@ public:
     return place_;
   }
 
-  /** \brief Whether it is written where it stays. */
+  /** \brief Whether it is written in place. */
   bool
   direct() const
   {

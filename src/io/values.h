@@ -86,7 +86,7 @@ representable(From value)
   if constexpr (std::is_floating_point_v<To>)
     return true;
   else if constexpr (std::is_floating_point_v<From>)
-    // The upper limit of a 64 bit type is no double: compare with the power of two.
+    // The upper limit of a 64-bit type is not a double: compare with the power of two.
     return value >= static_cast<From>(std::numeric_limits<To>::min()) &&
            value < std::ldexp(static_cast<From>(1), std::numeric_limits<To>::digits) &&
            std::trunc(value) == value;

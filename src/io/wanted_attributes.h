@@ -9,11 +9,11 @@
 
 namespace linelet::io {
 
-/** \brief Whether \a options ask for the column \a name. */
+/** \brief Whether \a options request the column \a name. */
 bool
 isWanted(const ReadOptions& options, std::string_view name);
 
-/** \brief Drops the columns of \a cloud that \a options do not ask for. */
+/** \brief Drops the columns of \a cloud that \a options do not request. */
 void
 keepWanted(Cloud& cloud, const ReadOptions& options);
 

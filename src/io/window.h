@@ -25,21 +25,21 @@ struct Window {
     return (to.array() >= low.array()).all() && (from.array() <= high.array()).all();
   }
 
-  /** \brief Whether anything is out of it. */
+  /** \brief Whether anything is outside it. */
   bool
   limits() const;
 };
 
-/** \brief The window that \a options ask for; everything where they ask for none.
- * \throws FileError where the numbers bound nothing */
+/** \brief The window that \a options request; everything if they request none.
+ * \throws FileError if the numbers do not bound an area */
 Window
 windowOf(const ReadOptions& options);
 
-/** \brief What is said about --resolution where there are no levels to choose from. */
+/** \brief The warning about --resolution for files without levels. */
 constexpr const char* no_copc = "it is not a COPC file; --resolution has no effect";
 
-/** \brief Keeps the points of \a cloud that are in \a window; all, whatever they are,
- * where that is everything. */
+/** \brief Keeps the points of \a cloud that are in \a window; all of them, finite or
+ * not, if it is everything. */
 void
 crop(Cloud& cloud, const Window& window);
 

@@ -7,14 +7,14 @@
 
 namespace linelet::powerline {
 
-/** \brief What is known of real lines before a scan is looked at. Lengths in meters,
- * evidence in natural logarithms of odds. */
+/** \brief Prior knowledge about real lines. Lengths in meters, evidence in natural
+ * logarithms of odds. */
 struct LinePriors {
-  double tautest = 5000; ///< catenary parameter: aluminum conductor steel reinforced at
-                         ///< a fifth of its strength has 1,500 to 2,500, earth wires up
-                         ///< to 4,000 in the cold (CIGRE Technical Brochure 324)
-  double least_sag = 1.0 / 320; ///< of a span: whoever strings a short wire leaves it
-                                ///< more slack, for its length changes with temperature
+  double tautest = 5000; ///< catenary parameter: ACSR conductors at a fifth of their
+                         ///< strength have 1,500 to 2,500, earth wires up to 4,000 in
+                         ///< the cold (CIGRE Technical Brochure 324)
+  double least_sag = 1.0 / 320; ///< of a span: short wires are strung with more slack,
+                                ///< since their length changes with temperature
   double usual_bend = 1e-3; ///< half second derivative, 1 / 2a, of any wire: a = 500 m,
                             ///< between that of a long span and of a service drop
   double bend_spread = 2e-3; ///< and its standard deviation
@@ -24,20 +24,22 @@ struct LinePriors {
   double company_reach = 14; ///< between neighboring wires of a span, at most
   double alike = 0.01;       ///< slope between two wires of a span, standard deviation:
                              ///< crossarms differ, and sags by some percent
-  double longer = 1.5;    ///< a span is at most so much longer than the part of it seen
-  double short_line = 25; ///< the least that stands for itself
-  double spread = 2.5;    ///< standard deviations that rule something out
+  /// A span is at most this many times as long as the visible part of it
+  double longer = 1.5;
+  double short_line = 25; ///< shortest wire that is evidence enough by itself
+  double spread = 2.5;    ///< number of standard deviations that rules something out
 
   /// \name Least evidence of a wire, over that of its surroundings
-  /// Of some 1e8 places for a parabola in a square kilometer (18), and four parameters.
+  /// For some 1e8 positions of a parabola in a square kilometer (18), and four
+  /// parameters.
   /// @{
   double alone = 25;
-  double in_company = 12; ///< where its line tells of its place
+  double in_company = 12; ///< if its line predicts its position
   /// @}
 
-  double hidden = 0.3; ///< of the length of a wire, by crowns, supports and dropouts
+  double hidden = 0.3; ///< fraction of a wire hidden by crowns, supports and dropouts
 
-  /// \name What hides a wire hides those right beside it
+  /// \name What hides a wire also hides those right beside it
   /// @{
   double rack = 1;           ///< between wires of a rack or bundle, which share their
                              ///< supports and what hides them; at most
@@ -45,8 +47,8 @@ struct LinePriors {
   double well_seen = 0.75;   ///< of the same stretch of the other
   /// @}
 
-  double open = 0.25;       ///< of the length of a line, with nothing but deep below
-  double open_itself = 0.5; ///< of every wire: crowns let pulses through, roofs do not
+  double open = 0.25;       ///< fraction of a line with an open view to the ground
+  double open_itself = 0.5; ///< of each wire: crowns let pulses through, roofs do not
 
   double guy_slope = 0.45; ///< against the ground, at least, where a guy is anchored
   double guy_reach = 4;    ///< meters from there to where it is seen, at most
@@ -55,10 +57,11 @@ struct LinePriors {
   /// @{
   double longest_drop = 45; ///< a house farther away gets a pole of its own
   double shortest_drop = 6; ///< poles stand across a pavement and a front yard at least
-  double drop_reach = 6;    ///< carried on to its line; insulators and the pole hide it
-  double drop_below = 4;    ///< below the wires of its line, at most
-  double drop_beside = 1.5; ///< and beside them
-  double highest_pole = 16; ///< above ground, of the wires of a line that has drops
+  /// Up to which it is extended to its line; insulators and the pole hide it
+  double drop_reach = 6;
+  double drop_below = 4;      ///< below the wires of its line, at most
+  double drop_beside = 1.5;   ///< and beside them
+  double highest_pole = 16;   ///< above ground, of the wires of a line that has drops
   double steepest_drop = 0.8; ///< slope; guys are anchored about as far from their
                               ///< pole as they are attached high, or nearer
   /// @}

@@ -13,8 +13,7 @@
 
 namespace linelet::powerline::report {
 
-/** \brief \a value with \a decimals digits behind the point; a dash where it is not
- * known. */
+/** \brief \a value with \a decimals digits after the point; a dash if it is unknown. */
 std::string
 number(double value, int decimals);
 
@@ -72,7 +71,7 @@ roundStep(double range, int count);
 std::string_view
 wireColor(int number);
 
-/** \brief Everything the parts of the report draw from. */
+/** \brief Input of all parts of the report. */
 struct Content {
   const io::Cloud& cloud;
   const PowerLineNetwork& network;
@@ -93,8 +92,8 @@ struct Content {
     return network.wires[static_cast<std::size_t>(id) - 1];
   }
 
-  /** \brief \a meters with \a decimals, beside them feet where the file counts in feet:
-   * "3.21 (10.5 ft)". */
+  /** \brief \a meters with \a decimals, followed by feet if the file is in feet: "3.21
+   * (10.5 ft)". */
   std::string
   length(double meters, int decimals) const;
 

@@ -16,10 +16,10 @@ namespace linelet::powerline::report {
 struct Section {
   std::string id;    ///< its place in links; also page/ID.mustache, which draws it
   std::string title; ///< heading; may be empty
-  nlohmann::ordered_json data; ///< what the template is filled with
+  nlohmann::ordered_json data; ///< for the template
 };
 
-/** \brief What is asked first: lines, lengths, how many wires are too low. */
+/** \brief The most important figures: lines, lengths, how many wires are too low. */
 Section
 summarySection(const Content& content);
 
@@ -27,8 +27,8 @@ summarySection(const Content& content);
 Section
 planSection(const Content& content);
 
-/** \brief Cloud and lines in space, to be turned by hand; a still picture where the
- * reader has no WebGL 2. */
+/** \brief Cloud and lines in space, that can be rotated; a still picture without
+ * WebGL 2. */
 Section
 spaceSection(const Content& content);
 
@@ -36,7 +36,7 @@ spaceSection(const Content& content);
 Section
 clearancesSection(const Content& content);
 
-/** \brief What comes too near to the wires as they were scanned: stretches, trees that
+/** \brief What comes too close to the wires as they were scanned: stretches, trees that
  * could fall in, crossings, limits. Needs hazards. */
 Section
 hazardsSection(const Content& content);
@@ -57,8 +57,8 @@ profilesSection(const Content& content, const ProgressMonitor* monitor);
 Section
 settingsSection(const Content& content);
 
-/** \brief All of the page, in order. A new section is a function here, a template in
- * page/ and a line in this one. */
+/** \brief All sections of the page, in order. A new section takes a function here, a
+ * template in page/ and a line in this function. */
 std::vector<Section>
 sectionsOf(const Content& content, const ProgressMonitor* monitor);
 

@@ -10,7 +10,7 @@
 
 namespace linelet::powerline::report {
 
-/** \brief A hazard as the view in space shows it: a line between two places. */
+/** \brief A hazard in the 3D view: a line between two places. */
 struct SpaceMark {
   Point from, to;   ///< meters, as the network
   std::string key;  ///< which it is
@@ -22,7 +22,7 @@ struct SpaceMark {
 struct LowWire {
   const Wire* wire;
   const Clearance* found;
-  const char* what; ///< that is too near, in words
+  const char* what; ///< that is too close, in words
 };
 std::vector<LowWire>
 lowWires(const Content& content);
@@ -32,7 +32,7 @@ lowWires(const Content& content);
 std::vector<SpaceMark>
 spaceMarks(const Content& content);
 
-/** \brief The place of the page where the view in space shows the hazard of that key.
+/** \brief The link to the hazard of that key in the 3D view.
  */
 inline std::string
 spaceLink(const std::string& key)

@@ -10,21 +10,21 @@
 
 namespace linelet::powerline::report {
 
-/** \brief A table of the page, as page/table.mustache wants it. */
+/** \brief A table of the page, in the form of page/table.mustache. */
 class Table {
 public:
-  /** \brief A column: words stand to the left, figures to the right. */
+  /** \brief A column: words are left-aligned, figures right-aligned. */
   struct Column {
     std::string name;
     bool words = false;
   };
 
-  /** \brief A cell, of which only the text must be there. */
+  /** \brief A cell; only the text is required. */
   struct Cell {
     std::string text;
     bool alarm = false;
     std::string link = {};   ///< address
-    std::string remark = {}; ///< behind the text
+    std::string remark = {}; ///< after the text
     std::string swatch = {}; ///< color of a square before the text
   };
 
@@ -39,7 +39,7 @@ public:
     json_["rows"] = nlohmann::ordered_json::array();
   }
 
-  /** \brief Appends a row, which links of the page reach as \a anchor. */
+  /** \brief Appends a row that links of the page reach as \a anchor. */
   void
   row(std::initializer_list<Cell> cells, const std::string& anchor = {})
   {

@@ -10,8 +10,8 @@
 
 namespace linelet::screen {
 
-/** \brief What an opaque surface looks like by a light over the viewer's left shoulder.
- * \param[in] normal to the right, down, away; towards the eye
+/** \brief Shading of an opaque surface by a light over the viewer's left shoulder.
+ * \param[in] normal components to the right, down, away; turned toward the eye
  * \return color and alpha */
 inline std::array<float, 4>
 lit(const std::array<float, 3>& color, const Point& normal)

@@ -12,8 +12,8 @@
 
 namespace linelet::screen {
 
-/** \brief A glyph in the picture: its place, and its axes in pixels (right, down,
- * away), as a parallel projection at its depth has them. */
+/** \brief A glyph in the picture: its position, and its axes in pixels (right, down,
+ * away), as in a parallel projection at its depth. */
 struct Footprint {
   Point at = Point::Zero(); ///< pixels, and depth in the unit of the cloud
   Eigen::Matrix3d axes = Eigen::Matrix3d::Zero(); ///< columns: half axes

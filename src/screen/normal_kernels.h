@@ -29,7 +29,7 @@ struct PaddedSamples {
   }
 };
 
-/** \brief Pixels done at a time. */
+/** \brief Pixels processed at a time. */
 constexpr int block = 64;
 
 /** \brief Rings of four pixels counter-clockwise, the first in the order of patterns.

@@ -26,8 +26,8 @@ turnToEye(const PaddedSamples& samples,
           NormalImage& image,
           int threads);
 
-/** \brief Replaces normals, as often as the settings say, by weighted means of 3 x 3,
- * 4 to 2 to 1 from the middle, of pixels whose positions are near enough. */
+/** \brief Replaces normals, as often as the settings say, by weighted means over 3 x 3
+ * pixels whose positions are close enough (weights 4, 2, 1 from the center). */
 void
 smooth(const PaddedSamples& samples,
        const ScreenNormalSettings& settings,

@@ -15,10 +15,10 @@
 
 namespace linelet::screen {
 
-/** \brief Draws opaque things; where they meet, the nearer one is seen.
+/** \brief Draws opaque things; where they overlap, the nearest is visible.
  *
  * A thing has box(width, end), the pixels that it may cover above row end; and
- * depthAt(pixel), NaN beside it, and colorAt(pixel) for the middles of these. */
+ * depthAt(pixel), NaN outside it, and colorAt(pixel), both for pixel centers. */
 template <class Thing>
 GlyphImage
 drawOpaque(const std::vector<Thing>& things, const Camera& camera, unsigned threads)

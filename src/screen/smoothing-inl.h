@@ -56,7 +56,7 @@ smooth(const PaddedSamples& s,
         const Place d = {hn::Sub(p.x, own.x), hn::Sub(p.y, own.y), hn::Sub(p.z, own.z)};
         const auto counts = hn::And(hn::Le(squareOf(d), hn::Set(floats, limit)),
                                     hn::Eq(n.x, n.x)); // not NaN
-        // 4 in the middle, 2 beside, 1 at the corners.
+        // 4 in the center, 2 beside it, 1 at the corners.
         const Vector weight = hn::Set(
             floats, static_cast<float>((2 - std::abs(right)) * (2 - std::abs(down))));
         sum.x = hn::Add(sum.x, hn::IfThenElseZero(counts, hn::Mul(weight, n.x)));

@@ -52,7 +52,7 @@ addDirections(const float* HWY_RESTRICT x,
   }
 }
 
-/** \brief Turns axes p and q so that the entry between them vanishes (Jacobi). */
+/** \brief Rotates axes p and q so that the entry between them vanishes (Jacobi). */
 inline void
 rotate(float* HWY_RESTRICT app,
        float* HWY_RESTRICT aqq,
@@ -86,8 +86,8 @@ rotate(float* HWY_RESTRICT app,
   }
 }
 
-/** \brief The eigenvectors of the smallest eigenvalues; NaN where two of the three are
- * nothing: one direction alone has no normal. */
+/** \brief The eigenvectors of the smallest eigenvalues; NaN if two of the three vanish:
+ * a single direction has no normal. */
 inline void
 smallest(Tensors& t, NormalBlock& out)
 {
@@ -137,7 +137,7 @@ tensorNormals(
     const PaddedSamples& s, int rings, float limit, std::ptrdiff_t at, NormalBlock& out)
 {
   // The pixel's own samples differ from their mean along the ray, and would only turn
-  // the plane towards it.
+  // the plane toward it.
   Tensors t = {};
   for (int ring = 0; ring < rings; ++ring)
     for (const auto& place : ring_places[ring])

@@ -60,7 +60,7 @@ addCorner(Places a, Places b, Places o, float limit, NormalBlock& sum)
   }
 }
 
-/** \brief To unit length; NaN where there is none. */
+/** \brief Scales to unit length; NaN for zero length. */
 inline void
 normalize(NormalBlock& n)
 {
@@ -83,7 +83,7 @@ derivativeNormals(const PaddedSamples& s,
   const auto own = [&](std::ptrdiff_t step) {
     return Places(s.cx.data(), s.cy.data(), s.cz.data(), at + step);
   };
-  // Forwards, or backwards where that is missing.
+  // Forward, or backward if that is missing.
   const auto sum = [&](std::ptrdiff_t down, std::ptrdiff_t right) {
     addCorner(own(down), own(right), own(0), limit, out);
   };

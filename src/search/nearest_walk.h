@@ -14,7 +14,7 @@ namespace linelet {
 
 /** \brief The nearest points of each of many points, visited by walking from one to its
  * nearest: a neighbor's distance grows by no more than the step, so that few points are
- * tested in vain. Not thread-safe: use one per thread. */
+ * tested needlessly. Not thread-safe: use one per thread. */
 class NearestWalk {
 public:
   /** \param[in] points those of \a grid; both must outlive this

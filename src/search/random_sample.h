@@ -14,7 +14,7 @@
 namespace linelet {
 
 /** \brief Leaves a random \a sample of \a chosen (Fisher and Yates, cut short); all of
- * them where it is 0 or they are no more. */
+ * them if it is 0 or there are no more. */
 inline void
 keepRandomSample(Indices& chosen, std::size_t sample, unsigned seed)
 {

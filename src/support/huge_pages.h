@@ -13,9 +13,8 @@
 
 namespace linelet {
 
-/** \brief Makes room for \a count elements in an empty vector, in huge pages where the
- * system has them: large arrays that are read and written in no order spend much of
- * their time looking up pages. */
+/** \brief Reserves \a count elements in an empty vector, in huge pages if the system
+ * has them: random access to large arrays spends much of its time looking up pages. */
 template <class T, class Allocator>
 void
 reserveHuge(std::vector<T, Allocator>& elements, std::size_t count)
@@ -26,7 +25,7 @@ reserveHuge(std::vector<T, Allocator>& elements, std::size_t count)
   const auto begin = reinterpret_cast<std::uintptr_t>(elements.data());
   const std::uintptr_t first = (begin + page - 1) / page * page;
   const std::uintptr_t last = (begin + count * sizeof(T)) / page * page;
-  // A hint: nothing depends on its being followed.
+  // A hint: nothing depends on it.
   if (first < last)
     madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif

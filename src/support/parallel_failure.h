@@ -9,8 +9,8 @@
 
 namespace linelet {
 
-/** \brief Carries an exception out of a parallel region, which none may leave: wrap
- * whatever may throw inside (allocations, too), and rethrow behind the region. */
+/** \brief Carries an exception out of a parallel region, which no exception may leave:
+ * wrap whatever may throw inside (allocations, too), and rethrow after the region. */
 class ParallelFailure {
 public:
   /** \brief Runs \a work and keeps what it throws. Does nothing once something has

@@ -10,8 +10,8 @@
 
 namespace linelet {
 
-/** \brief An allocator that leaves numbers as they are: for large arrays whose first
- * touch is to be that of all threads. */
+/** \brief An allocator that does not initialize numbers: for large arrays that all
+ * threads should touch first. */
 template <class T>
 struct UninitializedAllocator : std::allocator<T> {
   template <class Other>

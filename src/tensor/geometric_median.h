@@ -8,7 +8,7 @@
 
 namespace linelet {
 
-/** \brief The median of \ref centroid, by its steps from \a start on.
+/** \brief The median of \ref centroid, iterated from \a start.
  * \param[in] points at least one
  * \param[in] weighting of the distance from the median, or null for none */
 Point

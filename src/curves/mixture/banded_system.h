@@ -11,8 +11,8 @@
 
 namespace linelet {
 
-/** \brief Symmetric positive definite system over the nodes of one polyline, where a
- * node is coupled with the two next to it on either side.
+/** \brief Symmetric positive definite system over the nodes of one polyline, where each
+ * node is coupled with its two neighbors on either side.
  *
  * Open: pentadiagonal. Closed: the same around a ring, solved with the last two nodes
  * as a border. Linear time and memory. */

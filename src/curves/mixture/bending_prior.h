@@ -8,12 +8,12 @@
 
 namespace linelet {
 
-/** \brief Measures how a curve bends around each of its bends
- * (\ref EmSettings::even_curvature). */
+/** \brief Measures the mean bend around each bend of a curve (\ref
+ * EmSettings::even_curvature). */
 void
 measureEvenCurvature(const MixtureState& mixture, MixtureCurve& state, double spacing);
 
-/** \brief Adds to \a system what the prior says of the bends of a curve. */
+/** \brief Adds the prior on the bends of a curve to \a system. */
 void
 stiffen(const MixtureState& mixture,
         MixtureCurve& state,

@@ -7,12 +7,12 @@
 
 namespace linelet {
 
-/** \brief What the fit needs to know of a cloud beside its points. */
+/** \brief What the fit needs to know about a cloud besides its points. */
 struct CloudFrame {
   double scale_unit = 0; ///< D, the median distance to the sixth neighbor
   double diagonal = 0;   ///< of the bounding box
-  double volume = 0;     ///< (an area where the cloud is flat) that outliers fill
-  int dimensions = 3;    ///< 2 where the points lie in a plane
+  double volume = 0;     ///< that outliers fill (an area if the cloud is flat)
+  int dimensions = 3;    ///< 2 if the points lie in a plane
 };
 
 /** \brief Measures \a points (finite, at least one) whose scale unit is \a scale_unit.

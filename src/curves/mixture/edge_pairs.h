@@ -17,8 +17,8 @@ namespace linelet {
 
 struct SortedArrays;
 
-/** \brief Pairs of an edge and a point near it, those of an edge together, and what the
- * E-step finds out about each. The arrays end with padding for vectors. */
+/** \brief Pairs of an edge and a point near it, grouped by edge, and what the E-step
+ * computes for each. The arrays end with padding for vectors. */
 class EdgePairs {
 public:
   /** \param[in] grid of the points; must outlive the pairs */
@@ -28,8 +28,8 @@ public:
   void
   collect(MixtureState& mixture);
 
-  /** \brief Whether the noise has changed so much since that pairs are missing, or many
-   * say nothing. */
+  /** \brief Whether the noise has changed so much since then that pairs are missing or
+   * many are useless. */
   bool
   areStale(const MixtureState& mixture) const;
 
@@ -39,8 +39,8 @@ public:
   WorkArray<Index> index;              ///< of the point, sorted
   std::array<WorkArray<double>, 3> at; ///< coordinates of the point
   WorkArray<double> density;           ///< then responsibility
-  /// With fixed-radius noise: the place of the source on the edge, mean and mean square
-  /// of what its distance from the point differs from the radius.
+  /// With fixed-radius noise: the position of the source on the edge, and the mean and
+  /// mean square of its distance from the point minus the radius.
   WorkArray<double> place, residual, spread;
 
 private:
@@ -51,7 +51,8 @@ private:
   std::shared_ptr<const SortedArrays> sorted_; // of the grid
 };
 
-/** \brief \a edge as the kernels take it; the factor of its density is left 0. */
+/** \brief \a edge in the form that the kernels take; the factor of its density is left
+ * 0. */
 EdgeShape
 shapeOf(const MixtureEdge& edge);
 

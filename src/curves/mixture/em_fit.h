@@ -17,16 +17,16 @@ namespace linelet {
 
 /** \brief Fits polylines to points by expectation maximization.
  *
- * The model: a point is uniform in the frame's volume with probability eps, else it
- * lies at a place of a curve, distributed with a density smooth along the curve, plus
- * normal noise, whose logarithm may vary along the curve as a random walk (its step is
- * estimated, too). The prior on a curve is a
- * Student distribution with 3 degrees of freedom of its second differences, whose scale
- * (q spacing^3) is estimated per curve over the posterior of the bends: smooth curves
- * stay round, corners survive. Its mean is none, or that of the bends around
- * (\ref EmSettings::even_curvature). Every few iterations open ends are grown by one
- * edge and cut back where the likelihood gains by it. One object fits one cloud many
- * times and keeps its memory. */
+ * The model: a point is uniform in the frame's volume with probability eps, else its
+ * source lies on a curve, with a density smooth along the curve, and is displaced by
+ * normal noise, the logarithm of whose deviation may vary along the curve as a random
+ * walk (of estimated step). The prior on a curve is a Student distribution with 3
+ * degrees of freedom of its second differences, whose scale (q spacing^3) is estimated
+ * per curve over the posterior of the bends: smooth curves stay round, corners survive.
+ * Its mean is zero, or that of the bends around (\ref EmSettings::even_curvature).
+ * Every few iterations, open ends are grown by one edge and cut back where that
+ * improves the likelihood. One object fits one cloud many times and reuses its memory.
+ */
 class EmFitter {
 public:
   /** \param[in] points finite points; must outlive the fitter, as must \a grid
@@ -38,8 +38,8 @@ public:
            std::function<bool()> stop = {});
 
   /** \brief Fits \a curves, which give the topology and the start.
-   * \param[in] rival score (\ref scoreOf) of the best model so far: what falls far
-   * behind it is given up, and the fit is as it was then */
+   * \param[in] rival score (\ref scoreOf) of the best model so far: a fit that falls
+   * far behind it is abandoned and returned as it is */
   EmFit
   fit(const ModelCurves& curves,
       const EmSettings& settings,

@@ -31,8 +31,8 @@ struct EdgeShape {
                    ///< integral of the normal density over it
 };
 
-/** \brief What an edge says of its two vertices a and b: sums of the squares of its
- * points' shares, and of the places that draw them. And what it says of the noise. */
+/** \brief Contribution of an edge to the normal equations of its two vertices a and b,
+ * and to the noise: sums over its points, weighted by their shares. */
 struct EdgeSums {
   double share = 0;  ///< of the points
   double square = 0; ///< of their distances from the edge's line, by shares
@@ -59,8 +59,8 @@ struct EmKernels {
   double (*invert)(double* densities, std::size_t count);
 
   /** \brief Multiplies the densities of an edge at \a count points by the \a inverse of
-   * the whole density at each, which stands at its \a sorted_index: the edge's share of
-   * the point. \return the sum of the shares */
+   * the whole density at each, found at its \a sorted_index: the edge's share of the
+   * point. \return the sum of the shares */
   double (*share)(const double* inverse,
                   const Index* sorted_index,
                   double* densities,

@@ -14,17 +14,16 @@ namespace linelet {
 /** \brief How a fit is run. */
 struct EmSettings {
   double spacing = 0;         ///< of the nodes
-  double noise = 0;           ///< standard deviation to begin with
+  double noise = 0;           ///< initial standard deviation
   double least_noise = 0;     ///< the standard deviation never falls below this
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
-  double least_spacing = 0.7; ///< of the nodes, beside the standard deviation
-  double outlier_share = 0.1; ///< of the points, to begin with
-  double fixed_radius =
-      0; ///< radius of fixed-radius noise to begin with; 0: normal noise
-  bool even_curvature = false;        ///< whether the curves are thought to bend evenly
-  bool varied_noise = false;          ///< whether the noise varies along the curves
-  const ScaleField* scales = nullptr; ///< by which spacing and noise grow from place to
-                                      ///< place; null: nowhere
+  double least_spacing = 0.7; ///< of the nodes, in standard deviations
+  double outlier_share = 0.1; ///< of the points, initially
+  double fixed_radius = 0;    ///< initial radius of fixed-radius noise; 0: normal noise
+  bool even_curvature = false; ///< whether curves are assumed to bend evenly
+  bool varied_noise = false;   ///< whether the noise varies along the curves
+  /// Local factor of spacing and noise; null: 1 everywhere
+  const ScaleField* scales = nullptr;
   int iterations = 15;
   int resample_every = 5;
 };
@@ -38,12 +37,12 @@ struct EmFit {
   /// the second: 2 for normal noise (3 in a plane), 1.2 for fixed-radius noise.
   double kurtosis = 0;
   /// Root mean square of the distances of the points from the curves, per coordinate
-  /// across them: as measured, where the noise above is not let fall below a least one.
+  /// across them: as measured, while the noise above does not fall below a least value.
   double spread = 0;
   double outlier_share = 0;  ///< of the points
   double log_likelihood = 0; ///< of the points under the mixture
   double freedom = 0;        ///< effective parameters of the curves' geometry
-  double evidence = 0; ///< half of what the criterion gains over no curve, where known
+  double evidence = 0;       ///< half of the criterion's gain over no curve, if known
   /// Where the noise varies: -2 log of the prior density of its widths over their
   /// posterior one (Laplace), which the criterion adds as it adds parameters.
   double width_cost = 0;

@@ -9,18 +9,18 @@
 
 namespace linelet {
 
-/** \brief Noise of about one length: the distances of points from their sources are
- * normal around it. */
+/** \brief Noise of about one length: distances of points from their sources are
+ * normally distributed around a radius. */
 struct FixedRadius {
   double radius;
   double width; ///< standard deviation
 };
 
-/** \brief Of pairs of an edge and a point, one array each: means over the places of the
- * edge that the point may come from. */
+/** \brief For pairs of an edge and a point, one array each: means over the positions on
+ * the edge that the point may come from. */
 struct FixedRadiusMeans {
   double* place;    ///< along the edge
-  double* residual; ///< what the distance is longer than the radius
+  double* residual; ///< distance minus the radius
   double* spread;   ///< the square of that
 };
 
@@ -28,7 +28,7 @@ struct FixedRadiusMeans {
  * padding of \ref EdgePoints, which is overwritten. */
 struct FixedRadiusKernels {
   /** \brief The density of \a edge at the points, as if all distances were the radius,
-   * and the means that go with it. Of \a edge the variance plays no part. */
+   * and the means that go with it. The variance of \a edge is not used. */
   void (*densities)(const EdgeShape& edge,
                     const FixedRadius& noise,
                     const EdgePoints& points,

@@ -17,12 +17,12 @@ public:
   static void
   densities(const MixtureState& mixture, const MixtureEdge& edge, EdgePairs& pairs);
 
-  /** \brief Per point: what it says of its distance, relative to a point whose place on
-   * the curve is known. */
+  /** \brief Per point, the information it gives about its distance, relative to a point
+   * whose position on the curve is known. */
   void
   measureInformation(const MixtureState& mixture, const EdgePairs& pairs);
 
-  /** \brief What the points of \a edge say of its vertices; see FixedRadiusKernels. */
+  /** \brief The sums of \a edge for its vertices; see FixedRadiusKernels. */
   EdgeSums
   sums(const MixtureState& mixture,
        const MixtureEdge& edge,

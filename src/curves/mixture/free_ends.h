@@ -18,8 +18,8 @@ public:
   bool
   prune(MixtureState& mixture, const EdgePairs& pairs);
 
-  /** \brief Grows every free end by an edge of \a spacing, times the place's scale
-   * where \a scales are not null. */
+  /** \brief Grows every free end by an edge of \a spacing, times the local scale if \a
+   * scales is not null. */
   static void
   extend(MixtureState& mixture, double spacing, const ScaleField* scales);
 

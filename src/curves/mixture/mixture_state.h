@@ -11,15 +11,15 @@
 
 namespace linelet {
 
-/** \brief Expectation maximization creeps where most of what a point says of a vertex
- * is unknown: the steps of the vertices and of the noise are made this much longer. */
+/** \brief Expectation maximization converges slowly where points say little about a
+ * vertex: steps of vertices and noise are lengthened by this factor. */
 constexpr double stride = 1.5;
 
 /** \brief An edge of a curve, a component of the mixture. */
 struct MixtureEdge {
   Point from, direction;
   double length = 0;
-  double scale = 1;             ///< by which everything is greater here
+  double scale = 1;             ///< local factor of all lengths
   double noise = 0;             ///< standard deviation here
   double paired_noise = 0;      ///< when its pairs were collected
   double weight = 0;            ///< probability of this edge in the mixture
@@ -36,13 +36,13 @@ struct MixtureCurve {
   Points bend_mean;                 ///< of the prior
   double mean_freedom = 0;          ///< effective parameters of these means
   std::vector<double> node_freedom; ///< effective parameters of each node
-  /// Per node the logarithm of the noise beside that of all (empty: the same), and the
+  /// Per node, the logarithm of the noise relative to that of all (empty: 0), and the
   /// variance of its change over the whole curve.
   std::vector<double> width;
   double width_change = 0;
 };
 
-/** \brief The noise of a mixture, and what its estimate is made of. */
+/** \brief The noise of a mixture, and the sums it is estimated from. */
 struct MixtureNoise {
   double deviation = 0;         ///< standard deviation
   double fixed_radius = 0;      ///< 0: normal noise
@@ -62,7 +62,7 @@ struct MixtureState {
   MixtureNoise noise;
   double outlier_share = 0, log_likelihood = 0, freedom = 0;
 
-  /** \brief The length of a curve, each edge beside its scale. */
+  /** \brief The length of a curve, each edge relative to its scale. */
   double
   scaledLength(const MixtureCurve& state) const;
 
@@ -71,7 +71,7 @@ struct MixtureState {
   updateEdges();
 };
 
-/** \brief The logarithm of the noise of edge \a e beside that of all. */
+/** \brief The logarithm of the noise of edge \a e relative to that of all. */
 double
 widthAt(const MixtureCurve& state, std::size_t e);
 

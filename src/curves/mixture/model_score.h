@@ -13,10 +13,10 @@ namespace linelet {
 /** \brief Bayesian information criterion of \a fit: -2 log L + k log n, lower is
  * better.
  *
- * k is 2 for every curve (its share, its being there), 1 for each of its ends (a closed
- * curve has none), plus the effective degrees of freedom of its shape, and 1 for
- * outliers where there are any. What varied noise costs is added
- * (\ref EmFit::width_cost). \a points: n */
+ * k is 2 for every curve (its share and its existence), 1 for each of its ends (a
+ * closed curve has none), plus the effective degrees of freedom of its shape, and 1 for
+ * outliers if there are any. The cost of varied noise is added (\ref
+ * EmFit::width_cost). \a points: n */
 double
 scoreOf(const EmFit& fit, std::size_t points);
 

@@ -10,7 +10,7 @@
 namespace linelet {
 
 /** \brief The linear system over the nodes of a curve, its solution, and what the
- * points have added to it. It keeps its memory from curve to curve. */
+ * points have added to it. It reuses its memory from curve to curve. */
 struct NodeSystem {
   BandedSystem matrix;
   Points solution; ///< first the right-hand sides

@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet {
 namespace HWY_NAMESPACE {
 
-/** \brief exp(x) to 3e-9 of its value, for x from -708 to 709: what densities need, at
- * a third of the cost of all digits. */
+/** \brief exp(x) with a relative error of 3e-9, for x from -708 to 709: enough for
+ * densities, at a third of the cost of full precision. */
 template <class D, class V = hwy::HWY_NAMESPACE::Vec<D>>
 HWY_INLINE V
 quickExp(D d, V x)

@@ -7,9 +7,9 @@
 
 namespace linelet {
 
-/** \brief Gives the curves of \a mixture nodes about \a spacing apart, times the
- * place's scale where \a scales are not null. Curves that have lost their points or
- * their length go. */
+/** \brief Gives the curves of \a mixture nodes about \a spacing apart, times the local
+ * scale if \a scales is not null. Curves that have lost their points or their length
+ * are removed. */
 void
 resample(MixtureState& mixture, double spacing, const ScaleField* scales);
 

@@ -8,11 +8,12 @@
 
 namespace linelet {
 
-/** \brief Estimates the standard deviation of normal noise, that of all. */
+/** \brief Estimates the overall standard deviation of normal noise. */
 void
 measureNoise(MixtureState& mixture);
 
-/** \brief Estimates how the noise varies along a curve, by the system of its nodes. */
+/** \brief Estimates how the noise varies along a curve, from the system of its nodes.
+ */
 void
 measureWidths(MixtureState& mixture, MixtureCurve& state, NodeSystem& system);
 

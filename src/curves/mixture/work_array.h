@@ -13,16 +13,16 @@
 namespace linelet {
 
 /** \brief An array that grows cheaply, for values that are all written before they are
- * read: what is new in it has no value, and large arrays are not copied to grow.
+ * read: new elements are uninitialized, and large arrays grow without being copied.
  *
- * A std::vector that is made room in for many millions of values touches all of them,
- * most of them for nothing where the room is a bound. */
+ * Resizing a std::vector to an upper bound of many millions of values would touch all
+ * of them, most of them needlessly. */
 template <class T>
 class WorkArray {
   static_assert(std::is_trivially_copyable_v<T>);
 
 public:
-  /** \brief Makes room for at least \a size values, and keeps those there are. */
+  /** \brief Makes room for at least \a size values and keeps the existing ones. */
   void
   makeRoom(std::size_t size)
   {

@@ -13,9 +13,9 @@ namespace linelet {
  *
  * Two ends (of one curve or of two) are joined when the direction of each is within 35
  * degrees of the gap and the gap is at most 15 % of the length of what is joined,
- * itself included; across gaps of up to \a near within \a near_angle, whatever the
- * length. The best agreeing, narrowest gaps come first; what is joined then counts by
- * its new length. A wide gap is bridged by a cubic that keeps both directions, or
+ * itself included; for gaps of up to \a near, within \a near_angle and whatever the
+ * length. The narrowest gaps that agree best come first; joined curves then count with
+ * their new length. A wide gap is bridged by a cubic that keeps both directions, or
  * straight where one of them is off by more than 60 degrees.
  * \param[in] widest no gap beyond this is bridged; 0: no such limit
  * \param[in] reach directions are taken over this length */

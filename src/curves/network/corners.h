@@ -7,10 +7,10 @@
 
 namespace linelet {
 
-/** \brief \a curves with a hinge in the place of every bend by more than 40 degrees
- * within about \a size: there the lines meet on which the curve runs up to the bend and
- * on from it. Hinges that they had are looked at anew.
- * \return nothing where no curve bends so */
+/** \brief \a curves with a hinge in place of every bend by more than 40 degrees within
+ * about \a size, where the lines along which the curve enters and leaves the bend meet.
+ * Existing hinges are reconsidered.
+ * \return nothing if no curve bends so sharply */
 ModelCurves
 sharpened(const ModelCurves& curves, double size);
 

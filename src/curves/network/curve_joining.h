@@ -7,7 +7,7 @@
 
 namespace linelet {
 
-/** \brief Turns \a curve about: its back comes first. */
+/** \brief Reverses \a curve. */
 void
 turnRound(ModelCurve& curve);
 

@@ -9,10 +9,10 @@
 
 namespace linelet {
 
-/** \brief \a curves with every one doubled whose points lie to two sides of it.
+/** \brief \a curves, with every one doubled whose points lie on two sides of it.
  *
- * That is told by the spread of their offsets, seen from the curve: wider in one
- * direction across it than in the other, by variances \a least_spread times.
+ * This shows in the spread of their offsets across the curve: the variance in one
+ * direction is at least \a least_spread times that in the other.
  * \param[in] grid of \a points
  * \param[in] reach points farther from a curve do not count
  * \return nothing if there is no such curve */

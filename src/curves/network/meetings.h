@@ -52,7 +52,7 @@ public:
   /** \brief Length of the curve from \a end to the nearer vertex of edge \a edge. */
   double
   arcTo(std::size_t end, std::size_t edge) const;
-  /** \brief Whether two ends are near enough, and do not run side by side. */
+  /** \brief Whether two ends are close enough and do not run side by side. */
   bool
   meet(std::size_t end, std::size_t other) const;
 

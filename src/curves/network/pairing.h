@@ -15,13 +15,13 @@ struct PairingSettings {
   double max_turn = 50; ///< degrees; a pair of arms that turns more is not joined
 };
 
-/** \brief Takes curves apart where they meet and joins the arms anew.
+/** \brief Cuts curves where they meet and joins the arms anew.
  *
- * Meetings are clustered to junctions; every curve is cut back around them. The arms of
- * a junction are paired greedily, the straightest pair first. Two arms alone are joined
- * whatever their angle, at the point where their lines pass each other. Arms left over
- * end at the nearest pair's connection, or at their common center where there is none;
- * \ref ModelCurve::junction tells which junction (a number >= 0). */
+ * Meetings are clustered into junctions; every curve is cut back around them. The arms
+ * of a junction are paired greedily, the straightest pair first. If there are only two
+ * arms, they are joined whatever their angle, at the point where their lines pass each
+ * other. Arms left over end at the nearest pair's connection, or at their common center
+ * if there is none; \ref ModelCurve::junction tells which junction (a number >= 0). */
 ModelCurves
 pairArms(const ModelCurves& curves,
          const Points& meetings,

@@ -18,7 +18,7 @@ doubtfulPlaces(const ModelCurves& curves, double distance);
 ModelCurves
 cutAround(const ModelCurves& curves, const Points& places, double radius);
 
-/** \brief How arms are joined that have been cut. */
+/** \brief How the arms of a cut are joined again. */
 enum class Rejoining {
   Paired, ///< with the straightest other arm of the same place
   Bridged ///< with whatever lies ahead
@@ -27,8 +27,8 @@ enum class Rejoining {
 /** \brief \a curves joined in another way at \a places, where they may have been joined
  * wrongly (\ref doubtfulPlaces).
  *
- * They are cut there over \a size on either side, and the arms joined anew.
- * \return nothing where there are no places */
+ * They are cut there over \a size on either side, and the arms are joined anew.
+ * \return nothing if there are no such places */
 ModelCurves
 rejoined(const ModelCurves& curves,
          const Points& places,

@@ -14,11 +14,11 @@ namespace linelet {
  * or curves, for a fit to decide.
  *
  * Free ends near each other are joined over gaps of 1.5 units whatever their
- * directions, and of 3, 6 and 12 units where these agree; with the ends as they are,
- * and with ends cut back as far as the gap, as those that scattered points have led
- * astray. And each short curve is left out. The unit is \a scale_unit times the widest
- * of the \a scales (may be null) at a free end: a ring is open where its points are
- * sparsest. */
+ * directions, and of 3, 6 and 12 units if these agree; once with the ends as they are,
+ * and once cut back by the width of the gap, in case scattered points have led them
+ * astray. Each short curve is also left out once. The unit is \a scale_unit times the
+ * largest of the \a scales (may be null) at a free end: a ring is open where its points
+ * are sparsest. */
 std::vector<ModelCurves>
 simplerNetworks(const ModelCurves& curves,
                 double scale_unit,

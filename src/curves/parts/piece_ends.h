@@ -16,15 +16,16 @@ struct PieceLink {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t to = none;     ///< end: 2 * piece, + 1 for its back
-  std::optional<Point> seam; ///< where the one goes over to the other; none: at the end
+  std::optional<Point> seam; ///< where one continues as the other; none: at the end
   Points bridge;             ///< vertices on the way
-  std::size_t skip = 0; ///< vertices of the other, from that end on, that both have
+  /// Number of vertices of the other, from that end on, that both have
+  std::size_t skip = 0;
 };
 
 /** \brief By end. */
 using PieceLinks = std::vector<PieceLink>;
 
-/** \brief Finds the ends of \a pieces that are of one curve, see \ref joinParts.
+/** \brief Finds ends of \a pieces that belong to one curve, see \ref joinParts.
  * \param[in] part_of the part of each piece */
 PieceLinks
 linkEnds(const std::vector<CurvePiece>& pieces,

@@ -12,19 +12,19 @@ Points
 pointsAt(const Points& points, const Indices& indices);
 
 /** \brief The finite ones of \a points, each place once, in the order of the input: a
- * copy says nothing new, yet would count twice and shrink the spacing.
+ * duplicate adds no information, but would count twice and shrink the spacing.
  * \return indices, ascending */
 Indices
 distinct(const Points& points);
 
 /** \brief At most 100 of \a points in every cubic cell of side \a size (the unit of the
- * points), spread over the order of the input. Points crowded far beyond the spacing of
- * the others would otherwise each look at all of the crowd.
+ * points), spread over the order of the input. Otherwise each point of a dense crowd
+ * would have the whole crowd as neighbors.
  * \return indices, ascending */
 Indices
 thinned(const Points& points, double size);
 
-/** \brief The point nearest to the middle of all in each cell of side \a size, in
+/** \brief Of each cell of side \a size, the point nearest to the mean of its points, in
  * their order. */
 Points
 onePerCell(const Points& points, double size);

@@ -11,12 +11,12 @@
 
 namespace linelet {
 
-/** \brief A curve while it is being worked on: a polyline of nearly equal edges. */
+/** \brief A curve while it is being fitted: a polyline of nearly equal edges. */
 struct ModelCurve {
   Points nodes;        ///< vertices; a closed curve does not repeat its first one
   bool closed = false; ///< whether the last node is joined to the first
   std::array<int, 2> junction = {-1, -1}; ///< of the front and the back end; -1: free
-  /// Nodes at which it may turn sharply, ascending; ends are none.
+  /// Nodes at which it may turn sharply, ascending; never ends.
   std::vector<std::size_t> hinges;
   double scale = 0;           ///< bandwidth of the ridges that it comes from
   std::vector<double> counts; ///< points explained by each edge, or empty
@@ -58,14 +58,14 @@ double
 squaredDistance(const ModelCurve& curve, std::size_t e, const Point& p);
 
 /** \brief \a curve with nodes at equal arc lengths about \a spacing apart, at least 2
- * (closed: 4); ends and hinges stay where they are. */
+ * (closed: 4); ends and hinges keep their positions. */
 ModelCurve
 resampled(const ModelCurve& curve, double spacing);
 
 class ScaleField;
 
-/** \brief \a curve with nodes about \a spacing times the place's scale apart, on at
- * least \a least_edges edges. */
+/** \brief \a curve with nodes about \a spacing times the local scale apart, on at least
+ * \a least_edges edges. */
 ModelCurve
 resampled(const ModelCurve& curve,
           double spacing,

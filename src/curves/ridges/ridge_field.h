@@ -23,8 +23,8 @@ class RidgeField {
 public:
   /** \param[in] points finite points
    * \param[in] bandwidth b > 0
-   * \param[in] scales by which b grows from place to place; null: nowhere. It must
-   * outlive the field */
+   * \param[in] scales local factor of b; null: 1 everywhere. It must outlive the field
+   */
   RidgeField(const Points& points,
              double bandwidth,
              const ScaleField* scales = nullptr);

@@ -11,27 +11,26 @@
 
 namespace linelet {
 
-/** \brief How widely points are spaced at a place, beside the spacing of all.
+/** \brief Local spacing of points relative to the overall spacing.
  *
- * Where points lie twice as far apart, as the sampling of a finely bent curve or a
- * noise that grows along it makes them, the field is about 2: all lengths that a fit
- * takes from the scale unit then grow by it. Without points it is 1 everywhere. */
+ * Where points lie twice as far apart, because of uneven sampling or noise that grows
+ * along a curve, the field is about 2, and all lengths that a fit derives from the
+ * scale unit grow by it. Without points it is 1 everywhere. */
 class ScaleField {
 public:
   ScaleField() = default;
 
   /** \brief The distance of every point to its sixth neighbor, smoothed over its
-   * neighborhood, beside \a scale_unit; between 1/8 and 8.
+   * neighborhood, relative to \a scale_unit; between 1/8 and 8.
    * \param[in] points finite points
-   * \param[in] least_spread where the \ref spread is less, the field stays without
-   * points
+   * \param[in] least_spread if the \ref spread is less, the field stays without points
    * \param[in] search over \a points; null: a grid of its own */
   ScaleField(const Points& points,
              double scale_unit,
              double least_spread = 1,
              const NeighborSearch* search = nullptr);
 
-  /** \brief This field for coordinates that count from \a origin; it shares memory. */
+  /** \brief This field for coordinates relative to \a origin; it shares memory. */
   ScaleField
   from(const Point& origin) const
   {
@@ -43,7 +42,7 @@ public:
   double
   at(const Point& x) const;
 
-  /** \brief No value is greater. */
+  /** \brief Upper bound of all values. */
   static constexpr double
   widest()
   {

@@ -9,14 +9,15 @@
 
 namespace linelet {
 
-/** \brief Whether there is a spacing to go by. */
+/** \brief Whether the spacing is defined. */
 inline bool
 hasScale(const CloudTraits& traits)
 {
   return traits.scale_unit > 0 && std::isfinite(traits.scale_unit);
 }
 
-/** \brief Whether both ways are tried; a larger cloud is looked at first. */
+/** \brief Whether both methods are tried; the method for a larger cloud is chosen
+ * beforehand. */
 inline bool
 isSmall(const CloudTraits& traits)
 {
@@ -24,8 +25,7 @@ isSmall(const CloudTraits& traits)
   return traits.points <= most_tried_twice;
 }
 
-/** \brief Whether a cloud is one of curves alone: around most of its points, it is
- * linear. */
+/** \brief Whether a cloud is one of curves alone: linear around most of its points. */
 inline bool
 isOfCurvesAlone(const CloudTraits& traits)
 {

@@ -24,19 +24,19 @@ namespace linelet {
  * \ref first_upwards. */
 constexpr std::array<double, 6> bandwidths = {1, 0.7, 0.5, 1.4, 2, 2.8};
 constexpr std::size_t first_upwards = 3;
-/** \brief Where spacing or noise vary, these bandwidths are tried once more, varying
- * with them. */
+/** \brief If spacing or noise vary, these bandwidths are tried again, varying with
+ * them. */
 constexpr std::array<std::size_t, 3> varied_bandwidths = {0, 1, 3};
 
-/** \brief A fit and what it was made with. */
+/** \brief A fit and its settings. */
 struct Fitted {
   EmFit fit;
   EmSettings settings;
   double score = 0;
 };
 
-/** \brief A connected component of a cloud while it is worked on: its points, how it is
- * fitted, and the best fit so far. */
+/** \brief A connected component of a cloud while it is being fitted: its points,
+ * settings, and best fit so far. */
 class ComponentModel {
 public:
   /** \param[in] points finite points; must outlive the component, as must \a user
@@ -51,7 +51,8 @@ public:
   {
     return best_;
   }
-  /** \brief The fits of ridges and of the shortest tree, as they came. */
+  /** \brief The fits of ridges and of the minimum spanning tree, in the order in which
+   * they were made. */
   const std::vector<Fitted>&
   traced() const
   {
@@ -78,12 +79,13 @@ public:
     return frame_.dimensions;
   }
 
-  /** \brief The size in D on which the component looks like curves: more than 1 where
-   * they are thick beside the spacing of the points; 0: on none. */
+  /** \brief The scale in D at which the component looks like curves: more than 1 if
+   * they are thick compared with the spacing of the points; 0: none. */
   double
   curveSize() const;
 
-  /** \brief Fits \a start; what falls far behind the score \a rival is given up. */
+  /** \brief Fits \a start; a fit that falls far behind the score \a rival is abandoned.
+   */
   EmFit
   fit(const ModelCurves& start,
       const EmSettings& settings,
@@ -100,27 +102,27 @@ public:
   bool
   improve(const ModelCurves& start, const EmSettings& settings, double gain);
 
-  /** \brief From here on lets bandwidth, spacing and noise vary by \a scales (the same
-   * ones whenever they are not null), and the noise by itself. */
+  /** \brief From now on, lets bandwidth, spacing and noise vary by \a scales (the same
+   * ones whenever not null), and the noise also by itself. */
   void
   vary(const ScaleField* scales, bool noise);
 
   /** \brief Traces (once) and fits with bandwidth number \a k.
-   * \return the score; where nothing new was to be fitted, that of the best */
+   * \return the score; if there was nothing new to fit, that of the best */
   double
   tryBandwidth(std::size_t k);
 
-  /** \brief Fits curves along the shortest tree of the points (\ref spanningCurves),
-   * kept where they are clearly better. */
+  /** \brief Fits curves along the minimum spanning tree of the points (\ref
+   * spanningCurves), kept if they are clearly better. */
   void
   trySpanning();
 
   /** \brief The best fit of traces whose curves take another course than those of the
-   * best of all, if its score is behind by at most \a most_behind. */
+   * best fit overall, if its score is behind by at most \a most_behind. */
   std::optional<Fitted>
   runnerUp(double most_behind) const;
 
-  /** \brief From here on \a fitted is the best. */
+  /** \brief Makes \a fitted the best fit. */
   void
   goOnFrom(Fitted fitted)
   {
@@ -156,7 +158,7 @@ private:
   // Of each bandwidth, the same everywhere or varying: noise that varies is fitted
   // along the same ridges.
   std::array<std::array<std::optional<Traces>, bandwidths.size()>, 2> traces_;
-  std::optional<Traces> spanning_;        // along the shortest tree
+  std::optional<Traces> spanning_;        // along the minimum spanning tree
   std::unordered_set<std::size_t> tried_; // starts of improve(), by their hash
 };
 

@@ -12,39 +12,39 @@ namespace linelet {
  * the noise, and keeps what the criterion (\ref scoreOf) prefers. */
 ///@{
 
-/** \brief Curves that explain close parallel ones together are doubled: those of the
- * best fit, and those of other bandwidths where they are fewer.
- * \return the best fit's doubled one where the criterion has rejected it */
+/** \brief Doubles curves that explain close parallel ones together: those of the best
+ * fit, and those of other bandwidths if they are fewer.
+ * \return the doubled best fit if the criterion has rejected it */
 EmFit
 doubleCurves(ComponentModel& component);
 
-/** \brief Other ways to join the curves where they may be joined wrongly, on two
+/** \brief Other ways to join the curves where they may be joined wrongly, at two
  * scales: at each such place by itself, unless there are many. */
 void
 rejoin(ComponentModel& component);
 
 /** \brief Curves among the points that the fit leaves unexplained, such as a sparser
  * part of a curve.
- * \param[in] widest_unit points of a greater scale unit than this are left alone */
+ * \param[in] widest_unit points with a larger scale unit than this are left out */
 void
 traceTheRest(ComponentModel& component, double widest_unit);
 
-/** \brief Where the noise seems to vary along the curves, lets it, and chooses among
- * the bandwidths once more. */
+/** \brief If the noise seems to vary along the curves, lets it vary and chooses among
+ * the bandwidths again. */
 void
 followNoise(ComponentModel& component, const ScaleField* scales);
 
-/** \brief Networks with fewer free ends or curves, where spacing or noise vary, so
- * that no bandwidth follows the curves all along. */
+/** \brief Networks with fewer free ends or curves, if spacing or noise vary so that no
+ * single bandwidth follows the curves throughout. */
 void
 simplify(ComponentModel& component);
 
-/** \brief Fixed-radius noise where the distances of the points may be such, for the
- * best fit and for \a other, which normal noise has rejected. */
+/** \brief Fixed-radius noise, if the distances of the points allow it, for the best fit
+ * and for \a other, which was rejected under normal noise. */
 void
 fitFixedRadius(ComponentModel& component, const EmFit& other);
 
-/** \brief Curves thought to bend evenly (\ref EmSettings::even_curvature), where their
+/** \brief Curves assumed to bend evenly (\ref EmSettings::even_curvature), if their
  * shape takes more parameters than such curves need. */
 void
 evenCurvature(ComponentModel& component);

@@ -16,10 +16,10 @@ namespace linelet {
  *
  * For a large component a few samples of it choose the bandwidth.
  * \param[in] points finite points
- * \param[in] scales how the spacing of the points varies; null: hardly
+ * \param[in] scales how the spacing of the points varies; null: hardly at all
  * \param[in] stop asked in every iteration of a fit; true: Canceled is thrown
  * \param[in] progress told the share of the work that is done
- * \return no curve where none explains the points better than uniform scatter does */
+ * \return no curve if none explains the points better than uniform scatter does */
 EmFit
 refineComponent(const Points& points,
                 const RefinedSettings& settings,

@@ -22,7 +22,7 @@ struct StepControl {
 /** \brief The scheme of Dormand and Prince of order 8, its step controlled by the
  * embedded ones of order 5 and 3, with dense output of order 7 (Hairer, Norsett,
  * Wanner, Solving Ordinary Differential Equations I, 1993, section II.5 and II.6): a
- * streamline is asked for at any lengths, whatever steps were made. */
+ * streamline can be evaluated at any length, whatever the steps. */
 class AdaptiveDop853 {
 public:
   /** \brief A direction at a place; it does not change in time. */
@@ -34,12 +34,12 @@ public:
     dense_.fill(Point::Zero());
   }
 
-  /** \brief Goes on by \a length along \a field.
+  /** \brief Advances by \a length along \a field.
    * \return the place that is reached */
   Point
   advance(double length, const Field& field);
 
-  /** \brief Times that a field was asked so far. */
+  /** \brief Number of evaluations of the field so far. */
   std::size_t
   evaluations() const
   {

@@ -13,14 +13,14 @@
 
 namespace linelet {
 
-/** \brief The neighbors among the points of a cloud that line-lets ask for: from a
- * grid, or from a search that the caller brought. Queries are thread-safe. */
+/** \brief Neighbor search for line-lets among the points of a cloud: by a grid, or by a
+ * search that the caller gave. Queries are thread-safe. */
 class CloudNeighbors {
 public:
   static constexpr Index none = UniformGrid::none;
 
   /** \param[in] points kept by reference
-   * \param[in] usual_radius what is asked for most
+   * \param[in] usual_radius the most frequent radius
    * \param[in] search over \a points, kept by reference; null: a grid is made */
   CloudNeighbors(const Points& points,
                  double usual_radius,
@@ -71,7 +71,7 @@ public:
                : none;
   }
 
-  /** \brief The search that the caller brought, or null. */
+  /** \brief The search that the caller gave, or null. */
   const NeighborSearch*
   search() const
   {

@@ -16,7 +16,7 @@
 
 namespace linelet {
 
-/** \brief What the direction of a step is made of at one place. */
+/** \brief What determines the direction of a step at one position. */
 struct LocalScale {
   double radius = 0;                    ///< of the neighborhood
   double blend = 0;                     ///< mu: share of the eigenvector
@@ -24,7 +24,7 @@ struct LocalScale {
   Index nearest = CloudNeighbors::none; ///< that point
 };
 
-/** \brief Directions in which curves go on, at any place near the points (Ritter,
+/** \brief Directions in which curves continue, at any position near the points (Ritter,
  * Schiffner, Harders 2021, equations 4, 5 and 8). Queries are thread-safe. */
 class DirectionField {
 public:
@@ -39,13 +39,13 @@ public:
                  const StreamlineSettings& settings,
                  const std::vector<SymmetricTensor>& tensors = {});
 
-  /** \brief Radius and blend of the point nearest to \a position; \a last where none is
-   * within the search radius, or the nearest has no optimal scale. */
+  /** \brief Radius and blend of the point nearest to \a position; \a last if none is
+   * within the search radius, or if the nearest has no optimal scale. */
   LocalScale
   scaleAt(const Point& position, const LocalScale& last) const;
 
-  /** \brief The unit direction at \a position of a curve that came along \a last (a
-   * unit vector), which is what it stays where no point tells otherwise. */
+  /** \brief The unit direction at \a position of a curve that arrives along \a last (a
+   * unit vector); \a last itself if no point determines another. */
   Point
   at(const Point& position, const Point& last, const LocalScale& scale) const;
 

@@ -12,12 +12,12 @@
 
 namespace linelet {
 
-/** \brief When line-lets stop growing, in lengths of the cloud. */
+/** \brief When line-lets stop growing; lengths in the unit of the cloud. */
 struct GrowthLimits {
   double step = 0;             ///< h
   double distance_cutoff = 0;  ///< to the nearest point
   double merge_distance = 0;   ///< to another line-let
-  double branch_cosine = 0;    ///< of the sharpest turn that is no branch
+  double branch_cosine = 0;    ///< of the sharpest turn that does not branch
   unsigned max_iterations = 0; ///< steps of one end
   std::size_t total_steps = 0; ///< of all ends together; counted down
   Point low = Point::Zero(), high = Point::Zero(); ///< bounds that may not be left

@@ -76,14 +76,14 @@ public:
   void
   move(Index vertex, const Point& position);
 
-  /** \brief Says that two vertices are one. */
+  /** \brief Declares two vertices to be one. */
   void
   unite(Index a, Index b)
   {
     united.emplace_back(a, b);
   }
 
-  /** \brief Joins two vertices by an edge beside those along the line-lets. */
+  /** \brief Joins two vertices by an edge besides those along the line-lets. */
   void
   link(Index a, Index b)
   {
@@ -91,7 +91,7 @@ public:
   }
 
   /** \brief Steps between an end and a vertex along line-lets that grew from another;
-   * infinite where there is no such way. */
+   * infinite if there is no such path. */
   double
   stepsBetween(Index line, LineLetSide side, Index vertex) const;
 

@@ -26,7 +26,7 @@ closestOnSkewLines(const Point& a, const Point& u, const Point& b, const Point& 
  * An open end close by: both ends move to their mean and become one. Else a segment:
  * the line of the last step and those of the two segments at the nearest vertex are
  * compared as skew lines; a closest point within a segment becomes a vertex of it, else
- * the nearest of the three vertices serves; the end is linked to it.
+ * the nearest of the three vertices is used; the end is linked to it.
  * \return whether the end was closed */
 bool
 meet(LineLets& lets, Index line, LineLetSide side, double distance);

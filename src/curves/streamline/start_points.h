@@ -33,10 +33,10 @@ public:
               unsigned min_neighbors,
               double neighbor_exponent = 0.01);
 
-  /** \brief The point of the best score, taken: the next score counts the distance to
+  /** \brief The point of the best score, taken: the next score includes the distance to
    * it. With the first, d is 1. No point is taken twice.
    * \param[in] least the score must be greater
-   * \return its index, or none (see \ref none) where no candidate is left */
+   * \return its index, or none (see \ref none) if no candidate is left */
   Index
   next(double least = 0);
 

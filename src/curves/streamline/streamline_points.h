@@ -16,8 +16,8 @@ namespace linelet {
 /** \brief The points that line-lets follow, how they are found, and their scale. */
 class StreamlinePoints {
 public:
-  /** \brief The finite points of \a all; without repetition where more than half of
-   * them lie upon others, so that they have a scale.
+  /** \brief The finite points of \a all; without duplicates if more than half of them
+   * coincide with others, so that they have a scale.
    * \param[in] search over \a all, or null */
   StreamlinePoints(const Points& all,
                    const NeighborSearch* search,
@@ -27,7 +27,7 @@ public:
   operator=(const StreamlinePoints&) = delete;
 
   /** \brief The place among \ref points of the one that has \a index among all.
-   * \throws std::invalid_argument where it is none of them */
+   * \throws std::invalid_argument if it is none of them */
   Index
   placeOf(Index index, std::size_t all) const;
 

@@ -11,7 +11,7 @@
 namespace linelet {
 
 /** \brief Features of points whose tensors are given: graphs of one scale, whose blend
- * is the linearity. NaN where a tensor has no shape. */
+ * is the linearity. NaN if a tensor has no shape. */
 MultiScaleShapes
 shapesOfTensors(const std::vector<SymmetricTensor>& tensors,
                 double scale_unit,

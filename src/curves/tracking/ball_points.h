@@ -11,7 +11,7 @@
 
 namespace linelet {
 
-/** \brief Points in a ball, in the order in which they were looked at. */
+/** \brief Points in a ball, in the order in which they were tested. */
 struct BallPoints {
   std::size_t count = 0;
   std::vector<std::uint64_t> index;

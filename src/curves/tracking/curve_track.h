@@ -11,7 +11,7 @@
 
 namespace linelet {
 
-/** \brief Where a curve may be followed from. */
+/** \brief A place from which a curve may be followed. */
 struct TrackSeed {
   Index index = 0;    ///< a point of it
   Point at;           ///< a place of it
@@ -46,14 +46,14 @@ struct Track {
  *
  * Points of the curve are a Poisson process of some density along it, scattered about
  * it by normal noise, over a background that is measured around every stretch;
- * stretches may be hidden, as by what stands above them (a hidden Markov chain). The
- * evidence is the log-likelihood ratio of this to the background alone, divided by the
- * dispersion of the background (quasi-likelihood); the curve ends
- * where going on has lost more than \a patience of it, cut back to where the evidence
- * was greatest.
- * \param[in] most_points the curve ends after so many each way; 0: no limit
- * \param[in] promising evidence below which it is not looked at once more, with what
- * has been learned of its density and noise
+ * stretches may be hidden, for example by what stands above them (a hidden Markov
+ * chain). The evidence is the log-likelihood ratio of this to the background alone,
+ * divided by the dispersion of the background (quasi-likelihood); the curve ends where
+ * continuing has lost more than \a patience of it, cut back to where the evidence was
+ * greatest.
+ * \param[in] most_points the curve ends after this many each way; 0: no limit
+ * \param[in] promising evidence below which there is no second pass with the density
+ * and noise learned in the first
  *
  * Bar-Shalom and Tse, Automatica 11 (1975). */
 Track

@@ -11,14 +11,14 @@
 
 namespace linelet {
 
-/** \brief Seeds where the points of a curve lie farther apart than the next curve is
- * away: no ball around them is linear, a narrow cylinder is.
+/** \brief Seeds where the points of a curve lie farther apart than the next curve: no
+ * ball around them is linear, but a narrow cylinder is.
  *
  * Around every point that no surface and no curve explains, the cylinder through each
  * of its neighbors is compared with the ball that contains it: it must hold more points
  * than chance would bring into the best of so many.
  * \param[in] points of the whole scene, by which chance is judged
- * \return one seed per point at most, the best first */
+ * \return at most one seed per point, the best first */
 std::vector<TrackSeed>
 seedsAlongDirections(const TrackedScene& scene,
                      double points,

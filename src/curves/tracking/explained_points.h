@@ -8,12 +8,12 @@
 
 namespace linelet {
 
-/** \brief Takes the points that \a fit explains out of the search for other curves.
+/** \brief Removes the points that \a fit explains from the search for other curves.
  *
  * Members of \a track that lie beside the refit by no more than the tails of its noise
- * go with them: followed once more, they would give the same curve again. Those farther
- * off stay, since the filter may have wandered between curves side by side of which the
- * refit is one. */
+ * go with them: they would only give the same curve again. Those farther off stay,
+ * since the filter may have wandered between parallel curves of which the refit is only
+ * one. */
 void
 explainPoints(TrackedScene& scene, const Track& track, const TrackFit& fit);
 

@@ -9,16 +9,15 @@
 
 namespace linelet {
 
-/** \brief Joins curves that are one, seen on both sides of a stretch that is hidden.
+/** \brief Joins curves that are one curve, seen on both sides of a hidden stretch.
  *
- * Two ends are joined where one parabola runs through both curves within their noise,
- * from as far before the gap as it is wide to as far behind it: position, direction and
- * curvature agree by chance hardly ever. The gap is no wider than the two curves are
- * long in the mean, nor than \a widest spacings of the longer one's points. The
- * narrowest come first; what is joined then reaches farther. Edges of a hidden stretch
- * explain no points.
+ * Two ends are joined if one parabola fits both curves within their noise, over as much
+ * of each as the gap is wide: position, direction and curvature hardly ever agree by
+ * chance. The gap is at most the mean length of the two curves, and \a widest spacings
+ * of the longer one's points. The narrowest gaps come first; joined curves then reach
+ * farther. Edges of a hidden stretch explain no points.
  * \param[in] curves of known points and noise
- * \param[in] widest gap, in mean distances of the points along the curves
+ * \param[in] widest gap, in mean spacings of the points along the curve
  * \param[in] cutoff widest gap, in the unit of the points */
 ModelCurves
 joinHiddenStretches(ModelCurves curves,

@@ -7,9 +7,9 @@
 
 namespace linelet {
 
-/** \brief Share of \a points, by a sample of them, around which the cloud is linear on
- * some scale: most of a cloud of curves, however noisy, and few of a scene with ground,
- * roofs and crowns.
+/** \brief Share of \a points, estimated from a sample, around which the cloud is linear
+ * at some scale: large in a cloud of curves, however noisy, and small in a scene with
+ * ground, roofs and crowns.
  * \param[in] unit D */
 double
 linearShare(const Points& points, double unit, unsigned threads);

@@ -9,19 +9,19 @@
 
 namespace linelet {
 
-/** \brief The evidence, a log-likelihood ratio, that a curve among \a points must have
- * to be taken for one. */
+/** \brief The evidence, a log-likelihood ratio, that a curve among \a points needs to
+ * be accepted. */
 double
 evidenceNeeded(double points);
 
 /** \brief Curves of a scene in which surfaces, crowns and clutter stand beside them.
  *
- * Points whose neighborhood is a surface at its own scale take no part, but stay part
- * of the background. Where the others look linear on some scale, a curve is followed
- * both ways (\ref followCurve), stiff ones first; what has more evidence against the
- * background around it than all starts together would give by chance is refitted (\ref
- * fitTrack), and its points are explained. All lengths follow from the points around
- * each curve.
+ * Points whose neighborhood is a surface at its own scale are not searched, but remain
+ * part of the background. Where the others look linear at some scale, a curve is
+ * followed both ways (\ref followCurve), stiff ones first; if it has more evidence
+ * against the background around it than all starts together would give by chance, it is
+ * refitted (\ref fitTrack) and explains its points. All lengths follow from the points
+ * around each curve.
  * \param[in] points finite points, no two in one place
  * \param[in] unit D
  * \return curves with the points explained by each edge, their noise and evidence

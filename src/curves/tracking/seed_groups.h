@@ -14,8 +14,8 @@ namespace linelet {
 /** \brief Hands out seeds in groups that are followed side by side: the best of all
  * that are left, and the next ones of its cell in a cubic lattice.
  *
- * Which seeds come together, and in which order those that are near each other come,
- * depends on the seeds around them alone: in a part of a cloud it is as in the whole.
+ * Which seeds come together, and in which order nearby seeds come, depends only on the
+ * seeds around them: it is the same in a part of a cloud as in the whole.
  */
 class SeedGroups {
 public:
@@ -23,9 +23,9 @@ public:
    * \param[in] side of the cells */
   SeedGroups(const std::vector<TrackSeed>& seeds, double side);
 
-  /** \brief The next group; empty where none is left.
+  /** \brief The next group; empty if none is left.
    * \param[in] most seeds of it
-   * \param[in] is_open whether a seed is worth following still; others are left out */
+   * \param[in] is_open whether a seed is still worth following; others are left out */
   std::vector<TrackSeed>
   next(std::size_t most, const std::function<bool(const TrackSeed&)>& is_open);
 

@@ -10,15 +10,15 @@
 
 namespace linelet {
 
-/** \brief What the multi-scale shape of a point says of a surface through it. */
+/** \brief What the multi-scale shape of a point says about a surface through it. */
 struct SurfaceScales {
   bool any = false;
   double radius = 0;   ///< the smallest scale at which the neighborhood is one
   bool linear = false; ///< whether a smaller or a larger scale is linear
-  bool hardly = false; ///< whether a smaller one is at least hardly so
+  bool hardly = false; ///< whether a smaller one is at least weakly so
 
-  /** \brief Whether the shape alone does not decide: scan lines, or curves side by
-   * side? */
+  /** \brief Whether the shape alone cannot decide between scan lines and curves side by
+   * side. */
   bool
   isDoubtful() const
   {

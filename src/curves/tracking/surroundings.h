@@ -13,7 +13,7 @@
 
 namespace linelet {
 
-/** \brief A scene while curves are looked for in it. */
+/** \brief A scene while it is searched for curves. */
 struct TrackedScene {
   /** \param[in] points finite points; from now on in grid order */
   TrackedScene(const Points& points, double unit)
@@ -47,15 +47,15 @@ struct Surroundings {
   };
   std::vector<Near> near; ///< points that may be of the curve, by their place
   double background = 0;  ///< points per volume that are expected without a curve
-  /// Of the counts in parts of the ring beside what independent points would give:
-  /// Pearson's chi-square, and its degrees of freedom.
+  /// Pearson's chi-square of the counts in parts of the ring against those of
+  /// independent points, and its degrees of freedom.
   double chi_square = 0, freedom = 0;
-  TubePoints tubed; ///< those looked at, for their room
+  TubePoints tubed; ///< buffer of the points tested
 };
 
-/** \brief Looks along the next \a length of a curve.
+/** \brief Examines the next \a length of a curve.
  * \param[in] gate points within this distance of the expected curve may be its own
- * \param[in] ring those beyond, up to this distance, tell the background: points per
+ * \param[in] ring those beyond, up to this distance, give the background: points per
  * volume, and those of a surface that runs through the gate */
 void
 lookAhead(const TrackedScene& scene,

@@ -12,11 +12,11 @@ namespace linelet {
 
 /** \brief The points that a track is refitted to. */
 enum class FitTo {
-  Surroundings, ///< all around it: what is no curve loses against them
-  Members       ///< its members alone, where the others are so many that they hide it
+  Surroundings, ///< all around it, against which a false curve loses
+  Members       ///< its members alone, if the others are so many that they hide it
 };
 
-/** \brief What a track is refitted as. */
+/** \brief The result of refitting a track. */
 struct TrackFit {
   EmFit fit;                   ///< curves in the coordinates of the scene
   Indices points;              ///< the points of the scene that it was fitted to
@@ -25,7 +25,7 @@ struct TrackFit {
 
 /** \brief Fits the mixture to the points around \a track: one curve along it, or as
  * many as its cross-section shows lines (\ref linesAlong), free to bend or stiff,
- * whatever the criterion prefers. No curve where none explains the points better than
+ * whichever the criterion prefers. No curve if none explains the points better than
  * their background does.
  */
 TrackFit

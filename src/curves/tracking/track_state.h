@@ -9,31 +9,32 @@
 
 namespace linelet {
 
-/** \brief What is known of a curve at one of its places: a Kalman filter over arc
- * length.
+/** \brief What is known about a curve at one position: the state of a Kalman filter
+ * over arc length.
  *
- * The curvature is a random walk. Offset, slope and curvature across the curve are
- * uncertain alike in both directions, so one 3 x 3 covariance serves both. */
+ * The curvature is a random walk. Offset, slope and curvature have the same uncertainty
+ * in both directions across the curve, so one 3 x 3 covariance serves both. */
 struct TrackState {
   Point at = Point::Zero();         ///< a place of the curve
   Point direction = Point::UnitX(); ///< unit tangent there
   Point curvature = Point::Zero();  ///< change of the tangent per length
-  Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Identity(); ///< offset, slope, curvature
+  /// Offset, slope, curvature
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 
-  /** \brief Where the curve is expected \a length further on; nothing is changed. */
+  /** \brief Where the curve is expected \a length farther on; the state is unchanged.
+   */
   Point
   ahead(double length) const
   {
     return at + length * direction + 0.5 * length * length * curvature;
   }
 
-  /** \brief Goes on by \a length.
+  /** \brief Advances by \a length.
    * \param[in] walk variance of the change of curvature per length, 1 / length^3 */
   void
   advance(double length, double walk);
 
-  /** \brief Takes in a point.
+  /** \brief Updates the state with a point.
    * \param[in] offset of the point from \ref at, across the curve
    * \param[in] variance of the points about the curve, per coordinate
    * \param[in] weight probability that the point is one of the curve */
@@ -47,7 +48,7 @@ struct TrackState {
     return v - direction.dot(v) * direction;
   }
 
-  /** \brief Turns about, to follow the curve the other way. */
+  /** \brief Reverses direction, to follow the curve the other way. */
   void
   reverse()
   {

@@ -20,7 +20,7 @@ struct Tube {
   double squared_radius;
 };
 
-/** \brief Points in a tube, in the order in which they were looked at. */
+/** \brief Points in a tube, in the order in which they were tested. */
 struct TubePoints {
   std::size_t count = 0;
   std::vector<std::uint64_t> index;

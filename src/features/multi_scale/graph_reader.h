@@ -30,8 +30,8 @@ private:
     double value;
   };
 
-  /** \brief Runs of the places from \a begin on. A run holds what differs little from
-   * its first value, so that a slow ramp stays a ramp. */
+  /** \brief Runs of the places from \a begin on. A run holds values that differ little
+   * from its first one, so that a slow ramp stays a ramp. */
   void
   findRuns(std::size_t begin, std::vector<Run>& runs) const;
 
@@ -39,7 +39,7 @@ private:
   double
   area(std::size_t first, std::size_t last) const;
 
-  /** \brief O_m of the next maximum, of which all but the score is known. */
+  /** \brief O_m of the next maximum, of which everything but the score is known. */
   double
   score(const GraphMaximum& maximum,
         const Run& run,

@@ -12,7 +12,7 @@
 namespace linelet {
 
 /** \brief No more threads than have something to do: for few queries, waking a thread
- * costs more than it does. */
+ * costs more than it saves. */
 int
 usefulThreads(unsigned requested, std::size_t queries);
 
@@ -20,8 +20,8 @@ usefulThreads(unsigned requested, std::size_t queries);
  * engine over all scales.
  * \param[in] piece whose shapes are wanted, then queries are the surface; null: all
  * \param[in,out] result shapes are filled in
- * \return false, and nothing done, where the points cannot be sorted into blocks: the
- * radius is too small beside their extent */
+ * \return false, and nothing done, if the points cannot be sorted into blocks because
+ * the radius is too small for their extent */
 bool
 multiScaleShapesOnGrid(const Points& surface,
                        const Points& queries,

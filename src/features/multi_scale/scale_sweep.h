@@ -17,7 +17,7 @@ namespace linelet {
  * of neighbors. Holds buffers: make one per thread and use it for many points. */
 class ScaleSweep {
 public:
-  /** \param[in] radii rising
+  /** \param[in] radii ascending
    * \param[in] settings weighting and centroid are used */
   ScaleSweep(const std::vector<double>& radii, const MultiScaleSettings& settings);
 

@@ -13,7 +13,8 @@
 
 namespace linelet {
 
-/** \brief Where the graphs of a point stand: a value per scale, \a stride values apart.
+/** \brief Where the graphs of a point are stored: one value per scale, \a stride values
+ * apart.
  */
 struct GraphColumns {
   const float* linearity;
@@ -31,8 +32,8 @@ public:
                const LinearityGraphSettings& settings);
 
   /** \brief The record of a point, without its direction.
-   * \param[in] here points of the surface at the very place of the query, which are
-   * among the neighbors of every scale */
+   * \param[in] here points of the surface that coincide with the query and are among
+   * the neighbors at every scale */
   MultiScaleShape
   operator()(const GraphColumns& graph, std::uint32_t here);
 

@@ -10,8 +10,8 @@
 
 namespace linelet {
 
-/** \brief Drops the radii behind the first at which the factors of all points have
- * converged, as MultiScaleSettings::stop_change asks for.
+/** \brief Drops the radii after the first at which the factors of all points have
+ * converged, as set by MultiScaleSettings::stop_change.
  * \param[in] search over \a surface; null: an engine of linelet */
 void
 applyStopRule(const NeighborSearch* search,

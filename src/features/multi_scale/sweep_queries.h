@@ -61,7 +61,7 @@ private:
   std::optional<UniformGrid> grid_;
 };
 
-/** \brief Runs the sweep for queries \a begin to \a end; every thread makes itself a
+/** \brief Runs the sweep for queries \a begin to \a end; every thread makes its own
  * visitor of (query, sweep). */
 template <class Visit>
 void

@@ -18,7 +18,7 @@ namespace linelet::io {
 class CopcIndex {
 public:
   /** \brief Reads it. \param[in] info data of the record "copc" 1
-   * \throws laz::Error where it does not fit the file */
+   * \throws laz::Error if it does not fit the file */
   CopcIndex(std::string_view file, std::string_view info);
 
   /** \brief Number of levels. */
@@ -28,8 +28,8 @@ public:
     return levels_;
   }
 
-  /** \brief The chunks of nodes that meet \a window and are needed for points
-   * \a resolution apart (0: all), in the order of the file. */
+  /** \brief The chunks of nodes that intersect \a window and are needed for points \a
+   * resolution apart (0: all), in the order of the file. */
   std::vector<laz::Chunk>
   chunks(const Window& window, double resolution) const;
 
@@ -44,7 +44,7 @@ private:
     std::uint64_t at, bytes;
   };
 
-  /** Takes the nodes of \a page, and puts the pages it leads to behind \a pages. */
+  /** Takes the nodes of \a page, and appends the pages it leads to to \a pages. */
   void
   readPage(std::string_view file, Page page, std::vector<Page>& pages);
 

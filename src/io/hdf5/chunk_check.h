@@ -11,10 +11,10 @@
 
 namespace linelet::io::hdf5 {
 
-/** \brief Looks at the chunks of a dataset before the library reads them.
+/** \brief Checks the chunks of a dataset before the library reads them.
  *
- * HDF5 1.10 believes that a chunk holds its rows: one that is stored shorter, or whose
- * compressed bytes come to less, is read beyond its end. */
+ * HDF5 1.10 trusts that a chunk holds its rows: one that is stored shorter, or
+ * decompresses to less, is read beyond its end. */
 class ChunkCheck {
 public:
   ChunkCheck() = default;

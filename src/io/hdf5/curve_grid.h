@@ -19,7 +19,7 @@ writeCurveGrid(const Handle& file,
                const Point& shift,
                const std::string& wkt);
 
-/** \brief Reads it back, in world coordinates. \throws Error where it is damaged */
+/** \brief Reads it back, in world coordinates. \throws Error if it is damaged */
 CurveNetwork
 readCurveGrid(const Handle& file, std::string* wkt);
 

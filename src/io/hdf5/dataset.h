@@ -19,7 +19,7 @@ struct Member {
   ValueType type;
 };
 
-/** \brief The type of a compound value whose members follow each other without gaps. */
+/** \brief The type of a packed compound value. */
 Handle
 compoundType(const std::vector<Member>& members, bool in_file);
 
@@ -67,8 +67,8 @@ class StoredColumn {
 public:
   StoredColumn(const Handle& group, const std::string& name);
 
-  /** \brief Rows; 0 where it is no row of values or its rows cannot be in the file: a
-   * damaged count must not ask for memory. */
+  /** \brief Number of rows; 0 if it is not a row of values or its rows cannot be in the
+   * file: a damaged count must not allocate memory. */
   std::size_t
   rows() const
   {
@@ -82,8 +82,8 @@ public:
     return width_;
   }
 
-  /** \brief Its members, or one without name where it is no compound; none where they
-   * are no numbers. */
+  /** \brief Its members, or one without a name if it is not a compound; none if they
+   * are not numbers. */
   const std::vector<Member>&
   members() const
   {

@@ -16,20 +16,20 @@
 
 namespace linelet::io::hdf5 {
 
-/** \brief What HDF5 could not do; becomes a FileError that names the file. */
+/** \brief A failure of HDF5; becomes a FileError that names the file. */
 class Error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief An identifier of the HDF5 library, given back at the end. */
+/** \brief An identifier of the HDF5 library, closed at the end. */
 class Handle {
 public:
   using Close = herr_t (*)(hid_t);
 
   Handle() = default;
 
-  /** \throws Error "cannot WHAT" where \a id is none */
+  /** \throws Error "cannot WHAT" if \a id is invalid */
   Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close)
   {
     if (id < 0)
@@ -55,7 +55,7 @@ public:
     return id_;
   }
 
-  /** \brief Gives it back and tells whether that worked. */
+  /** \brief Closes it and returns whether that worked. */
   bool
   reset()
   {
@@ -67,7 +67,7 @@ private:
   Close close_ = nullptr;
 };
 
-/** \throws Error "cannot WHAT" where \a status tells of a failure */
+/** \throws Error "cannot WHAT" if \a status is a failure */
 inline void
 check(herr_t status, const std::string& what)
 {
@@ -75,8 +75,8 @@ check(herr_t status, const std::string& what)
     throw Error("cannot " + what);
 }
 
-/** \brief The library for one thread alone, without messages of its own on stderr: as
- * Debian builds it, it must not be entered twice. */
+/** \brief Locks the library for one thread and silences its messages on stderr: as
+ * Debian builds it, it is not thread-safe. */
 class Session {
 public:
   Session();
@@ -101,7 +101,7 @@ createFile(const std::string& path);
 Handle
 openGroup(const Handle& parent, const std::string& name);
 
-/** \brief A new group; those on the way to it are made too. */
+/** \brief A new group, with the groups on its path. */
 Handle
 createGroup(const Handle& parent, const std::string& name);
 
@@ -118,13 +118,13 @@ fileType(ValueType type);
 hid_t
 memoryType(ValueType type);
 
-/** \brief The type of values that \a stored is, of either byte order; none where it is
- * no plain number. Types of other sizes, offsets or precisions are none of ours, and
- * damaged ones of that kind lead HDF5 1.10 out of its buffers. */
+/** \brief The type of values that \a stored is, in either byte order; none if it is not
+ * a plain number. Types of other sizes, offsets or precisions are not ours, and damaged
+ * ones lead HDF5 1.10 out of its buffers. */
 std::optional<ValueType>
 valueType(hid_t stored);
 
-// Attributes: small values beside a group or a dataset.
+// Attributes: small values attached to a group or a dataset.
 
 void
 setAttribute(const Handle& object, const char* name, const std::string& text);
@@ -135,7 +135,7 @@ setAttribute(const Handle& object,
              const char* name,
              const std::vector<std::int64_t>& values);
 
-/** \brief \a otherwise where there is no such text. */
+/** \brief \a otherwise if there is no such text. */
 std::string
 textAttribute(const Handle& object,
               const char* name,
@@ -148,7 +148,7 @@ numbersAttribute(const Handle& object, const char* name, std::size_t count);
 std::vector<std::int64_t>
 integersAttribute(const Handle& object, const char* name, std::size_t count);
 
-/** \brief \a otherwise where there is no such number. */
+/** \brief \a otherwise if there is no such number. */
 std::int64_t
 integerAttribute(const Handle& object, const char* name, std::int64_t otherwise);
 

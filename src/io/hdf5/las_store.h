@@ -12,18 +12,18 @@
 
 namespace linelet::io::hdf5 {
 
-/** \brief Writes what \a origin keeps beside the points, but for bytes of each point.
+/** \brief Writes what \a origin keeps besides the points, except for bytes per point.
  */
 void
 writeLasOrigin(const Handle& group, const LasOrigin& origin);
 
 /** \brief Reads it back, checked as far as a writer of LAS relies on it.
  * \param[in] cloud with its columns, to which the extra bytes must fit
- * \throws Error where it is damaged */
+ * \throws Error if it is damaged */
 std::shared_ptr<LasOrigin>
 readLasOrigin(const Handle& group, const Cloud& cloud);
 
-/** \brief The dataset of what the columns of extra entry \a number cannot tell. */
+/** \brief The dataset of what the columns of extra entry \a number cannot represent. */
 std::string
 rawName(std::size_t number);
 

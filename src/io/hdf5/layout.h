@@ -57,7 +57,7 @@ fragmentMembers()
   return members;
 }
 
-/** \brief \a name as that of a link, in which a slash and a lone dot mean more. */
+/** \brief \a name as that of a link, in which slashes and a lone dot are special. */
 inline std::string
 linkName(const std::string& name)
 {

@@ -13,7 +13,7 @@
 
 namespace linelet::io {
 
-/** \brief The bytes of extra bytes that columns cannot tell, in the file from the first
+/** \brief The extra bytes that columns cannot represent, in the file from the first
  * block on that has any. */
 class RawExtras {
 public:

@@ -12,7 +12,7 @@
 
 namespace linelet::io::hdf5 {
 
-/** \brief An HDF5 file to write, which is there as a whole or not at all. */
+/** \brief An HDF5 file to write, which appears complete or not at all. */
 class StagedHdf5 {
 public:
   /** \throws FileError, Error */
@@ -24,7 +24,8 @@ public:
     return file_;
   }
 
-  /** \brief It is whole: put it where it belongs. No other handle into it may be open.
+  /** \brief The file is complete: moves it into place. No other handle into it may be
+   * open.
    *
    * \throws FileError, Error */
   void

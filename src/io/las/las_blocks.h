@@ -16,7 +16,7 @@
 
 namespace linelet::io {
 
-/** \brief Point records that follow one another. */
+/** \brief Consecutive point records. */
 struct RecordBlock {
   const char* records;
   std::size_t stride;
@@ -29,15 +29,15 @@ struct RecordBlock {
   }
 };
 
-/** \brief The point records of a LAS or LAZ file, block by block: as they stand in the
- * file, or a chunk at a time out of it. */
+/** \brief The point records of a LAS or LAZ file, block by block: as stored in the
+ * file, or decompressed chunk by chunk. */
 class LasBlocks {
 public:
-  /** Finds the blocks; \a header says how many points there are, and here is told how
-   * many there are whole. */
+  /** Finds the blocks; \a header says how many points there are, and is updated to how
+   * many are complete. */
   LasBlocks(const Source& source, const LasOrigin& origin, LasHeader& header);
 
-  /** \brief The same for chunks that were chosen, by an index say. */
+  /** \brief The same for chosen chunks, for example by an index. */
   LasBlocks(const Source& source,
             const LasOrigin& origin,
             const LasHeader& header,
@@ -67,9 +67,8 @@ public:
   firstRecord() const;
 
   /** \brief Calls \a use for every block, in several threads at once and in any order;
-   * with \a worth, for those that it says true for. It gets blocks of which no more
-   * than the coordinates need be there; \a use those with coordinates and the layers
-   * \a wanted. */
+   * with \a worth, only for those for which it returns true. \a worth gets blocks that
+   * may hold only coordinates; \a use gets coordinates and the layers \a wanted. */
   void
   forEach(laz::Fields wanted,
           const std::function<void(std::size_t number, const RecordBlock& block)>& use,

@@ -18,7 +18,7 @@
 
 namespace linelet::io {
 
-/** \brief Reads what records hold beside coordinates: the fields of their format and
+/** \brief Reads what records hold besides coordinates: the fields of their format and
  * their extra bytes, into columns of a cloud. */
 class LasColumns {
 public:
@@ -52,8 +52,8 @@ private:
   void
   findExtras();
 
-  /** Whether the column \a name is read. What a file in compatibility mode stands for
-   * is made of columns of other names. */
+  /** Whether the column \a name is read. In compatibility mode, attributes are made
+   * from columns of other names. */
   bool
   reads(std::string_view name) const;
 
@@ -61,7 +61,7 @@ private:
   makeColumns();
 
   /** Finds the extra bytes that are kept as they are, where these are read whole: the
-   * columns may not tell all of them. */
+   * columns may not represent all of them. */
   void
   findRaw();
 

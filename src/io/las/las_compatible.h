@@ -14,9 +14,9 @@ bool
 isCompatible(const LasOrigin& origin);
 
 /** \brief Point formats 6 to 10 in the compatibility mode of LASzip are stored as 1 to
- * 5 of LAS 1.2 or 1.3, with what these cannot hold in extra bytes: makes of the columns
- * of such a file those of the format it stands for, and forgets its extra entries.
- * \return that format; 0, and nothing done, for any other file */
+ * 5 of LAS 1.2 or 1.3, with what these cannot hold in extra bytes: turns the columns of
+ * such a file into those of the format it stands for, and drops its extra entries.
+ * \return that format; 0, without changes, for any other file */
 int
 restoreCompatible(Cloud& cloud, LasOrigin& origin);
 

@@ -14,7 +14,7 @@ struct LasBlock {
   std::size_t first, count;
 };
 
-/** \brief Whether \a field takes every value of \a column as it is. */
+/** \brief Whether \a field can hold every value of \a column unchanged. */
 bool
 fitsLasField(const LasField& field, const Column& column);
 
@@ -26,7 +26,7 @@ writeLasField(const LasField& field,
               const LasBlock& block);
 
 /** \brief Fills the extra entry at byte \a at of each record from the columns of
- * \a cloud, and where these still say what the raw bytes of the entry said, from those.
+ * \a cloud, or from the raw bytes of the entry where the columns still agree with them.
  */
 void
 writeLasExtra(const LasExtra& extra,
@@ -37,7 +37,7 @@ writeLasExtra(const LasExtra& extra,
 /** \brief Grid steps of point \a i of \a cloud. */
 class LasSteps {
 public:
-  /** The grid the cloud came from where it fits, else one that fits.
+  /** The grid the cloud came from if it fits, else one that fits.
    * \param[in] threads 0: all */
   explicit LasSteps(const Cloud& cloud, unsigned threads = 0);
 

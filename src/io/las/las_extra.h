@@ -17,7 +17,7 @@ namespace linelet::io {
 
 constexpr std::size_t las_descriptor_size = 192;
 
-/** \brief One entry of the extra bytes record, or bytes that no entry describes. */
+/** \brief One entry of the extra bytes record, or undescribed bytes. */
 struct LasExtra {
   std::string descriptor; ///< 192 bytes
   ValueType type = ValueType::UInt8;
@@ -26,11 +26,11 @@ struct LasExtra {
   std::array<bool, 3> scaled{};     ///< whether the column holds scale * raw + offset
   std::array<double, 3> scale{1, 1, 1};
   std::array<double, 3> offset{};
-  std::string raw; ///< what the columns cannot tell, `bytes` per point, or empty
+  std::string raw; ///< what the columns cannot represent, `bytes` per point, or empty
 };
 
-/** \brief Entries for \a bytes extra bytes by the descriptors in \a text; what they
- * leave undescribed becomes opaque. \a complete tells whether all descriptors were
+/** \brief Entries for \a bytes extra bytes by the descriptors in \a text; bytes that
+ * they do not describe become opaque. \a complete tells whether all descriptors were
  * used. */
 std::vector<LasExtra>
 parseLasExtras(std::string_view text, std::size_t bytes, bool& complete);

@@ -54,9 +54,9 @@ isLasName(std::string_view name);
 bool
 hasWaveform(int format);
 
-/** \brief A variable length record as it stands in the file. */
+/** \brief A variable length record as stored in the file. */
 struct LasRecord {
-  std::string head; ///< 54 bytes, or 60 behind the points
+  std::string head; ///< 54 bytes, or 60 after the points
   std::string data;
 
   std::string_view
@@ -94,7 +94,7 @@ struct LasOrigin {
   std::vector<LasExtra> extras;
   LasGrid grid;
   std::optional<laz::Layout> compression; ///< of a LAZ file
-  int copc_levels = 0;                    ///< of its octree; 0: it has none
+  int copc_levels = 0;                    ///< of its octree; 0: none
   Point shift;                            ///< Cloud::shift as the reader set it
   std::string wkt;                        ///< Cloud::wkt as the reader set it
 };

@@ -16,26 +16,26 @@
 
 namespace linelet::io {
 
-/** \brief What a header says of all points together. */
+/** \brief What a header says about all points together. */
 struct LasTotals {
   std::uint64_t points = 0;
   std::array<std::uint64_t, 15> returns{};
   std::array<std::int32_t, 3> low{}, high{}; ///< steps of the grid
 
-  /** \brief Takes in one point more. */
+  /** \brief Adds a point. */
   void
   add(const std::array<std::int32_t, 3>& at, double return_number);
 
-  /** \brief Takes in other points. */
+  /** \brief Adds the totals of other points. */
   void
   add(const LasTotals& more);
 };
 
-/** \brief A LAS file for a cloud, or for a part of one: everything but where the points
- * go. */
+/** \brief A LAS file for a cloud, or for a part of one: everything except the output of
+ * points. */
 class LasFront {
 public:
-  /** \throws FileError where no record can hold the attributes */
+  /** \throws FileError if no record can hold the attributes */
   LasFront(const FileWork& target, const Cloud& cloud, bool compress);
 
   /** \brief Adds the points of the cloud to \a totals. */
@@ -47,7 +47,7 @@ public:
   std::string
   before(const LasTotals& totals, std::uint64_t bytes);
 
-  /** \brief What comes behind them. */
+  /** \brief What comes after them. */
   std::string
   behind() const;
 
@@ -61,14 +61,14 @@ public:
     return layout_.record_length;
   }
 
-  /** \brief How the points are compressed; nothing: not at all. */
+  /** \brief How the points are compressed; nothing: uncompressed. */
   const std::optional<laz::Layout>&
   compression() const
   {
     return compression_;
   }
 
-  /** \brief Whether records of the two can stand in one file. */
+  /** \brief Whether records of both can be in one file. */
   bool
   agreesWith(const LasFront& other) const;
 

@@ -28,10 +28,10 @@ struct LasHeader {
   int minor = 0; ///< version 1.minor
   std::size_t points_at = 0;
   std::size_t record_length = 0;
-  std::size_t count = 0; ///< points that are there whole; of a compressed file, stated
+  std::size_t count = 0; ///< complete points; in a compressed file, the stated number
 };
 
-/** \brief The least and the greatest coordinate that the header states, unchecked. */
+/** \brief The least and greatest coordinates stated in the header, unchecked. */
 std::pair<double, double>
 lasBounds(const LasOrigin& origin, int axis);
 
@@ -39,7 +39,7 @@ lasBounds(const LasOrigin& origin, int axis);
 std::string
 formatName(const LasHeader& header, const LasOrigin& origin);
 
-/** \brief Reads header, records and what lies behind the points into \a origin. */
+/** \brief Reads header, records and what follows the points into \a origin. */
 LasHeader
 readLasHeader(const Source& source, LasOrigin& origin);
 

@@ -17,14 +17,15 @@ struct LasLayout {
   std::vector<const Column*> fields; ///< for each of lasFields(format), or null
   double color_factor = 1;           ///< to 16 bit
   std::vector<LasExtra> extras;
-  std::vector<std::string> rounded; ///< in their field, and exact as extra entry
+  /// Attributes rounded in their field, and exact in an extra entry
+  std::vector<std::string> rounded;
   bool extras_as_origin = false;
   std::size_t record_length = 0;
 };
 
-/** \brief Chooses the format that holds most of the attributes of \a cloud as they are:
- * that of its origin, else the smallest. Every attribute that is not LAS's own, or that
- * its field cannot hold, becomes an extra entry. */
+/** \brief Chooses the format that holds most of the attributes of \a cloud unchanged:
+ * that of its origin, else the smallest. Every attribute that is not part of LAS, or
+ * that its field cannot hold, becomes an extra entry. */
 LasLayout
 chooseLasLayout(const Cloud& cloud);
 

@@ -9,7 +9,7 @@
 
 namespace linelet::io {
 
-/** \brief The reference system that the records of \a origin state, as WKT; empty where
+/** \brief The reference system that the records of \a origin state, as WKT; empty if
  * there is none. \a problem says why one cannot be used. */
 std::string
 lasReferenceSystem(const LasOrigin& origin, std::string& problem);

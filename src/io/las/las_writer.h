@@ -7,7 +7,7 @@
 
 namespace linelet::io {
 
-/** \throws FileError where no record can hold the attributes; Canceled */
+/** \throws FileError if no record can hold the attributes; Canceled */
 void
 writeLas(const Target& target, const Cloud& cloud);
 

@@ -20,7 +20,7 @@ channelOf(const std::uint8_t* record)
   return record[flags_at] >> 4U & 3U;
 }
 
-/** \brief What the first layer of a chunk says about a point beside its record. */
+/** \brief What the first layer of a chunk says about a point besides its record. */
 struct Note {
   enum Bit : std::uint8_t {
     time_bit = 1,
@@ -86,8 +86,9 @@ private:
   unsigned current_;
 };
 
-/** \brief The channels of the layers behind those of the point itself: what version 4
- * does as \ref Channels, version 3 does with two slips that are its format. */
+/** \brief The channels of the layers after those of the point itself: version 4 works
+ * like \ref Channels, version 3 the same but for two flaws that are part of the format.
+ */
 template <class State>
 class ItemChannels {
 public:
@@ -106,7 +107,7 @@ public:
   Place
   enter(const std::uint8_t* record, const Note& note)
   {
-    // Version 3 hears of a channel only where it is switched, and has 0 elsewhere.
+    // Version 3 learns of a channel only where it is switched, and has 0 elsewhere.
     const bool told = version4_ || (note.changed & Note::switch_bit) != 0;
     const unsigned channel = told ? channelOf(record) : 0;
     if (channel == channels_.number())

@@ -15,7 +15,7 @@ namespace linelet::laz {
 /** \brief Decodes the \a count points whose data are \a bytes, to \a records, which
  * follow one another without gaps. \a wanted has no effect in point formats 0 to 5.
  * \return number of bytes that were used
- * \throws Error where the data end too early, or the layers differ from their sizes */
+ * \throws Error if the data ends too early, or if the layers differ from their sizes */
 std::size_t
 readChunk(const Layout& layout,
           std::string_view bytes,
@@ -23,8 +23,8 @@ readChunk(const Layout& layout,
           std::uint8_t* records,
           Fields wanted = field::all);
 
-/** \brief Goes over the points of a chunk without keeping them: whether so many are in
- * the data. \return number of bytes that were used \throws Error */
+/** \brief Decodes the points of a chunk without keeping them, to check that the data
+ * holds as many. \return number of bytes that were used \throws Error */
 std::size_t
 skipChunk(const Layout& layout, std::string_view bytes, std::size_t count);
 

@@ -13,11 +13,11 @@
 
 namespace linelet::laz {
 
-/** \brief A part of the points that is coded by itself. */
+/** \brief A part of the points that is coded independently. */
 struct Chunk {
   std::size_t at;           ///< byte of the file
-  std::size_t bytes;        ///< that it may have at most
-  bool exact;               ///< whether it must have all of them
+  std::size_t bytes;        ///< upper bound of its size
+  bool exact;               ///< whether the bound is its exact size
   std::size_t first, count; ///< its points
 };
 
@@ -42,8 +42,8 @@ readChunkTable(std::string_view file,
 void
 checkChunk(std::string_view file, const Chunk& chunk, const Layout& layout);
 
-/** \brief The table that stands behind chunks of \a sizes bytes, of a fixed number of
- * points each. */
+/** \brief The table after chunks of \a sizes bytes, of a fixed number of points each.
+ */
 std::vector<std::uint8_t>
 writeChunkTable(const std::vector<std::uint32_t>& sizes);
 

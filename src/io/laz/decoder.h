@@ -13,9 +13,9 @@ namespace linelet::laz {
 
 /** \brief Arithmetic decoder of a stream in memory.
  *
- * It has the calls of \ref Encoder, so that what is coded can be said once for both
- * directions: what the encoder is given as value, this returns. Bytes behind the end
- * read as zeros; \ref overrun tells. */
+ * It has the interface of \ref Encoder, so that one description serves both directions:
+ * it returns the values that the encoder is given. Bytes after the end read as zeros;
+ * see \ref overrun. */
 class Decoder {
 public:
   static constexpr bool encodes = false;
@@ -84,7 +84,7 @@ public:
     return next_;
   }
 
-  /** \brief Whether more was decoded than there is. */
+  /** \brief Whether more was decoded than the data holds. */
   bool
   overrun() const
   {

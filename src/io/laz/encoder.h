@@ -64,8 +64,8 @@ public:
     return value;
   }
 
-  /** \brief Ends the stream, so that a decoder has read exactly its bytes when it has
-   * the last value, and gives it away. */
+  /** \brief Ends the stream, so that a decoder has read exactly its bytes after the
+   * last value, and returns it. */
   std::vector<std::uint8_t>
   finish()
   {

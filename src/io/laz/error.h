@@ -7,8 +7,8 @@
 
 namespace linelet::laz {
 
-/** \brief Compressed data that cannot be what it says. what() is half a sentence, to
- * stand behind the name of the file. */
+/** \brief Invalid compressed data. what() is half a sentence, to follow the name of the
+ * file. */
 class Error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

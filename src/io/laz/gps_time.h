@@ -13,7 +13,7 @@ namespace linelet::laz {
 
 /** \brief Codes GPS times, as the bits of doubles, by up to four sequences of steps
  * that are nearly even. \a Repeats: "the same as before" has a symbol of its own
- * (version 2); else it is told elsewhere (versions 3 and 4). */
+ * (version 2); else it is coded elsewhere (versions 3 and 4). */
 template <bool Repeats>
 class GpsTimeModel {
 public:

@@ -65,7 +65,7 @@ private:
   ColorModel model_;
 };
 
-/** \brief Colors, version 1 (2010): six bytes that know nothing of each other. */
+/** \brief Colors, version 1 (2010): six independent bytes. */
 class Rgb12V1 : public ItemCoder<Decoder> {
 public:
   explicit Rgb12V1(const std::uint8_t* first) { std::copy_n(first, 6, last_); }

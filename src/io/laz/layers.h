@@ -18,7 +18,7 @@
 namespace linelet::laz {
 
 /** \brief Codes a layer with a stream of its own. All layers are coded point by point,
- * side by side: a stream alone would wait for one division after the other. */
+ * in parallel: a single stream would wait for one division after the other. */
 template <class Coder>
 class LayerCoder {
 public:

@@ -10,7 +10,7 @@
 
 namespace linelet::laz {
 
-/** \brief \a Count models of which most are never used: made when they are. */
+/** \brief \a Count models, created on first use, since most are never used. */
 template <unsigned Count, unsigned Symbols>
 class ModelBank {
 public:

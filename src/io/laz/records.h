@@ -8,8 +8,8 @@
 
 namespace linelet::laz {
 
-/** \brief Point records of a chunk, one every \a stride bytes; 0: each in the place of
- * the one before, for those who only want to know where the chunk ends. */
+/** \brief Point records of a chunk, one every \a stride bytes; 0: each overwrites the
+ * one before, when only the end of the chunk is needed. */
 struct Records {
   std::uint8_t* first;
   std::size_t stride, count;

@@ -12,8 +12,8 @@
 namespace linelet::io {
 
 /** \brief The first \a size bytes that \a packed holds by gzip, fewer if there are no
- * more. Fails where they could not all be in so few packed ones, where they are
- * damaged, and in a build without zlib. */
+ * more. Fails if so few packed bytes cannot hold them all, if they are damaged, and in
+ * a build without zlib. */
 std::string
 gunzip(const Source& source, std::string_view packed, std::size_t size);
 

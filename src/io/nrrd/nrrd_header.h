@@ -47,8 +47,8 @@ struct NrrdHeader {
   }
 };
 
-/** \brief Reads the header; its product of sizes fits into memory addresses, whether it
- * fits into the file is for the reader of the data to say. */
+/** \brief Reads the header. The product of its sizes fits into memory addresses; the
+ * reader of the data checks it against the file. */
 NrrdHeader
 readNrrdHeader(const Source& source);
 

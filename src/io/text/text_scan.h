@@ -14,12 +14,12 @@
 
 namespace linelet::io {
 
-/** \brief Takes the lines of a text one after another; LF, CRLF and CR end a line. */
+/** \brief Reads the lines of a text one after another; LF, CRLF and CR end a line. */
 class Lines {
 public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /** \brief The next line into \a line, without its end; false behind the last. */
+  /** \brief The next line into \a line, without its end; false after the last. */
   bool
   next(std::string_view& line)
   {
@@ -35,14 +35,14 @@ public:
     return true;
   }
 
-  /** \brief Number of the line taken last, from 1. */
+  /** \brief Number of the last line read, from 1. */
   std::size_t
   number() const
   {
     return number_;
   }
 
-  /** \brief What is not taken yet. */
+  /** \brief What has not been read yet. */
   std::string_view
   rest() const
   {
@@ -83,7 +83,7 @@ parseNumber(std::string_view word, T& value)
          result.ptr == word.data() + word.size();
 }
 
-/** \brief Whether \a word is a value of T, be it written as a real number: 3.0 for 3.
+/** \brief Whether \a word is a value of T, even if written as a real number: 3.0 for 3.
  */
 template <class T>
 bool
@@ -98,7 +98,7 @@ parseValue(std::string_view word, T& value)
   return true;
 }
 
-/** \brief Says that \a word is no value of the attribute \a name. */
+/** \brief Fails because \a word is not a value of the attribute \a name. */
 inline std::string
 noValue(std::string_view word, const std::string& name)
 {

@@ -7,7 +7,7 @@
 
 namespace linelet::io {
 
-/** \brief A row per point; .csv with commas.
+/** \brief One row per point; .csv with commas.
  *
  * \throws FileError, Canceled */
 void

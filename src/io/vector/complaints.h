@@ -9,7 +9,7 @@
 
 namespace linelet::io {
 
-/** \brief Keeps what GDAL complains about for our own message. */
+/** \brief Collects GDAL's error messages for our own. */
 class Complaints {
 public:
   Complaints() { CPLPushErrorHandlerEx(hear, this); }

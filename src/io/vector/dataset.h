@@ -18,7 +18,7 @@ namespace linelet::io {
 std::unique_ptr<GDALDataset>
 openDataset(const std::string& path, const Complaints& complaints);
 
-/** \brief WKT of the reference system of \a layer; empty where it has none or one of
+/** \brief WKT of the reference system of \a layer; empty if it has none, or one of
  * linelet's local ones, which GDAL takes for systems. */
 std::string
 referenceOf(OGRLayer& layer);

@@ -31,8 +31,8 @@ forEachStraightPart(const OGRGeometry& geometry, Take& take)
       forEachStraightPart(*part, take);
 }
 
-/** \brief The same for any geometry or none; arcs become chords as fine as GDAL has
- * them by itself. */
+/** \brief The same for any geometry or none; arcs become chords as fine as GDAL's
+ * default. */
 template <class Take>
 void
 forEachPart(const OGRGeometry* geometry, Take& take)

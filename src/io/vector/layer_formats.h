@@ -7,7 +7,7 @@
 
 namespace linelet::io {
 
-/** \brief The driver of GDAL that writes layers to \a path, by its ending; empty where
+/** \brief The driver of GDAL that writes layers to \a path, by its ending; empty if
  * there is none. */
 std::string
 findLayerDriver(const std::string& path);

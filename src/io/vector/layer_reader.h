@@ -13,7 +13,7 @@ namespace linelet::io {
 
 /** \brief The lines of all layers of a file that GDAL reads, outlines of areas among
  * them; points are left out.
- * \param[out] wkt its reference system, empty if it tells none; null: not wanted
+ * \param[out] wkt its reference system, empty if it has no CRS; null: not wanted
  * \throws FileError */
 CurveNetwork
 curvesFromLayers(const Source& source, std::string* wkt);

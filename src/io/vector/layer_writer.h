@@ -47,7 +47,7 @@ public:
   void
   add(OGRLayer& layer, OGRFeature& feature);
 
-  /** \brief Flushes everything; errors of the disk show here at the latest. */
+  /** \brief Flushes everything; disk errors show here at the latest. */
   void
   close();
 

@@ -18,13 +18,13 @@ struct ReleaseReference {
 };
 using Reference = std::unique_ptr<OGRSpatialReference, ReleaseReference>;
 
-/** \brief The reference system that \a wkt describes, east before north; null where it
- * is empty or cannot be understood. */
+/** \brief The reference system that \a wkt describes, east before north; null if it is
+ * empty or not understood. */
 Reference
 parseReference(const std::string& wkt);
 
 /** \brief Turns x and y of \a points, of the system \a wkt, into longitude and latitude
- * (WGS 84); false where that cannot be. */
+ * (WGS 84); false if that is impossible. */
 bool
 toLongitudeLatitude(Points& points, const std::string& wkt);
 

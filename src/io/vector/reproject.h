@@ -10,14 +10,14 @@
 
 namespace linelet::io {
 
-/** \brief Whether \a wkt is a reference system that has a place on Earth. */
+/** \brief Whether \a wkt is a reference system tied to the Earth. */
 bool
 isSystem(const std::string& wkt);
 
-/** \brief \a layers of the system \a from in the system \a to. Heights stay, in meters
- * where \a to counts in degrees.
+/** \brief \a layers of the system \a from in the system \a to. Heights are unchanged,
+ * but in meters if \a to is in degrees.
  * \param[in] path for messages
- * \throws FileError where PROJ knows no way */
+ * \throws FileError if PROJ knows no transformation */
 std::vector<VectorLayer>
 reprojected(const std::string& path,
             std::vector<VectorLayer> layers,

@@ -12,10 +12,10 @@
 
 namespace linelet::powerline {
 
-/** \brief Drops what is long and thin but no wire: what is too straight even for a taut
- * one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms, guys.
- * Their points become free. \a points is the whole cloud, of which nothing below
- * \a min_height above the ground is a candidate. */
+/** \brief Drops long, thin things that are not wires: those too straight even for a
+ * taut one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms, guys.
+ * Their points become free. \a points is the whole cloud, of which nothing below \a
+ * min_height above the ground is a candidate. */
 void
 dropFalsePositives(std::vector<WireWithEnds>& wires,
                    Growth& growth,

@@ -15,19 +15,20 @@ namespace linelet::powerline {
 
 constexpr double steep = 0.12;      ///< slope between the ends
 constexpr double clear_bend = 2e-4; ///< z2 of a line so short that it hangs from poles
-constexpr double long_line = 60;    ///< meters, from which a line speaks for itself
+constexpr double long_line = 60;    ///< meters, from which a line is evidence enough
 constexpr std::size_t many = 4;     ///< wires of a family that prove each other
 constexpr double lone_cover = 0.5;  ///< of the bins of a line inside the data
 
-/** Wires that run side by side or go on as one another: they speak for each other. */
+/** Wires that run side by side or continue each other: they support each other's
+ * evidence. */
 struct Family {
   std::size_t wires = 0;
   double longest = 0;              ///< longest chain of joined wires, meters
   double single = 0;               ///< longest wire, meters
   double bend = 0, weight = 0;     ///< sums over the wires, weighted by length
   double bends = 0, precision = 0; ///< of the points alone, weighted by precision
-  double least = 0;                ///< that bends are at least, weighted alike
-  double open = 0, length = 0;     ///< with nothing but deep below; of all wires
+  double least = 0;                ///< lower bound of the bends, with the same weights
+  double open = 0, length = 0; ///< length with an open view to the ground; of all wires
   double clean = 0, occupied = 0, bins = 0; ///< sums of the evidence of short chains
   bool drop = false;                        ///< a wire leaves another line
   bool border = false;                      ///< a wire leaves the data
@@ -35,26 +36,27 @@ struct Family {
   bool joined = false; ///< some wires meet
   double stubs = 0;    ///< pairs that meet at a support, cut off by the data's border
   double descent = 0;  ///< sum of their slopes away from it
-  double unbroken = 0; ///< nats for that its wires go straight on where they meet
+  /// Evidence (nats) that its wires run straight on where they meet
+  double unbroken = 0;
 };
 
-/** \brief Adds what the points of \a wire say of its bend. */
+/** \brief Adds the bend of \a wire as its points measure it. */
 void
 addBend(Family& family,
         const WireWithEnds& wire,
         const Points& points,
         const Underside& underside);
 
-/** \brief Adds how \a wires[w] and the wires that it meets at supports fall off to both
- * sides, where both are cut off by the border of the data. */
+/** \brief Adds how \a wires[w] and the wires that it meets at supports slope down to
+ * both sides, if both are cut off by the border of the data. */
 void
 addDescent(Family& family,
            const std::vector<WireWithEnds>& wires,
            std::size_t w,
            const Underside& underside);
 
-/** \brief Adds how \a wires[w] and those that go on as it bend down where they meet:
- * wires do at their supports, a pipe or beam in several pieces does not. */
+/** \brief Adds how \a wires[w] and its continuations bend down where they meet: wires
+ * do so at their supports, the pieces of a pipe or beam do not. */
 void
 addJoints(Family& family, const std::vector<WireWithEnds>& wires, std::size_t w);
 
@@ -65,13 +67,13 @@ addEvidence(Family& family,
             const Evidence& evidence,
             const Underside& underside);
 
-/** Part of a wire below which, and beside that, a scan sees nothing near: not so on
- * roofs and rocks. Right below, a thin scan may see nothing but the wire itself. */
+/** Fraction of a wire with nothing close below it or to the side of that, unlike on
+ * roofs and rocks. Right below, a sparse scan may see nothing but the wire itself. */
 double
 openBelow(const SpanModel& m, const Underside& underside);
 
 /** \brief Whether \a family may be wires.
- * \param[in] terrain whether the cloud shows any: then lines hang clear of it */
+ * \param[in] terrain whether the cloud shows terrain: lines then hang clear of it */
 bool
 plausible(const Family& family, bool terrain);
 

@@ -7,10 +7,10 @@
 
 namespace linelet::powerline {
 
-/** \brief The middle of \a points along a rough course through them: local lines, by
- * least squares, a window after the other.
+/** \brief The center line of \a points along a rough course through them: local
+ * least-squares lines, window by window.
  * \param[in] course vertices, at least one
- * \param[in] window standard deviation of the weights along the course, and distance of
+ * \param[in] window standard deviation of the weights along the course, and spacing of
  * the vertices */
 Points
 curveThrough(const Points& course, const Points& points, double window);

@@ -5,34 +5,33 @@
 
 namespace linelet::powerline {
 
-/** \brief What is known of jumpers and insulators before a scan is looked at. Lengths
- * in meters. */
+/** \brief Prior knowledge about jumpers and insulators. Lengths in meters. */
 struct FittingPriors {
   double air_gap = 0.8; ///< between live and earthed parts, at least: below the .9 m of
                         ///< lattice towers' lowest voltage, 100 kV (EN 50341-1:2012,
                         ///< table 5.5), so that within it a conductor is alone
   double half_width = 0.25; ///< of a bundle or a double string: conductors and strings
                             ///< stand .4 to .5 m apart (CIGRE Technical Brochure 273)
-  double shortest_string = 0.5; ///< 52 kV; six caps and pins of 146 mm (IEC 60305) and
-                                ///< less are hidden by their fittings
+  double shortest_string = 0.5; ///< 52 kV; strings of up to six caps and pins of 146 mm
+                                ///< (IEC 60305) are hidden by their fittings
   double longest_string = 6;    ///< 800 kV, with its fittings
-  double bulky = 3;   ///< what is not thin and this large is a structure: yokes, clamps
-                      ///< and grading rings measure 1 m or so
+  double bulky = 3; ///< anything this large and not thin is a structure: yokes, clamps
+                    ///< and grading rings measure about 1 m
   double level = 0.5; ///< sine of the least slope of a string that something hangs
-                      ///< from: V-strings open to 100 degrees or so
-  double longest_jumper = 3; ///< over the distance of its clamps
+                      ///< from: V-strings open up to about 100 degrees
+  double longest_jumper = 3; ///< length over the distance between its clamps
   double unseen = 0.1; ///< share of gaps between points of a conductor that may be
                        ///< wider than \ref link; with more, shapes are not seen
 
-  /** \brief Points of one body have neighbors within this, those of two have not: less
-   * than half of the gap. */
+  /** \brief Points of one body have neighbors within this distance, points of different
+   * bodies do not: less than half of the gap. */
   double
   link() const
   {
     return 0.45 * air_gap;
   }
 
-  /** \brief Longest step along a body: still not to the next one. */
+  /** \brief Longest step along a body that does not reach the next one. */
   double
   stride() const
   {

@@ -10,8 +10,8 @@
 namespace linelet::powerline {
 
 /** \brief Finds jumpers and insulator strings at the pylons of a network whose points
- * are labeled, and gives them their points. Where pylons are scanned too coarsely to
- * show them, nothing changes. */
+ * are labeled, and gives them their points. If pylons are scanned too sparsely to show
+ * them, nothing changes. */
 void
 findFittings(PowerLineNetwork& network, const Candidates& candidates, unsigned threads);
 

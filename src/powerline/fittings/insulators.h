@@ -13,7 +13,7 @@ namespace linelet::powerline {
 struct SeenString {
   InsulatorString string;
   int end = -1;    ///< of a wire that it holds
-  int jumper = -1; ///< place in the list of jumpers
+  int jumper = -1; ///< index in the list of jumpers
   Indices points;  ///< of the site
 };
 

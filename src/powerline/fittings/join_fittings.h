@@ -10,8 +10,8 @@
 namespace linelet::powerline {
 
 /** \brief Adds to \a network the jumpers and insulators of all parts, each from the one
- * that owns its middle, in the order of the supports; \a ids tell what wires and
- * supports have become. */
+ * that owns its middle, in the order of the supports; \a ids map the wires and supports
+ * of the parts to those of the whole. */
 void
 joinFittings(const std::vector<NetworkPart>& parts,
              const std::vector<PartIds>& ids,

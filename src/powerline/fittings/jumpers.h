@@ -16,8 +16,8 @@ struct SeenJumper {
 };
 
 /** \brief Finds the jumpers of a site: between the clamps of two wires that leave it in
- * different directions, points follow each other that hang clear of the structure.
- * Sets the clamps of the ends. */
+ * different directions, a chain of points hangs clear of the structure. Sets the clamps
+ * of the ends. */
 std::vector<SeenJumper>
 findJumpers(SupportSite& site, const FittingPriors& priors);
 

@@ -7,8 +7,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Separates what hangs together with wires from what is part of a structure:
- * \ref SupportSite::direction, \ref SupportSite::earthed and \ref SupportSite::live.
+/** \brief Separates what is connected to wires from what is part of a structure: \ref
+ * SupportSite::direction, \ref SupportSite::earthed and \ref SupportSite::live.
  * \param[in] threads 0: all */
 void
 findLiveParts(SupportSite& site, const FittingPriors& priors, unsigned threads);

@@ -8,7 +8,7 @@
 namespace linelet::powerline {
 
 /** \brief Finds for every end of a wire where the structure ends and its string begins:
- * \ref WireEnd::earthed. What of a string lies close to the structure becomes live. */
+ * \ref WireEnd::earthed. The part of a string close to the structure becomes live. */
 void
 findStringEnds(SupportSite& site, const FittingPriors& priors);
 

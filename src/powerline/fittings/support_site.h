@@ -15,14 +15,14 @@
 
 namespace linelet::powerline {
 
-/** \brief An end of a wire at a support. Places along it are meters from the attachment
- * point into the span; negative ones lie beyond. */
+/** \brief An end of a wire at a support. Positions along it are in meters from the
+ * attachment point into the span; negative ones lie beyond. */
 struct WireEnd {
   const Wire* wire;
   bool front;
   double attachment;  ///< s of the catenary there
   double earthed = 0; ///< place where the structure ends and the string begins
-  double clamp = 0;   ///< place where the jumper begins, where there is one
+  double clamp = 0;   ///< place where the jumper begins, if there is one
   bool clamped = false;
 
   Point
@@ -53,19 +53,19 @@ struct SupportSite {
   double radius = 0;         ///< in plan
   std::vector<int> supports; ///< ids
   std::vector<WireEnd> ends;
-  std::map<int, int> end_of; ///< by the id of its wire, or of that which it goes on as
-                             ///< where a string was taken for a span
+  std::map<int, int> end_of; ///< by the id of its wire, or of that wire's continuation
+                             ///< if a string was taken for a span
   Points points;
   Indices input; ///< index of each in the input
   std::unique_ptr<UniformGrid> grid;
-  Points direction; ///< of what is thin around a point; 0 where that is bulky
+  Points direction; ///< of the thin body around a point; 0 if it is bulky
   std::vector<char>
       earthed;            ///< part of a structure, or of something else that is bulky
-  std::vector<char> live; ///< hangs together with wires, and is not earthed
+  std::vector<char> live; ///< connected to wires, and not earthed
   std::vector<int> tube;  ///< end of a wire in whose tube it lies
   std::vector<double> along; ///< place along that end
 
-  /** \brief Whether it hangs there and is no part of a wire that is known. */
+  /** \brief Whether it hangs there and is not part of a known wire. */
   bool
   isLoose(Index i) const
   {
@@ -73,15 +73,15 @@ struct SupportSite {
   }
 };
 
-/** \brief The sites of all pylons that are scanned so densely that shapes are seen. */
+/** \brief The sites of all pylons that are scanned densely enough to show shapes. */
 std::vector<SupportSite>
 findSites(const PowerLineNetwork& network,
           const Candidates& candidates,
           const FittingPriors& priors,
           unsigned threads);
 
-/** \brief Groups the points that \a takes, of one body each. Empty where there are
- * none. */
+/** \brief Groups the points that \a takes accepts, one group per body. Empty if there
+ * are none. */
 template <class Takes>
 std::vector<Indices>
 bodiesOf(const SupportSite& site, double link, Takes&& takes)

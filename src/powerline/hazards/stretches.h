@@ -11,8 +11,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Something nearer to a wire than a limit: the part of the wire for which that
- * is so, and the place. */
+/** \brief Something closer to a wire than a limit: the affected part of the wire, and
+ * the place. */
 struct Approach {
   double from, to; ///< of the wire
   double distance; ///< least
@@ -20,13 +20,13 @@ struct Approach {
   Point place;
 };
 
-/** \brief The approach of \a place to \a curve; to < from where it stays beyond
- * \a limit. */
+/** \brief The approach of \a place to \a curve; to < from if it stays beyond \a limit.
+ */
 Approach
 approach(const WireCurve& curve, const Point& place, double limit);
 
-/** \brief Unites approaches to a wire of one kind and appends the stretches, with all
- * that follows from them, but for ids, to \a out. */
+/** \brief Merges approaches of one kind to a wire and appends the stretches, complete
+ * except for ids, to \a out. */
 void
 appendStretches(const PowerLineNetwork& network,
                 const WireCurve& curve,

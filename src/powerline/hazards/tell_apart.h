@@ -9,9 +9,9 @@
 
 namespace linelet::powerline {
 
-/** \brief Tells buildings from vegetation among the points of \a all that \a unknown
- * names, by the planarity of their surroundings over some meters and by the share of
- * single echoes, both averaged over what stands around.
+/** \brief Distinguishes buildings from vegetation among the points of \a all listed in
+ * \a unknown, by the planarity of their surroundings over some meters and by the share
+ * of single echoes, both averaged over the neighborhood.
  * \param[in] single whether each point is the only echo of its pulse
  * \return whether each point is part of something as thin as a wire */
 std::vector<bool>

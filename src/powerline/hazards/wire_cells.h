@@ -12,15 +12,15 @@
 
 namespace linelet::powerline {
 
-/** \brief Square cells of the plan that know which wires come within a reach of them,
- * so that a point asks few wires. */
+/** \brief Square cells in plan with the wires that come within reach of each, so that
+ * few wires are tested per point. */
 class WireCells {
 public:
   /** \param[in] reach meters in plan, > 0 */
   WireCells(const std::vector<Wire>& wires, double reach);
 
-  /** \brief Places in the list of wires, ascending: all within the reach of \a p in
-   * plan, and some others. */
+  /** \brief Indices in the list of wires, ascending: all within reach of \a p in plan,
+   * and some others. */
   const std::vector<std::uint32_t>&
   near(const Point& p) const
   {

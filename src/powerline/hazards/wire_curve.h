@@ -10,7 +10,7 @@
 
 namespace linelet::powerline {
 
-/** \brief A catenary made ready for many questions about distances. */
+/** \brief A catenary prepared for many distance queries. */
 class WireCurve {
 public:
   explicit WireCurve(const Catenary& curve);
@@ -34,7 +34,7 @@ public:
   nearest(const Point& p) const;
 
   /** \brief Ends of the part of the wire around \ref nearest that lies within
-   * \a radius of \a p; empty (first > second) where there is none. */
+   * \a radius of \a p; empty (first > second) if there is none. */
   std::pair<double, double>
   within(const Point& p, double radius) const;
 

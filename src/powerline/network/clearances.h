@@ -11,13 +11,13 @@
 
 namespace linelet::powerline {
 
-/** \brief The least height of a wire above the terrain, by places a meter apart; not
- * known where the terrain is not. */
+/** \brief The least height of a wire above the terrain, sampled every meter; unknown
+ * without terrain. */
 Clearance
 lowestAboveGround(const Catenary& curve, const Ground& ground);
 
 /** \brief Measures the clearances of every wire. Vegetation is what stands above
- * ground, has company, and is neither wire nor support. */
+ * ground, has neighbors, and is neither wire nor support. */
 void
 measureClearances(PowerLineNetwork& network,
                   const Candidates& candidates,

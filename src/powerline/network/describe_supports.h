@@ -11,7 +11,7 @@
 
 namespace linelet::powerline {
 
-/** \brief The supports that \a towers are, with ids in their order. */
+/** \brief \a towers as supports, with ids in their order. */
 std::vector<Support>
 describeSupports(const std::vector<Tower>& towers, bool has_terrain);
 

@@ -13,7 +13,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Fits the catenary of \a wire to its members, which are places in \a points,
+/** \brief Fits the catenary of \a wire to its members, which are indices in \a points,
  * and to its attachment points, and measures it. */
 void
 fitWire(Wire& wire, const WireWithEnds& with_ends, const Points& points);

@@ -12,8 +12,8 @@ namespace linelet::powerline {
 /** \brief Fits a catenary, in a plane that wind may have swung out, to points by robust
  * least squares.
  * \param[in] start a parabola near the answer; its begin and end bound the curve
- * \param[in] members places in \a points
- * \param[in] fixed attachment points that the curve is held to (0 to 2)
+ * \param[in] members indices in \a points
+ * \param[in] fixed attachment points that the curve must pass (0 to 2)
  * \param[in] cut members farther from the curve, in meters, have no weight
  * \return the curve, from the begin to the end of \a start (or to the attachment
  * points) */

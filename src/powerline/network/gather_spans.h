@@ -11,16 +11,16 @@
 
 namespace linelet::powerline {
 
-/** \brief Where a line goes on beyond one end of a span. */
+/** \brief Where a line continues beyond one end of a span. */
 struct Next {
-  int span = -1; ///< place in the list of spans, -1: the line ends
+  int span = -1; ///< index in the list of spans, -1: the line ends
   int side = 0;  ///< the end of that span that is met
 };
 
-/** \brief A span before it has a number: its wires, and who follows at either end. End
- * 0 is where its first wire begins. */
+/** \brief A span before it has a number: its wires, and the next span at either end.
+ * End 0 is where its first wire begins. */
 struct WiresOfSpan {
-  std::vector<std::size_t> wires;      ///< places in the list of wires
+  std::vector<std::size_t> wires;      ///< indices in the list of wires
   std::vector<char> reversed;          ///< wire runs from end 1 to end 0
   std::array<int, 2> support = {0, 0}; ///< ids, 0: none seen
   std::array<Next, 2> next;

@@ -10,14 +10,13 @@
 
 namespace linelet::powerline {
 
-/** \brief The stretches of \a line whose places \a owns; its points are shared out by
- * length. */
+/** \brief The stretches of \a line that \a owns; its points are divided by length. */
 std::vector<UnexplainedLine>
 clipLine(const UnexplainedLine& line,
          const std::function<bool(double x, double y)>& owns);
 
-/** \brief Joins lines that end where others begin, to a few centimeters; the longest
- * first, with ids. */
+/** \brief Joins lines that end within a few centimeters of where others begin; the
+ * result is sorted, longest first, with ids. */
 void
 joinLines(std::vector<UnexplainedLine>& lines);
 

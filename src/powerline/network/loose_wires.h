@@ -12,10 +12,10 @@
 
 namespace linelet::powerline {
 
-/** \brief What others have to know of \a network, all of whose wires are \a with_ends.
+/** \brief What merging needs of \a network, whose wires are \a with_ends.
  * \param[in] unnumbered the wires as they were described, in that order
  * \param[in] ids of these in the network
- * \param[in] points that their members are of */
+ * \param[in] points to which their members refer */
 NetworkPart
 partOf(const PowerLineNetwork& network,
        const std::vector<WireWithEnds>& with_ends,

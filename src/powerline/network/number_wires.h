@@ -11,8 +11,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Gathers wires into spans and spans into lines, numbers everything, and puts
- * wires and spans of \a network, whose supports are known, in order (line, span, wire).
+/** \brief Gathers wires into spans and spans into lines, numbers everything, and sorts
+ * wires and spans of \a network, whose supports are known, by line, span and wire.
  * \return for every wire of \a with_ends its id */
 std::vector<int>
 numberWires(PowerLineNetwork& network, const std::vector<WireWithEnds>& with_ends);

@@ -13,8 +13,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Finds the wire that another one is, as somebody else saw it: in whole or in
- * part, and with his noise. */
+/** \brief Finds the same wire as seen by another part: in whole or in part, and with
+ * different noise. */
 class WireIndex {
 public:
   static constexpr int none = -1;
@@ -23,7 +23,7 @@ public:
   int
   add(const Wire& wire);
 
-  /** \brief The wire nearest to \a wire, of those that it lies on. */
+  /** \brief Of the wires that \a wire lies on, the nearest. */
   int
   find(const Wire& wire) const;
 
@@ -43,7 +43,7 @@ private:
   std::map<Cell, std::vector<int>> cells_;
 };
 
-/** \brief The middle of a wire; whose it is, owns the wire. */
+/** \brief The middle of a wire; the part that owns it owns the wire. */
 inline Point
 middleOf(const Wire& wire)
 {

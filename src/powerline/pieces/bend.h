@@ -9,7 +9,7 @@ namespace linelet::powerline {
 
 constexpr double flattest = 1e-4; ///< z2 of a wire, 1/meters: a = 5 km
 
-/** \brief z2 of a wire as its points alone have it, without the prior of the fit. */
+/** \brief z2 of a wire from its points alone, without the prior of the fit. */
 struct Bend {
   double value = 0;
   double spread = 1; ///< standard deviation

@@ -12,7 +12,7 @@
 
 namespace linelet::powerline {
 
-/** \brief The points that stand above ground, where every later stage looks. */
+/** \brief The points above ground, which all later stages search. */
 struct Candidates {
   Points points;
   Indices input;             ///< index of each in the input
@@ -29,7 +29,7 @@ findCandidates(const Points& points,
                double min_height,
                unsigned threads = 0);
 
-/** \brief A place where a wire may be, with its direction. */
+/** \brief A place where there may be a wire, with its direction. */
 struct Seed {
   Index candidate;
   float linearity;

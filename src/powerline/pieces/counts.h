@@ -9,11 +9,11 @@ namespace linelet::powerline {
 struct Counts {
   double tube = 0;   ///< points
   double around = 0; ///< points around it
-  double larger = 1; ///< how many times as large as the tube the surroundings are
+  double larger = 1; ///< volume of the surroundings, in volumes of the tube
 };
 
-/** \brief Logarithm of the likelihood that a wire with \a density points per stretch,
- * where it shows, hangs there in addition, over that of the surroundings alone.
+/** \brief Log-likelihood ratio of a wire with \a density points per visible stretch in
+ * addition to the surroundings, to the surroundings alone.
  *
  * The rate of the surroundings is known from their count alone: both are negative
  * binomial (Poisson, with Jeffreys' prior of the rate). */

@@ -16,16 +16,16 @@ namespace linelet::powerline {
 /** \brief Parts of \a curve that hang as one parabola each, fitted to the free
  * candidates along it.
  *
- * How wide the tube is that holds them follows from the points themselves: half of what
- * stands out from the surroundings lies within the median distance, and a curve wider
- * than single wires are is a bundle. The curve is cut where two parabolas explain its
- * points better than one does (Bayesian information criterion). */
+ * The width of the tube that holds them follows from the points themselves: half of
+ * those that stand out from the surroundings lie within the median distance, and a
+ * curve wider than a single wire is a bundle. The curve is cut where two parabolas
+ * explain its points better than one does (Bayesian information criterion). */
 std::vector<Piece>
 piecesAlong(const Curve& curve, const Growth& growth);
 
-/** \brief Adds to \a wires what hangs along curves of the free candidates and is
- * accepted; its points are claimed in \a growth. Finds what no straight neighborhood
- * shows: bundles, sparse and noisy wires.
+/** \brief Adds to \a wires the accepted pieces along curves of the free candidates;
+ * their points are claimed in \a growth. Finds what no straight neighborhood shows:
+ * bundles, sparse and noisy wires.
  * \return the curves, the longest first */
 std::vector<Curve>
 growAlongCurves(Growth& growth,

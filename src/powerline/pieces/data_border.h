@@ -8,7 +8,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Whether the data end within a few meters beyond one end of \a model. */
+/** \brief Whether the data ends within a few meters beyond one end of \a model. */
 bool
 leavesData(const SpanModel& model, int side, const Underside& underside);
 

@@ -9,25 +9,25 @@
 
 namespace linelet::powerline {
 
-/** \brief What speaks for a piece being a wire. */
+/** \brief Evidence that a piece is a wire. */
 struct Evidence {
-  int bins = 0;     ///< of 2 m, begin to end
-  int occupied = 0; ///< with points of the wire
-  int clean = 0;    ///< occupied, and next to nothing right around the wire
-  double rms = 0;   ///< of the members, meters
-  double sag = 0;   ///< of the model between its ends, meters; negative: bulges upwards
-  double slope = 0; ///< at the ends, against the chord
-  double chord = 0; ///< slope from end to end
-  double height = 0;     ///< mean of the members above ground, meters
-  double likelihood = 0; ///< natural logarithm of how much better a wire explains the
-                         ///< points around it than what stands there anyway does
-  bool hangs = false;    ///< as a wire does, whatever is around it
+  int bins = 0;      ///< of 2 m, begin to end
+  int occupied = 0;  ///< with points of the wire
+  int clean = 0;     ///< occupied, and hardly anything right around the wire
+  double rms = 0;    ///< of the members, meters
+  double sag = 0;    ///< of the model between its ends, meters; negative: bulges upward
+  double slope = 0;  ///< at the ends, against the chord
+  double chord = 0;  ///< slope from end to end
+  double height = 0; ///< mean of the members above ground, meters
+  double likelihood = 0; ///< log-likelihood ratio (natural) of a wire to the
+                         ///< surroundings alone, for the points around it
+  bool hangs = false;    ///< like a wire, whatever is around it
   bool sound = false;    ///< a wire, but perhaps too thinly covered with points
-  bool accepted = false; ///< and not that
+  bool accepted = false; ///< sound and densely enough covered
 };
 
-/** \brief Weighs \a piece. Roof edges, crane booms and branches have company all along
- * themselves; a wire hangs alone, or beside others at a distance. */
+/** \brief Weighs \a piece. Roof edges, crane booms and branches have other points all
+ * along them; a wire hangs alone, or at a distance from others. */
 Evidence
 weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& settings);
 

@@ -13,22 +13,22 @@
 
 namespace linelet::powerline {
 
-/** \brief Makes \a piece a bundle whose conductors the points do not tell apart, if it
- * is one and dense: its conductors then are no company. */
+/** \brief Makes \a piece a bundle whose conductors the points do not resolve, if it is
+ * one and dense, so that its conductors do not count as surroundings. */
 bool
 becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings);
 
 /** \brief All accepted wires that grow from \a seeds, their points claimed in \a growth
- * (owner: place in the result). */
+ * (owner: index in the result). */
 std::vector<Piece>
 growAll(Growth& growth,
         const std::vector<Seed>& seeds,
         const PowerLineSettings& settings,
         ProgressMonitor* monitor);
 
-/** \brief Adds to \a pieces what is left of thin bundles, or of wires that strips which
- * do not fit show twice: their conductors are too near each other to be found one by
- * one. */
+/** \brief Adds to \a pieces the remnants of narrow bundles, and of wires that
+ * misaligned strips show twice: their conductors are too close together to be found one
+ * by one. */
 void
 addBundles(Growth& growth,
            const std::vector<Seed>& seeds,

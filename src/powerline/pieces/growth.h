@@ -24,27 +24,27 @@ struct Bin {
 };
 
 constexpr double bin_length = 2;      ///< meters
-constexpr double bundle_radius = 0.5; ///< meters, of a bundle in one vector
-constexpr double growth_gap = 8; ///< meters without a point that are nothing unusual
+constexpr double bundle_radius = 0.5; ///< meters, of a bundle drawn as one wire
+constexpr double growth_gap = 8;      ///< meters without a point that are not unusual
 constexpr double ring_radius =
-    0.8; ///< meters, of the surroundings a bin is compared with
+    0.8; ///< meters, of the surroundings that a bin is compared with
 
-/// Nats against a wire ahead, from which on it is not looked for. In a scan of one
-/// point per meter some 15 m.
+/// Evidence (nats) against a wire ahead at which the search for it stops: some 15 m in
+/// a scan with one point per meter.
 constexpr double usual_patience = 8;
 
-/** \brief Grows wires from seeds and keeps book of who owns which candidate. */
+/** \brief Grows wires from seeds and keeps track of which wire owns which candidate. */
 class Growth {
 public:
   static constexpr int nobody = -1;
 
-  /** \param[in] seeds that tell the directions of wires */
+  /** \param[in] seeds that give the directions of wires */
   Growth(const Candidates& candidates,
          const PowerLineSettings& settings,
          const std::vector<Seed>& seeds = {});
 
   /** \brief Grows a wire from \a seed to both sides; its parts between supports.
-   * Nothing is claimed. Empty where nothing grows. */
+   * Claims nothing. Empty if nothing grows. */
   std::vector<Piece>
   grow(const Seed& seed) const;
 
@@ -54,11 +54,11 @@ public:
   betweenSupports(Piece piece) const;
 
   /** \brief Extends \a piece at both ends, not beyond \a low and \a high, as long as
-   * what is seen ahead makes up for what is not seen before it: a wire shows with the
-   * density of the piece, or is hidden. It stops where that many nats (\a patience)
-   * speak against it, or where nobody can tell any more where the wire would be.
+   * points farther ahead make up for gaps before them: a wire shows with the density of
+   * the piece, or is hidden. It stops when the evidence against it reaches \a patience
+   * nats, or when the position of the wire can no longer be predicted.
    * \param[in] lock shift it to the strongest of the wires around once it is long
-   * enough to tell them apart
+   * enough to resolve them
    * \return false when nothing of it is left */
   bool
   extend(Piece& piece,
@@ -67,13 +67,14 @@ public:
          bool lock = false,
          double patience = usual_patience) const;
 
-  /** \brief Takes as members the free points within \a reach of the model, begin to
-   * end, and fits again. False when too few are left. */
+  /** \brief Takes the free points within \a reach of the model as members, from begin
+   * to end, and fits again. False if too few are left. */
   bool
   collect(Piece& piece, double reach) const;
 
   /** \brief Counts around the stretch [\a from, \a to] of \a model; the free points of
-   * the tube go to \a members unless null. Points of \a self count as free. */
+   * the tube are added to \a members if that is not null. Points of \a self count as
+   * free. */
   Bin
   look(const SpanModel& model,
        double from,
@@ -100,9 +101,9 @@ public:
 private:
   /** What lies ahead of an end and is not yet part of the piece. */
   struct Ahead {
-    bool open = true;    ///< whether to look on
-    double gap = 0;      ///< meters looked at
-    double evidence = 0; ///< of a wire in them, never positive
+    bool open = true;    ///< whether to continue
+    double gap = 0;      ///< meters examined
+    double evidence = 0; ///< for a wire in them, never positive
     Indices points;      ///< in the tube there
   };
 

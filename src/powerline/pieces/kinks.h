@@ -9,8 +9,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Where \a piece hangs on a support on its way: the heights are explained much
- * better by two parabolas that meet in a downward kink. Ascending. */
+/** \brief Where \a piece passes a support: two parabolas that meet in a downward kink
+ * explain the heights much better there. Ascending. */
 std::vector<double>
 findKinks(const Piece& piece, const Points& points);
 

@@ -15,14 +15,14 @@ constexpr double around_wire = 0.35; ///< meters, of the points that may be its 
 
 /** \brief Where poles stand along a line.
  *
- * Its wires, which run side by side, are looked at together: at a pole all of them have
- * a kink, which in a dip of the terrain none shows clearly by itself; and a pole shows
- * as something thin that reaches up to a wire. */
+ * Its parallel wires are examined together: at a pole all of them have a kink, though
+ * in a dip of the terrain none shows it clearly by itself; and a pole is something thin
+ * that reaches up to a wire. */
 class LinePoles {
 public:
   LinePoles(const std::vector<const Piece*>& wires, const Growth& growth);
 
-  /** \brief Places of the poles along \a model, ascending. */
+  /** \brief Positions of the poles along \a model, ascending. */
   std::vector<double>
   along(const SpanModel& model) const;
 

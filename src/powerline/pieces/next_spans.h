@@ -13,13 +13,15 @@
 
 namespace linelet::powerline {
 
-/** \brief Looks for the next span of every wire that ends inside the data with nothing
- * to go on: a line does not end at its support. From there, directions are tried, and
- * the best are grown and taken if their evidence stands out from all that were tried.
+/** \brief Searches for the next span of every wire that ends inside the data without a
+ * continuation: a line does not end at its support. Directions are tried from there,
+ * and the best are grown and accepted if their evidence stands out from all that were
+ * tried.
  *
- * Finds what no neighborhood shows, wires in crowns with a point per meter or less: a
- * known end leaves few places to look at, and evidence along a direction tells more
- * than that in a ball. New wires are appended to \a wires and own their points. */
+ * Finds what no neighborhood shows, such as wires in crowns with a point per meter or
+ * less: a known end leaves few places to search, and evidence along a direction is
+ * stronger than that in a ball. New wires are appended to \a wires and own their
+ * points. */
 void
 addNextSpans(Growth& growth,
              std::vector<Piece>& wires,

@@ -7,10 +7,11 @@
 
 namespace linelet::powerline {
 
-/** \brief Mean distance of two wires where they run side by side, and how far they do.
+/** \brief Mean distance of two wires where they run side by side, and the length over
+ * which they do.
  */
 struct Parallel {
-  double distance = 0; ///< meters; of interest only with overlap > 0
+  double distance = 0; ///< meters; meaningful only with overlap > 0
   double overlap = 0;  ///< meters
 };
 

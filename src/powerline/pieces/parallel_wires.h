@@ -11,8 +11,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Looks for more wires of the same shape beside those found: in a thin scan two
- * conductors a few meters apart make no line around any of their points. */
+/** \brief Searches for more wires of the same shape beside those found: in a sparse
+ * scan, two conductors a few meters apart form no line around any of their points. */
 void
 addParallelWires(Growth& growth,
                  std::vector<Piece>& pieces,

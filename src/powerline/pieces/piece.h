@@ -11,14 +11,14 @@
 
 namespace linelet::powerline {
 
-/** \brief A wire in the making: a model and the candidates that it explains. */
+/** \brief A wire under construction: a model and the candidates that it explains. */
 struct Piece {
   SpanModel model;
   Indices members;      ///< candidates
-  double thickness = 0; ///< radius of a bundle whose conductors cannot be told apart
+  double thickness = 0; ///< radius of a bundle whose conductors cannot be resolved
 
-  /** \brief Residual from which on a point has no weight: a bundle shall be fitted in
-   * its middle, not to the conductor that happens to be nearer. */
+  /** \brief Residual from which on a point has no weight: a bundle must be fitted at
+   * its center, not to the conductor that happens to be nearer. */
   double
   cut() const
   {

@@ -10,7 +10,7 @@
 
 namespace linelet::powerline {
 
-constexpr double independent = 2;       ///< points per meter that tell something new
+constexpr double independent = 2;       ///< points per meter that count as independent
 constexpr double least_residual = 0.02; ///< meters, finer differences are noise
 constexpr double profile_step = 0.25;   ///< meters between the places tried for a kink
 
@@ -63,8 +63,8 @@ public:
   double
   squaresOfOne(double low, double high) const;
 
-  /** \brief Fits two parabolas that meet at \a s, of nearly the same bend: neighboring
-   * spans of a line hang under the same tension. */
+  /** \brief Fits two parabolas of nearly the same bend that meet at \a s: neighboring
+   * spans of a line have the same tension. */
   Hinge
   hingeAt(double s, double low, double high) const;
 

@@ -44,8 +44,8 @@ struct SpanModel {
     return c[1] + 2 * c[2] * s;
   }
 
-  /** \brief What a catenary with \a c has beyond its parabola: cubic and quartic
-   * coefficient, z1 = sinh b, z2 = cosh b / 2a. */
+  /** \brief The cubic and quartic coefficients of a catenary with \a c beyond its
+   * parabola, z1 = sinh b, z2 = cosh b / 2a. */
   static Eigen::Vector2d
   beyondParabola(const Eigen::Vector3d& c)
   {
@@ -74,7 +74,7 @@ struct SpanModel {
     return direction.dot(p.head<2>() - origin);
   }
 
-  /** \brief Deviation of \a p from the wire to the left and upwards, across it. */
+  /** \brief Deviation of \a p from the wire, across it, to the left and upward. */
   Eigen::Vector2d
   residual(const Point& p, double s) const
   {
@@ -123,8 +123,8 @@ constexpr double usual_cut = 0.3; ///< meters; points farther off have no weight
 
 /** \brief Fits \a model to points with robust weights (Tukey's biweight, cut \a cut).
  *
- * Priors keep short wires sane: t2 is nearly 0 (a loose one lets a fit swap between the
- * wires of a bundle), z2 is that of usual sags. Updates coefficients, covariance, sigma
+ * Priors stabilize short wires: t2 is nearly 0 (otherwise a fit could swap between the
+ * wires of a bundle), z2 that of usual sags. Updates coefficients, covariance, sigma
  * and tolerance, not begin and end.
  * \return false when fewer than 3 points carry weight */
 bool

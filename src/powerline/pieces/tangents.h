@@ -11,24 +11,24 @@
 
 namespace linelet::powerline {
 
-/** \brief How the directions of seeds tell of supports. Lengths in meters. */
+/** \brief How the directions of seeds reveal supports. Lengths in meters. */
 struct TangentSettings {
-  double least_radius = 2;     ///< of a seed: smaller ones know no slope to a hundredth
+  double least_radius = 2;     ///< of a seed: smaller ones do not give slopes to .01
   double least_cosine = 0.99;  ///< in plan, of a seed and the wire
   double window = 15;          ///< on both sides of a support: half of a short span
   double blurred = 3;          ///< around it, where neighborhoods reach beyond it
   std::size_t least_seeds = 4; ///< on both sides
   double least_kink = 0.03;    ///< change of slope: a span of 30 m that sags by .1 m
-  double least_span = 20;      ///< between supports, after which bends make up for it;
-                               ///< less where strips do not fit
-  double clear = 6;            ///< standard deviations of that change
-  double least_noise = 0.004;  ///< of a slope, as measured in simulated scans
+  double least_span = 20; ///< between supports, after which bends make up for it; less
+                          ///< where strips are misaligned
+  double clear = 6;       ///< standard deviations of that change
+  double least_noise = 0.004; ///< of a slope, as measured in simulated scans
 };
 
-/** \brief Directions of the wires along a place, as seeds have them.
+/** \brief Directions of the wires along a line, as given by seeds.
  *
- * Wires of a rack hang closer together than a curve that has lost its own can tell, but
- * all of them in the same direction: where that breaks downwards, a support stands. */
+ * Wires of a rack are too close together for a curve to keep to its own, but all have
+ * the same direction: where it breaks downward, there is a support. */
 class Tangents {
 public:
   Tangents(const Candidates& candidates, const std::vector<Seed>& seeds);
@@ -38,7 +38,7 @@ public:
     double s, slope;
   };
 
-  /** \brief What seeds near \a model say, ascending. */
+  /** \brief The slopes of seeds near \a model, ascending. */
   std::vector<Sample>
   along(const SpanModel& model) const;
 
@@ -48,13 +48,13 @@ private:
   std::vector<int> known_; ///< place of a candidate's direction, -1: none
 };
 
-/** \brief Where \a samples break downwards; ascending. */
+/** \brief Where \a samples break downward; ascending. */
 std::vector<double>
 findKinks(const std::vector<Tangents::Sample>& samples);
 
-/** \brief Gives \a model the slope and bend of the samples from \a low to \a high; its
- * height in the middle of them stays.
- * \return false where they say too little */
+/** \brief Gives \a model the slope and bend of the samples from \a low to \a high, and
+ * keeps its height at their center.
+ * \return false if they are too few */
 bool
 hangAlong(SpanModel& model,
           const std::vector<Tangents::Sample>& samples,

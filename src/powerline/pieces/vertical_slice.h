@@ -13,14 +13,15 @@ namespace linelet::powerline {
 /** \brief A free candidate near the vertical surface below a wire. */
 struct Below {
   double s, t, drop; ///< along, across, below the wire, meters
-  double depth;      ///< of the lowest candidate that there can be
+  double depth;      ///< of the lowest possible candidate
 };
 
 constexpr double level = 0.5; ///< meters above and below, of what is level with a wire
 constexpr double pole_radius = 0.4; ///< meters
 constexpr double least_piece = 6;   ///< meters between poles, and of a wire beyond one
 constexpr double clear_from = 0.9,
-                 clear_to = 2.0; ///< meters around a pole, along the wire, that tell it
+                 /// Meters from a pole, along the wire, that must be clear
+    clear_to = 2.0;
 
 /** \brief Mean height of \a wire above ground. */
 double
@@ -30,8 +31,8 @@ heightOf(const Piece& wire, const Candidates& candidates);
 std::vector<Below>
 verticalSliceOf(const Piece& wire, const Growth& growth);
 
-/** \brief Where a pole stands below a wire, with nothing much beside it: places along
- * it, ascending, from its vertical slice. */
+/** \brief Where a pole stands below a wire, with hardly anything beside it: positions
+ * along the wire, ascending, from its vertical slice. */
 std::vector<double>
 findColumns(const std::vector<Below>& vertical_slice);
 

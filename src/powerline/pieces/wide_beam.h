@@ -9,8 +9,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Lets \a piece take the points as far beside it as the beam scatters them,
- * where they fill the tube of a wire and are no two wires. */
+/** \brief Lets \a piece take points as far to the side as the beam scatters them, if
+ * they fill the tube of a wire and are not two wires. */
 void
 widenToBeam(const Growth& growth, Piece& piece, const PowerLineSettings& settings);
 

@@ -9,18 +9,18 @@
 
 namespace linelet::powerline {
 
-/** \brief How a wire hangs beside another: to the left and upwards. */
+/** \brief Offset of a wire from another: to the left and upward. */
 struct Offset {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double spread = 0; ///< standard deviation of the mean, meters
 };
 
-/** \brief How \a piece, of which \a points are known, hangs beside \a company. */
+/** \brief Offset of \a piece, with its known \a points, from \a company. */
 Offset
 offsetFrom(const SpanModel& company, const Piece& piece, const Points& points);
 
-/** \brief Standard deviation, at a place \a far meters away, of where a wire hangs
- * beside one of its span. */
+/** \brief Standard deviation of that offset between wires of one span, \a far meters
+ * away. */
 double
 vagueAt(const Offset& offset, double far);
 

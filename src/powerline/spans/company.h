@@ -12,8 +12,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Joins the parts of wires whose middle is hidden, where a wire beside both
- * tells that one hangs on as the other. */
+/** \brief Joins the two parts of a wire whose middle is hidden, if a wire beside both
+ * shows that one continues the other. */
 void
 joinBesideCompany(std::vector<WireWithEnds>& wires,
                   Growth& growth,

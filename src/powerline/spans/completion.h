@@ -14,14 +14,14 @@
 
 namespace linelet::powerline {
 
-/** \brief Carries wires on, across gaps, as far as those beside them reach. */
+/** \brief Extends wires across gaps as far as those beside them reach. */
 void
 completeByCompany(std::vector<WireWithEnds>& wires,
                   Growth& growth,
                   const PowerLineSettings& settings);
 
-/** \brief Adds wires that are short because the data end: they go on from the end of
- * another wire, or run beside one. */
+/** \brief Adds wires that are short because the data ends: they continue another wire,
+ * or run beside one. */
 void
 addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,

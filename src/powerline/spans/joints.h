@@ -12,12 +12,12 @@
 
 namespace linelet::powerline {
 
-/** \brief A horizontal line that attachment points of one support lie near: the
+/** \brief A horizontal line near which the attachment points of one support lie: the
  * crossarm. */
 struct Crossarm {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  Eigen::Vector2d along =
-      Eigen::Vector2d::UnitX(); ///< direction of the line, unit length
+  /// Direction of the line, unit length
+  Eigen::Vector2d along = Eigen::Vector2d::UnitX();
   double turn = 0;    ///< tangent of the crossarm's angle to the perpendicular of along
   double spread = -1; ///< standard deviation of attachment points off it; < 0: unknown
 };
@@ -25,8 +25,8 @@ struct Crossarm {
 /** \brief Where two wires meet that face each other: their closest approach, near their
  * ends and near the crossarm if one is known.
  *
- * Their attachment points are one and the same where the gap is no larger than the
- * models and the scatter of their points leave open; else each stays on its own wire.
+ * They share one attachment point if the gap is within the uncertainty of models and
+ * points; else each stays on its own wire.
  */
 struct Meeting {
   double a = 0, b = 0; ///< place along each model
@@ -41,7 +41,7 @@ meet(const WireWithEnds& a,
      int side_b,
      const Crossarm& arm = {});
 
-/** \brief Makes partners of ends that face each other across a support, best first. */
+/** \brief Pairs ends that face each other across a support, best first. */
 void
 matchEnds(std::vector<WireWithEnds>& wires);
 

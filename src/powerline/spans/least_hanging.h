@@ -9,8 +9,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Least way in plan between the attachment points of \a model, meters: what
- * its points show of it, not most of which is beyond a support. */
+/** \brief Least distance in plan between the attachment points of \a model, meters:
+ * most of its visible stretch must lie between supports. */
 inline double
 leastHanging(const SpanModel& model)
 {

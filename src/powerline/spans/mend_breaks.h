@@ -13,17 +13,17 @@
 
 namespace linelet::powerline {
 
-/** \brief Whether more wires of a line run past a place without an end than the \a
- * ending that end there: then no support stands there. */
+/** \brief Whether more wires of a line pass a place than the \a ending ones that end
+ * there, so that there is no support. */
 bool
 isPassedBy(const std::vector<WireWithEnds>& wires,
            const Point& place,
            const Eigen::Vector2d& along,
            std::size_t ending);
 
-/** \brief Joins partners that meet where the rest of their line runs past: no support
- * breaks them, but too few points, or a bundle of which each took another conductor.
- * Ends must have been matched, and have to be again.
+/** \brief Joins partners that meet where the rest of their line passes: they are broken
+ * not by a support, but by too few points, or because they follow different conductors
+ * of a bundle. Ends must be matched before, and again afterwards.
  * \return whether there were any */
 bool
 mendBreaks(std::vector<WireWithEnds>& wires,

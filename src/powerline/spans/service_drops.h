@@ -13,9 +13,9 @@
 
 namespace linelet::powerline {
 
-/** \brief Adds what leads from a support of a low line to a house and shows on too
- * short a stretch to be told by itself. Its length counts from that support. Ends must
- * have been matched, and have to be again.
+/** \brief Adds wires that lead from a support of a low line to a house and are visible
+ * for too short a stretch to be recognized by themselves. Their length counts from that
+ * support. Ends must be matched before, and again afterwards.
  * \return whether there were any */
 bool
 addServiceDrops(std::vector<WireWithEnds>& wires,
@@ -23,8 +23,8 @@ addServiceDrops(std::vector<WireWithEnds>& wires,
                 const std::vector<Seed>& seeds,
                 const PowerLineSettings& settings);
 
-/** \brief Carries service drops on to the house that they lead to, as far as it is
- * certain where they hang. */
+/** \brief Extends service drops to the house that they lead to, as far as their
+ * position is certain. */
 void
 carryDropsHome(std::vector<WireWithEnds>& wires, const Growth& growth);
 

@@ -13,10 +13,10 @@
 
 namespace linelet::powerline {
 
-/** \brief Looks for the span between wires that end facing each other with nothing in
- * between: a line does not end at its supports. Both ends are known and its tension is
- * about that of the spans beside it, which leaves few places to look at, and less is
- * asked of each. Ends must have been matched, and have to be again.
+/** \brief Searches for the span between wires whose ends face each other with nothing
+ * in between: a line does not end at its supports. Both ends are known and its tension
+ * is about that of the neighboring spans, which leaves few hypotheses, so that each
+ * needs less evidence. Ends must be matched before, and again afterwards.
  * \return whether there were any */
 bool
 addSpansBetween(std::vector<WireWithEnds>& wires,
@@ -24,8 +24,8 @@ addSpansBetween(std::vector<WireWithEnds>& wires,
                 const Underside& underside,
                 const PowerLineSettings& settings);
 
-/** \brief Looks for the next span of wires that end beside others which go on: it hangs
- * beside theirs as their ends do. The rest as for \ref addSpansBetween. */
+/** \brief Searches for the next span of wires that end beside others that continue: it
+ * runs beside theirs as their ends do. Otherwise like \ref addSpansBetween. */
 bool
 addSpansBeside(std::vector<WireWithEnds>& wires,
                Growth& growth,

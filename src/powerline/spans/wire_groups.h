@@ -14,7 +14,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Unites wires that go on as one another beyond their supports. */
+/** \brief Unites wires that continue each other beyond their supports. */
 inline void
 unitePartners(Groups& groups, const std::vector<WireWithEnds>& wires)
 {
@@ -24,8 +24,8 @@ unitePartners(Groups& groups, const std::vector<WireWithEnds>& wires)
         groups.unite(w, static_cast<std::size_t>(end.partner));
 }
 
-/** \brief Unites all wires \a a and \a b with \a together(a, b), which is asked only
- * about wires whose stretches along x are at most \a reach meters apart. */
+/** \brief Unites all wires \a a and \a b with \a together(a, b), which is called only
+ * for wires whose extents along x are at most \a reach meters apart. */
 template <class Together>
 void
 uniteNeighbors(Groups& groups,

@@ -11,20 +11,20 @@
 
 namespace linelet::powerline {
 
-/** \brief One end of a wire: where it is fixed, and to whom. */
+/** \brief One end of a wire: where it is attached, and to what. */
 struct End {
   Point place = Point::Zero(); ///< attachment point, or the last place with points
-  int partner = -1;            ///< wire that goes on beyond the support, -1: none seen
-  int partner_side = 0;        ///< its end there: 0 begin, 1 end
-  int support = -1;            ///< place in the list of supports, -1: none seen
-  bool fixed = false;          ///< place is an attachment point
+  int partner = -1;     ///< wire that continues it beyond the support, -1: none seen
+  int partner_side = 0; ///< its end there: 0 begin, 1 end
+  int support = -1;     ///< index in the list of supports, -1: none seen
+  bool fixed = false;   ///< place is an attachment point
 };
 
 /** \brief A wire with its two ends (0 begin, 1 end of its model). */
 struct WireWithEnds {
   Strand strand;
   std::array<End, 2> ends;
-  std::array<bool, 2> leaves = {}; ///< another line there, as service drops do
+  std::array<bool, 2> leaves = {}; ///< another line at that end, as service drops do
 
   const SpanModel&
   model() const

@@ -14,8 +14,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Carries wires on, through what hides them, to the support that those beside
- * them hang from, as far as it is certain where they hang: no wire ends in the air. */
+/** \brief Extends wires, through what hides them, to the support of those beside them,
+ * as far as their position is certain: no wire ends in the air. */
 void
 carryBesideCompany(std::vector<WireWithEnds>& wires,
                    const std::vector<Tower>& towers,

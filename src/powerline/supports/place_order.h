@@ -11,8 +11,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Places of \a wires in their list, from west to east by their ends: an order
- * that depends on nothing but where they are. */
+/** \brief Indices of \a wires from west to east by their ends: an order that depends
+ * only on where they are. */
 std::vector<std::size_t>
 orderByPlace(const std::vector<WireWithEnds>& wires);
 

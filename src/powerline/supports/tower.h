@@ -10,7 +10,7 @@
 
 namespace linelet::powerline {
 
-constexpr double lowest_pylon = 12; ///< meters, lines on lower supports hang from poles
+constexpr double lowest_pylon = 12; ///< meters; lower supports are poles
 
 /** \brief A pylon or pole: where wires end, and the points that stand there. */
 struct Tower {
@@ -20,7 +20,7 @@ struct Tower {
   double top = 0;                        ///< height of the highest point
   double lowest_arm = 0;                 ///< height of the lowest attachment point
   double half_width = 0;                 ///< of the body at the lowest arm, meters
-  double flare = 0;                      ///< growth of half_width per meter downwards
+  double flare = 0;                      ///< growth of half_width per meter downward
   double turn = 0;                       ///< change of direction of the line, degrees
   double reach = 0;  ///< largest distance of an attachment point from the axis
   bool pole = false; ///< all points near one axis

@@ -15,8 +15,8 @@
 namespace linelet::powerline {
 
 /** \brief Gathers wire ends into supports, finds the structures there, and settles the
- * attachment points: wires that meet share theirs, the others are carried on to the
- * crossarm. Ends without partner and structure stay as they are. */
+ * attachment points: wires that meet share theirs, the others are extended to the
+ * crossarm. Ends without a partner or structure are unchanged. */
 std::vector<Tower>
 buildTowers(std::vector<WireWithEnds>& wires,
             const Growth& growth,

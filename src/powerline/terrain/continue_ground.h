@@ -9,13 +9,13 @@
 
 namespace linelet::powerline {
 
-/** \brief Gives back what an opening took from the terrain: summits, and the upper ends
- * of strips of data, beside which nothing was seen. These go on in the plane of the
- * terrain beside them; roofs and crowns do not.
+/** \brief Restores terrain that an opening removed: summits, and the upper ends of
+ * strips of data beyond which nothing was seen. These continue the plane of the terrain
+ * beside them; roofs and crowns do not.
  * \param[in,out] ground heights in meters; NaN where there is no terrain
  * \param[in] lowest the lowest return of every cell, NaN where there is none
  * \param[in] columns, rows of both
- * \param[in] monitor polled; null: none */
+ * \param[in] monitor polled; may be null */
 void
 continueGround(std::vector<float>& ground,
                const std::vector<float>& lowest,

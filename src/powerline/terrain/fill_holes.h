@@ -8,16 +8,16 @@
 
 namespace linelet::powerline {
 
-/** \brief How \ref fillHoles looks at larger cells. */
+/** \brief How \ref fillHoles computes larger cells. */
 enum class Fill {
   Smooth, ///< by the mean of what is known in them
   Low     ///< by its minimum
 };
 
 /** \brief Fills the cells of a raster that are NaN from those around, by ever larger
- * cells. Leaves a raster without any value as it is.
- * \param[in] first_column, first_row place of the raster in a larger one, which larger
- * cells are counted from */
+ * cells. A raster without any value is unchanged.
+ * \param[in] first_column, first_row position of the raster in the larger one from
+ * which larger cells are counted */
 void
 fillHoles(std::vector<float>& raster,
           int columns,

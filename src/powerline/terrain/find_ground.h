@@ -14,15 +14,15 @@ namespace linelet::powerline {
 
 /** \brief Terrain under a cloud.
  *
- * Lowest points of 2 m cells, lonely low outliers lifted, then a progressive
- * morphological filter (Zhang et al. 2003): openings of growing size lower what stands
- * out from its surroundings by more than terrain can. What was lowered is filled from
- * the terrain around, and the raster refined to the mean height of the points next to
+ * Lowest points of 2 m cells, isolated low outliers raised, then a progressive
+ * morphological filter (Zhang et al. 2003): openings of growing size lower what rises
+ * above its surroundings by more than terrain can. Lowered cells are filled from the
+ * terrain around, and the raster is refined to the mean height of the points close to
  * it.
  * \param[in] classes empty, or one per point
  * \param[in] use_classes take points of class 2 for the terrain, where there are any
- * \param[in] on_surfaces what lies on no surface is no terrain; not where there is none
- * to be seen, see \ref showsTerrain
+ * \param[in] on_surfaces take only surfaces for terrain; false if the cloud shows no
+ * terrain, see \ref showsTerrain
  * \param[in] threads 0: all */
 Ground
 findGround(const Points& points,

@@ -21,8 +21,8 @@ constexpr int largest_opening_radius = 12; // cells: lowers buildings up to 50 m
 constexpr double terrain_slope = 1;
 constexpr double terrain_noise = 0.3; // of heights, meters
 
-/** \brief A raster over \a extent without heights (NaN), of larger cells where it would
- * have far more cells than there are points; empty where there are none. */
+/** \brief A raster over \a extent without heights (NaN), with larger cells if there
+ * would be far more cells than points; empty if there are no points. */
 Ground
 emptyGround(const PlanExtent& extent);
 

@@ -9,8 +9,8 @@
 namespace linelet::powerline {
 
 /** \brief Sets the cells to NaN whose returns lie on no surface: over water, which
- * returns nothing, these are the wires. Leaves a raster as it is that shows no surface
- * at all. \param[in] threads 0: all */
+ * returns nothing, these are the wires. A raster that shows no surface at all is
+ * unchanged. \param[in] threads 0: all */
 void
 removeLinesOverWater(Ground& ground, unsigned threads, const ProgressMonitor* monitor);
 

@@ -30,8 +30,8 @@ struct PlanExtent {
 };
 
 /** \brief Where the cell begins that \a low is in, if the centers of cells are
- * multiples of \a side. Rasters begin there, so that what they show does not depend on
- * where a cloud was cut off. */
+ * multiples of \a side. Rasters begin there, so that they do not depend on where a
+ * cloud was cut. */
 inline Eigen::Vector2d
 rasterCorner(const Eigen::Vector2d& low, double side)
 {

@@ -10,9 +10,9 @@
 
 namespace linelet::powerline {
 
-/** \brief Whether a cloud has any terrain: not so where somebody kept only the power
- * line. Then all classes are those of its parts, or what lies lowest, place by place,
- * is a line and no surface.
+/** \brief Whether a cloud has any terrain: it has none if only the power line was kept.
+ * Then all classes are those of its parts, or the lowest points everywhere form lines
+ * rather than a surface.
  * \param[in] classes empty, or one per point */
 bool
 showsTerrain(const Points& points, const std::vector<std::uint8_t>& classes);

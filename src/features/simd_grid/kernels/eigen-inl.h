@@ -54,7 +54,7 @@ jacobiRotation(VD& app, VD& aqq, VD& apq, VD& apr, VD& aqr, Column& p, Column& q
   turn(p.z, q.z);
 }
 
-/** \brief Puts a, b in ascending order and their columns along. */
+/** \brief Puts a and b in ascending order, and their columns with them. */
 HWY_INLINE void
 order(VD& a, VD& b, Column& u, Column& v)
 {
@@ -106,8 +106,8 @@ struct EigenLanes {
   }
 
   /** \brief Rotates about all axes.
-   * \return whether more is left beside the diagonal than counts: eigenvalues are off
-   * by its square */
+   * \return whether the off-diagonal rest still matters: eigenvalues are off by its
+   * square */
   HWY_INLINE bool
   turn()
   {
@@ -133,11 +133,11 @@ struct EigenLanes {
   }
 };
 
-/** \brief Two vectors at once: the steps of one fill the waits of the other. */
+/** \brief Two vectors at once: the steps of one hide the latency of the other. */
 HWY_INLINE void
 analyze(EigenLanes& a, EigenLanes& b)
 {
-  // Convergence is quadratic; the sixth turn is never needed for what rounding shows.
+  // Convergence is quadratic; a sixth turn never changes more than rounding does.
   constexpr int most_turns = 6;
   a.begin();
   b.begin();

@@ -180,7 +180,7 @@ split(const PointList& in,
     splitAs<false>(in, ball, out, certain);
 }
 
-/** \brief Points relative to a query, and what a band says of them. */
+/** \brief Points relative to a query, and their position in its band. */
 struct Seen {
   V dx, dy, dz, squared;
 };
@@ -248,7 +248,7 @@ inBand(const PointList& list,
        Indices& places)
 {
   const F f;
-  // In the very steps in which the sums looked: no point is in neither or in both.
+  // In exactly the steps of the sums, so that every point is in one of both.
   if (constant_weights) {
     const BandAround around(query);
     inBandBy(

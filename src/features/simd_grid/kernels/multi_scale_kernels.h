@@ -15,7 +15,7 @@
 
 namespace linelet::grid {
 
-/** \brief Queries that are looked at together, one per lane of the widest vector. */
+/** \brief Queries that are processed together, one per lane of the widest vector. */
 constexpr std::size_t leaf_queries = 16;
 
 /** \brief A number for every query of a leaf. */
@@ -58,22 +58,22 @@ struct LeafScale {
                  ///< a neighbor of all queries; negative: none is
   float far;     ///< and beyond which it is of none
   bool relative; ///< sums are about each query, not about the center of the leaf: the
-                 ///< leaf is wide beside the radius, and moments would cancel
+                 ///< leaf is wide compared with the radius, and moments would cancel
 };
 
 /** \brief A point that rounding leaves undecided for some queries at one scale. */
 struct Doubt {
   std::uint32_t place; ///< in its list
   std::uint16_t scale;
-  std::uint16_t queries; ///< a bit each
+  std::uint16_t queries; ///< one bit each
 };
 
 /** \brief The points of the groups around a block. */
 struct GroupPlaces {
   const BlockOrder& order;
   std::vector<std::uint32_t> begin, size; ///< sorted indices of each group
-  /// Relative to the block in units of the largest radius; so many places for every
-  /// group as one can have, with padding. Without h and id.
+  /// Relative to the block in units of the largest radius; with room in every group for
+  /// the largest, and padding. Without h and id.
   PointList points;
 };
 
@@ -122,7 +122,7 @@ struct MultiScaleKernels {
   /** \brief Puts the points of a group into its places, seen from a block. */
   void (*placeGroup)(GroupPlaces& places, std::size_t group, const GroupView& view);
 
-  /** \brief Looks at the points of groups. Those nearer to the center than \a near
+  /** \brief Tests the points of groups. Those nearer to the center than \a near
    * (squared) are added to \a certain, those beyond \a far (squared) are left out, and
    * the rest makes the list \a open, which has room for all. */
   void (*openGroups)(const PointList& groups,
@@ -180,7 +180,7 @@ struct MultiScaleKernels {
                         ScaleSums& sums);
 
   /** \brief Tensors from sums.
-   * \return queries, a bit each, whose float sums are good for shape factors to 1e-4 */
+   * \return queries, one bit each, whose float sums give shape factors to 1e-4 */
   std::uint32_t (*finish)(const ShapeInput& work,
                           std::array<Lanes<double>, 6>& tensors,
                           Lanes<float>& found);

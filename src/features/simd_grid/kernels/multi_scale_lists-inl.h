@@ -179,7 +179,7 @@ openGroups(const PointList& groups,
   const auto lane = hn::Iota(u, 0);
   const V cx = constant(view.center[0]), cy = constant(view.center[1]),
           cz = constant(view.center[2]);
-  constexpr std::size_t most_groups = 64; // then the sum goes on in double
+  constexpr std::size_t most_groups = 64; // then the sum continues in double
   std::size_t size = 0;
   for (std::size_t first = 0; first < groups.size; first += most_groups) {
     PointSums sums;

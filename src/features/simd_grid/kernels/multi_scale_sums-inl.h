@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
 
-/** \brief Points summed in float before the sum goes on in double. */
+/** \brief Points summed in float before the sum continues in double. */
 constexpr std::size_t chunk_points = 64;
 
 /** \brief Some points of a list, and the products of their coordinates. */
@@ -241,7 +241,7 @@ pairWeightsOf(const ClampedWeight<kernel>&)
   return pairWeights<kernel>;
 }
 
-/** \brief Weights of the pairs of buffers, neighbors all. */
+/** \brief Weights of the pairs of buffers, all of them neighbors. */
 class PairWeighting {
 public:
   explicit PairWeighting(const SweepWeight& weight)
@@ -251,7 +251,7 @@ public:
                [&](const auto& w) HWY_ATTR { direct_ = pairWeightsOf(w); });
   }
 
-  /** \brief Whether distances are looked at, or their squares alone. */
+  /** \brief Whether distances are needed, or only their squares. */
   bool
   needsDistances() const
   {

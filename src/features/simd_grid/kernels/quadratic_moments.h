@@ -31,7 +31,7 @@ quadraticWeight(const Weighting& weighting)
 }
 
 /** \brief Sums over points p of 1, p and p (x) p, weighted by 1, each coordinate of p,
- * and |p|^2: what the moments of any query are made of whose weights are polynomials of
+ * and |p|^2: the moments of any query follow from these if weights are polynomials of
  * squared distance, as a + b |p - q|^2 = a + b |q|^2 - 2 b q.p + b |p|^2. */
 struct QuadraticMoments {
   Moments one, x, y, z, square;

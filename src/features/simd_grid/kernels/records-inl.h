@@ -22,8 +22,8 @@ namespace linelet::grid {
 namespace HWY_NAMESPACE {
 
 /** \brief The tensors of a vector of queries, from \a first on.
- * \param[out] precise those whose float sums are good for shape factors to 1e-4, a bit
- * each */
+ * \param[out] precise those whose float sums give shape factors to 1e-4, one bit each
+ */
 HWY_INLINE EigenLanes
 tensorsOf(const QuerySums& sums,
           const RecordSettings& settings,

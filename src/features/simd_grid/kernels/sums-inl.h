@@ -23,8 +23,8 @@ HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
 
-/** \brief Vectors summed in float before the sum goes on in double: the error of a lane
- * stays below 64 half units in the last place. */
+/** \brief Vectors summed in float before the sum continues in double: the error of a
+ * lane stays below 64 half units in the last place. */
 constexpr std::size_t chunk_vectors = 64;
 
 /** \brief Moments of a chunk, in float, lane by lane. */
@@ -42,7 +42,7 @@ struct ChunkSums {
   addMasked(Mask mask, V x, V y, V z)
   {
     // With registers for masks, sums are masked at no cost; without, nine blends cost
-    // more than the three that make points count for nothing.
+    // more than the three that make points weightless.
     constexpr bool mask_sums = HWY_TARGET <= HWY_AVX3;
     const auto kept = [&](V sum, V s) HWY_ATTR {
       return mask_sums ? hn::IfThenElse(mask, sum, s) : sum;
@@ -235,7 +235,7 @@ struct Weighed {
 
 /** \brief Sums over vectors at(0), at(lanes), ... below \a end. A weight is a long
  * chain of operations: it is computed one vector ahead of the sums.
- * \param part sums that go on in float until they are as many as may */
+ * \param part sums that continue in float up to the allowed number */
 template <class At>
 HWY_INLINE void
 sumAhead(std::size_t end, const At& at, ChunkSums<false>& part, Sums<false>& total)

@@ -51,8 +51,8 @@ struct Ball {
   float inside;  ///< squared distance from the center up to which a point is certainly
                  ///< a neighbor of all of them; negative: none is
   float outside; ///< and beyond which it is of none
-  float near =
-      0; ///< up to which its weight is not that of \ref WeightTable for certain
+  /// Up to which its weight is not that of \ref WeightTable for certain
+  float near = 0;
 };
 
 /** \brief Candidates for the neighbors of a query, with the query in the coordinates
@@ -73,7 +73,7 @@ struct QuerySums {
   const double* found;                   ///< number of neighbors
 };
 
-/** \brief What makes records of sums. */
+/** \brief How sums become records. */
 struct RecordSettings {
   bool mean; ///< tensors are about the mean of the neighbors, not the query
   WeightError weight_error;
@@ -83,7 +83,7 @@ struct RecordSettings {
 };
 
 /** \brief Records of some queries: the floats of PointDistributionTensor in its order,
- * an array each. */
+ * one array each. */
 struct RecordLanes {
   static constexpr std::size_t queries = 16;
   std::array<std::array<float, queries>, 18> entry;
@@ -135,7 +135,7 @@ struct SweepKernels {
 
   /** \brief Adds to the sums of each query the moments of the points of a recentered
    * list within its ball; points of the band are left out.
-   * \return which of the queries, at most 32, have points in the band, a bit each */
+   * \return which of the queries, at most 32, have points in the band, one bit each */
   std::uint32_t (*constSums)(const PointList& list,
                              const BandedQuery* queries,
                              std::size_t count,
@@ -184,7 +184,7 @@ struct SweepKernels {
                   std::size_t count);
 
   /** \brief Records of \ref RecordLanes::queries queries from \a first on.
-   * \return those whose float sums are good for shape factors to 1e-4, a bit each */
+   * \return those whose float sums give shape factors to 1e-4, one bit each */
   std::uint32_t (*records)(const QuerySums& sums,
                            const RecordSettings& settings,
                            std::size_t first,

@@ -79,9 +79,9 @@ public:
   HWY_INLINE V
   far(V squared) const
   {
-    // From the middle of the first interval on, so that rounding to whole intervals
-    // leaves the number of the interval in the low bits (the permutation looks at no
-    // others) and what is left of the place within it.
+    // Relative to the middle of the first interval, so that rounding to whole intervals
+    // leaves the number of the interval in the low bits (the permutation uses no
+    // others) and the position within it as the rest.
     const V middle = constant(0.5F / WeightTable::intervals);
     const V place =
         unit ? hn::Sub(squared, middle) : hn::MulSub(squared, scale_, middle);

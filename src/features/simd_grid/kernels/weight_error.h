@@ -7,8 +7,7 @@
 
 namespace linelet::grid {
 
-/** \brief Bound of what a weight computed in float differs from w(x) by:
- * absolute + relative * w. */
+/** \brief Bound on the error of a weight computed in float: absolute + relative * w. */
 struct WeightError {
   double absolute, relative;
 };

@@ -18,13 +18,12 @@ struct WeightTable {
   static constexpr std::size_t intervals = 32;
   static constexpr int least_degree = 3, most_degree = 5;
 
-  /** \brief Looks for the lowest degree whose error is at most half of what
-   * \ref weightError states. */
+  /** \brief Finds the lowest degree whose error is at most half of \ref weightError. */
   explicit WeightTable(const Weighting& weighting);
 
   int degree = 0; ///< 0: none is good enough
-  float from = 0; ///< u below which none of them is to be used: roots have no
-                  ///< polynomial there
+  /// U below which they must not be used: roots have no polynomial there
+  float from = 0;
   std::array<std::array<float, intervals>, most_degree + 1> coefficients{};
 
 private:

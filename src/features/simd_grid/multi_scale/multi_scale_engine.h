@@ -20,8 +20,8 @@ namespace linelet::grid {
 class MultiScaleEngine {
 public:
   /** \param[in] surface kept by reference
-   * \param[in] queries around which it will be asked for shapes
-   * \param[in] largest_radius none that is asked for is larger
+   * \param[in] queries whose shapes will be requested
+   * \param[in] largest_radius of all that will be requested
    * \param[in] piece of the surface that alone is visited, with some points around it;
    * null: all queries are */
   MultiScaleEngine(const Points& surface,
@@ -30,14 +30,14 @@ public:
                    int threads,
                    const CloudPiece* piece = nullptr);
 
-  /** \brief In units of the square of this are the tensors of LeafShapes. */
+  /** \brief Unit of length of LeafShapes; tensors are in its square. */
   double
   unit() const
   {
     return unit_;
   }
 
-  /** \brief Whether the points could be sorted; not where the radius is so small beside
+  /** \brief Whether the points could be sorted; false if the radius is so small for
    * their extent that blocks cannot be numbered. */
   bool
   usable() const
@@ -48,8 +48,8 @@ public:
   /** \brief Visits the shapes of all queries that are finite and near the surface; the
    * others have no neighbors. In the order of their places in space, the same for any
    * number of threads.
-   * \param[in] chosen ascending indices of the queries to look at, or null for all
-   * \param[in] radii rising
+   * \param[in] chosen ascending indices of the queries to visit, or null for all
+   * \param[in] radii ascending
    * \param[in] make_visitor called once by every thread
    * \throws Canceled */
   void

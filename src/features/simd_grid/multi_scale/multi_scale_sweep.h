@@ -27,7 +27,8 @@ namespace linelet::grid {
 /** \brief Half a unit in the last place of a float. */
 constexpr double float_rounding = 0x1p-24;
 
-/** \brief Lists leave out, or sum up, what is certain by more than rounding. */
+/** \brief Lists leave out, or sum up, only what is certain by more than this margin for
+ * rounding. */
 constexpr double margin = 1e-5;
 
 /** \brief The shapes of the neighborhoods of some queries at all scales. Arrays have
@@ -55,18 +56,18 @@ struct LeafShapes {
 /** \brief Takes the shapes of a leaf; they are valid during the call. */
 using LeafVisitor = std::function<void(const LeafShapes&)>;
 
-/** \brief What the sweep over all blocks works on. */
+/** \brief Input of the sweep over all blocks. */
 struct MultiScaleJob {
   const BlockFrame& frame; ///< edge at least the largest radius
   const BlockOrder& surface;
   const PointGroups& groups; ///< of the surface
   const BlockOrder& queries; ///< may be the same as the surface
   const MultiScaleSettings& settings;
-  const std::vector<double>& radii; ///< rising
+  const std::vector<double>& radii; ///< ascending
   double unit; ///< of lengths: the largest radius, or less where no two points are as
                ///< far apart, and nothing is searched beyond it
   const ProgressMonitor* monitor; ///< may be null
-  std::atomic<bool>& stop;        ///< once true, nothing is computed any more
+  std::atomic<bool>& stop;        ///< once true, computation stops
 };
 
 /** \brief Queries of one block: sorted indices begin to end of their BlockOrder, a part
@@ -78,15 +79,15 @@ struct MultiScalePiece {
 /** \brief Shapes at all radii of the queries of a piece; one per thread.
  *
  * The queries are split into parts, down to leaves of 16 queries that lie together, one
- * per lane of a vector of floats. What a part can reach is known by the groups of
- * points that PointGroups makes; only a leaf looks at points.
+ * per lane of a vector of floats. What a part can reach is tracked by the groups of
+ * points that PointGroups makes; only a leaf processes single points.
  *
- * For const weights around the query or the mean, every scale has its own groups: those
- * that all queries of a part have as neighbors leave them as sums, and what is left is
- * the surface of the ball, opened by the leaf and looked at pair by pair. For other
- * weights a leaf has one list of candidates for all scales, in the order of the
- * smallest scale that can reach them: the neighborhood of every scale is in the first
- * so many of the list, and distances serve all scales.
+ * For const weights around the query or the mean, every scale has its own groups:
+ * groups whose points are neighbors of all queries of a part are summed once and leave
+ * the list; the rest is the surface of the ball, opened by the leaf and processed pair
+ * by pair. For other weights a leaf has one list of candidates for all scales, in the
+ * order of the smallest scale that can reach them: the neighborhood of every scale is
+ * at the head of the list, and distances serve all scales.
  *
  * Float coordinates are relative to the leaf, made from double for the smaller scales.
  * As in \ref BlockSweep, pairs within rounding of a radius are decided in double, and a
@@ -110,7 +111,7 @@ private:
   Part
   part(std::size_t begin, std::size_t end) const;
 
-  /** \brief What a part knows of the groups, an entry per reach. */
+  /** \brief Groups that a part can reach, one entry per reach. */
   struct Level {
     std::vector<PointList> open;
     std::vector<Moments> inside; // of groups that left, about the block's center
@@ -128,7 +129,7 @@ private:
   void
   refine(std::size_t begin, std::size_t end, std::size_t depth, int cuts_left);
 
-  /** \brief Makes the level of a part out of the one of the part it is in. */
+  /** \brief Makes the level of a part from that of the part it belongs to. */
   void
   shrink(const Part& queries, std::size_t depth);
 

@@ -30,7 +30,7 @@ public:
   BlockFrame(const Point& low, const Point& high, double edge);
 
   /** \brief Farthest block from the origin: beyond, rounding would move a point by more
-   * than the edge has to spare. */
+   * than the margin of an edge. */
   static constexpr double farthest_block = 1e9;
 
   /** \brief Whether the box can be cut into blocks of this \a edge. */
@@ -84,7 +84,7 @@ private:
  * 28 bytes per point, and 16 per block that holds any. */
 class BlockOrder {
 public:
-  /** \brief Most points of a part that is not cut any more. */
+  /** \brief Most points of a part that is not cut further. */
   static constexpr std::size_t leaf = 8;
 
   /** \brief How many of \a count points, more than \ref leaf, come before the cut: an
@@ -96,11 +96,11 @@ public:
     return count * (leaves == 2 ? 1 : (leaves + 2) / 4 * 2) / leaves;
   }
 
-  /** \brief Entries behind the last point that may be read. */
+  /** \brief Entries after the last point that may be read. */
   static constexpr std::size_t padding = 16;
 
   /** \brief Sorts those of \a points that are finite and lie in the frame.
-   * \param[in] chosen ascending indices of the points to take part, or null for all */
+   * \param[in] chosen ascending indices of the points to sort, or null for all */
   BlockOrder(const Points& points,
              const Indices* chosen,
              const BlockFrame& frame,
@@ -127,7 +127,7 @@ public:
     return begin_[block];
   }
   /** \brief First block whose key is not less than \a key.
-   * \param[in] hint where the answer may not be far behind */
+   * \param[in] hint a block at or shortly before the answer */
   std::size_t
   lowerBound(std::uint64_t key, std::size_t hint) const;
 

@@ -12,7 +12,7 @@
 
 namespace linelet::grid {
 
-/** \brief Some points that follow each other in a BlockOrder and lie together. */
+/** \brief Consecutive points of a BlockOrder that lie together. */
 struct PointGroup {
   std::uint32_t begin; ///< sorted index of the first one
   std::uint32_t size;
@@ -21,8 +21,8 @@ struct PointGroup {
   Moments about; ///< sums over the points, relative to the center
 };
 
-/** \brief The points of a BlockOrder in groups, as it has cut them: what is known of a
- * group need not be looked up point by point. 8 bytes per point. */
+/** \brief The points of a BlockOrder in groups, as it has cut them: what holds for a
+ * group need not be tested point by point. 8 bytes per point. */
 class PointGroups {
 public:
   /** \brief Most points of a group. */

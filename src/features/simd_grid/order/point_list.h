@@ -20,7 +20,7 @@ namespace linelet::grid {
  * that no ball reaches. */
 class PointList {
 public:
-  /** \brief Largest number of lanes of a vector of floats; so many entries behind the
+  /** \brief Largest number of lanes of a vector of floats; as many entries after the
    * last one may be written. */
   static constexpr std::size_t padding = 64;
 
@@ -32,7 +32,7 @@ public:
   float* h = nullptr;          ///< squared distance from the origin of the list
   std::uint32_t* id = nullptr; ///< sorted index of the point in its BlockOrder
 
-  /** \brief Makes room for \a count entries; what was there is lost when it grows. */
+  /** \brief Reserves \a count entries; the content is lost when it grows. */
   void
   reserve(std::size_t count)
   {
@@ -49,8 +49,7 @@ public:
     id = ids_.get();
   }
 
-  /** \brief Makes room for \a more entries behind the last one, and keeps what is
-   * there. */
+  /** \brief Reserves \a more entries after the last one and keeps the content. */
   void
   extend(std::size_t more)
   {
@@ -69,7 +68,7 @@ public:
     *this = std::move(larger);
   }
 
-  /** \brief Appends padding behind the last entry. */
+  /** \brief Appends padding after the last entry. */
   void
   pad()
   {

@@ -53,8 +53,8 @@ powerAbove(double length)
   return std::ldexp(1, std::ilogb(length) + 1);
 }
 
-/** \brief A length beyond any distance of two points in \a bounds, and by so much that
- * no rounding matters to points that lie within it, nor to itself. */
+/** \brief A length larger than any distance between points in \a bounds, by enough that
+ * rounding does not matter. */
 inline double
 reachOf(const Bounds& bounds)
 {

@@ -21,7 +21,7 @@
 
 namespace linelet::grid {
 
-/** \brief What the sweep over all blocks works on. */
+/** \brief Input of the sweep over all blocks. */
 struct SweepJob {
   const BlockFrame& frame; ///< edge at least the radius
   const BlockOrder& surface;
@@ -33,7 +33,7 @@ struct SweepJob {
   const std::vector<double>* radii; ///< one per query of the input, or null
   PointDistributionTensor* records; ///< one per query of the input
   const ProgressMonitor* monitor;   ///< may be null
-  std::atomic<bool>& stop;          ///< once true, nothing is computed any more
+  std::atomic<bool>& stop;          ///< once true, computation stops
 };
 
 /** \brief Computes the records of all queries of a block; one per thread.
@@ -41,9 +41,9 @@ struct SweepJob {
  * The queries of a block are split into parts as BlockOrder has cut them, and these
  * again, down to a few queries; for each part the list of candidates shrinks to what
  * its ball of queries can reach. For the const weighting, points that all queries of a
- * part have as neighbors are summed once and leave the list: what is left is the
- * surface of the ball, not its volume. So they are, with higher moments, for weights
- * that are polynomials of the squared distance.
+ * part have as neighbors are summed once and leave the list: what remains is the
+ * surface of the ball, not its volume. The same is done, with higher moments, for
+ * weights that are polynomials of the squared distance.
  *
  * Coordinates of a list are float, relative to the block or, in the last step, to the
  * part, in units of the radius. Pairs whose distance is within rounding of the radius
@@ -100,7 +100,7 @@ private:
   void
   keep(std::size_t query, const Moments& sums, const Point& at, double neighbors);
 
-  /** \brief Whether the work shall stop; asks the monitor. */
+  /** \brief Whether to stop; asks the monitor. */
   bool
   stopped() const;
 

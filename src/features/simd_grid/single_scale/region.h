@@ -19,7 +19,7 @@ toFloat(const Point& p)
       static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-/** \brief Finds the blocks in and beside a cell; one per thread. */
+/** \brief Finds the blocks in a cell and next to it; one per thread. */
 class BlocksAround {
 public:
   /** \brief Blocks that follow each other along x: from the first to before the last.
@@ -41,7 +41,7 @@ private:
   std::array<std::size_t, 9> cursors_{}; // where the last cell's runs began
 };
 
-/** \brief Gathers what the queries of a block can reach; one per thread. */
+/** \brief Gathers the points that the queries of a block can reach; one per thread. */
 class RegionGatherer {
 public:
   /** \param[in] frame edge at least the radius of the queries

@@ -22,8 +22,7 @@ SweepMethod
 sweepMethod(const Settings& settings)
 {
   const bool centered = settings.centroid != Centroid::QueryPoint;
-  // At a step rounding would decide, as at a pole; the medians iterate to the last
-  // digit.
+  // Rounding would decide at a step or a pole; the medians iterate to the last digit.
   const auto needs_double = [](const Weighting& weighting) {
     return weighting.kernel() == Kernel::Step || isUnbounded(weighting.kernel());
   };

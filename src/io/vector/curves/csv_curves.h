@@ -11,13 +11,13 @@
 
 namespace linelet::io {
 
-/** \brief The polylines of a CSV file with a row per vertex, in its coordinates.
+/** \brief The polylines of a CSV file with one row per vertex, in its coordinates.
  * \throws FileError */
 CurveNetwork
 curvesFromCsv(const Source& source);
 
 /** \brief The curves of \a network as the text of a CSV file, with \a shift added;
- * those of fewer than two vertices are no lines and left out. */
+ * those of fewer than two vertices are left out. */
 std::string
 curvesAsCsv(const CurveNetwork& network, const Point& shift);
 

@@ -26,7 +26,7 @@ forEachLine(const CurveNetwork& network, F f)
   }
 }
 
-/** \brief How much there is to write. */
+/** \brief Numbers of the elements to write. */
 struct LineSizes {
   std::size_t vertices = 0, lines = 0, edges = 0, closed = 0;
 };

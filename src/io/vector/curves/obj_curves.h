@@ -17,7 +17,7 @@ CurveNetwork
 curvesFromObj(const Source& source);
 
 /** \brief The curves of \a network as the text of an OBJ file, with \a shift added;
- * those of fewer than two vertices are no lines and left out. */
+ * those of fewer than two vertices are left out. */
 std::string
 curvesAsObj(const CurveNetwork& network, const Point& shift);
 

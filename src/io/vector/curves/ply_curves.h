@@ -17,7 +17,7 @@ CurveNetwork
 curvesFromPly(const Source& source);
 
 /** \brief The curves of \a network as the text of an ASCII PLY file, with \a shift
- * added; those of fewer than two vertices are no lines and left out. */
+ * added; those of fewer than two vertices are left out. */
 std::string
 curvesAsPly(const CurveNetwork& network, const Point& shift);
 

@@ -17,7 +17,7 @@ CurveNetwork
 curvesFromVtk(const Source& source);
 
 /** \brief The curves of \a network as the text of an ASCII file of VTK, with \a shift
- * added; those of fewer than two vertices are no lines and left out. */
+ * added; those of fewer than two vertices are left out. */
 std::string
 curvesAsVtk(const CurveNetwork& network, const Point& shift);
 
