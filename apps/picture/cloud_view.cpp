@@ -146,7 +146,7 @@ light(const DepthImage& image, int x, int y, int reach)
 }
 
 /// The color of a normal that looks at the eye, by its parts to the right, up, and
-/// towards the eye; or light from above the eye's left shoulder.
+/// toward the eye; or light from above the eye's left shoulder.
 Color
 colorOfNormal(const Point& normal, PixelColor by)
 {

@@ -17,7 +17,7 @@ namespace linelet::apps {
 namespace {
 
 /** \brief The representative as a disc: twice as long as a cell that is filled evenly,
- * so that discs merge, which fade towards their border. */
+ * so that discs merge, which fade toward their border. */
 TensorGlyph
 glyphOf(const Representative& of, SplatColors colors)
 {

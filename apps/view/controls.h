@@ -19,22 +19,23 @@ class QTabWidget;
 
 namespace linelet::view {
 
-/** \brief Every option of the four analyses, made from their descriptions, and what can
- * be done with them. */
+/** \brief Controls for every option of the four analyses, made from their descriptions,
+ * and their buttons. */
 class Controls : public QWidget {
 public:
   explicit Controls(Model& model);
 
   std::function<void(Analysis)> on_change;  ///< a setting changed
-  std::function<void(Analysis)> on_compute; ///< to be computed
+  std::function<void(Analysis)> on_compute; ///< computation requested
   std::function<void(Analysis)> on_save, on_load, on_copy;
 
   /** \brief As if \a text had been typed into the option's field.
-   * \throws std::invalid_argument what is wrong, which stands beside it as well */
+   * \throws std::invalid_argument with what is wrong, which is also shown beside the
+   * field */
   void
   edit(Analysis analysis, const std::string& name, const std::string& text);
 
-  /** \brief Shows the settings as they are, and which results are out of date. */
+  /** \brief Shows the current settings, and which results are out of date. */
   void
   refresh();
 

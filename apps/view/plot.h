@@ -21,7 +21,7 @@ public:
     QColor color;
     double width = 1.5;
     std::vector<QPointF> points; ///< a y that is not finite breaks the line
-    bool dots = false;           ///< dots in place of a line
+    bool dots = false;           ///< dots instead of a line
     Qt::PenStyle style = Qt::SolidLine;
   };
   struct Band {
@@ -48,14 +48,14 @@ public:
 
   QString title, x_title, y_title, empty_text;
   bool log_x = false;
-  bool equal_scales = false; ///< a unit is as long on both axes
+  bool equal_scales = false; ///< both axes have the same scale
   std::vector<Line> lines;
   std::vector<Band> bands;
   std::vector<Bar> bars;
   std::vector<Mark> marks;
   std::vector<Handle> handles;
 
-  /** \brief Empties it; the titles stay. */
+  /** \brief Clears it, except for the titles. */
   void
   clear();
 

@@ -10,13 +10,13 @@ namespace linelet::view {
 class Window;
 
 /** \brief Runs the steps of the file \a path, one per line, with the functions that
- * buttons and clicks call, and after each of them waits for what it began. Empty lines
- * and lines that begin with # say nothing.
- * \throws std::runtime_error with file and line, where a step is not known or fails */
+ * buttons and clicks call, and waits after each for what it started. Empty lines and
+ * lines that begin with # are ignored.
+ * \throws std::runtime_error with file and line, if a step is unknown or fails */
 void
 runScript(Window& window, const std::string& path);
 
-/** \brief What steps there are, for --help. */
+/** \brief The list of steps, for --help. */
 std::string
 scriptHelp();
 

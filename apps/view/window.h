@@ -30,8 +30,8 @@ class LegendPanel;
 class ProfilePanel;
 class WiresPanel;
 
-/** \brief The window: views that show one model, linked by its selection. What buttons
- * and clicks do are the functions here, which scripts call as well. */
+/** \brief The window: views that show one model, linked by its selection. Buttons and
+ * clicks call the functions here, and so do scripts. */
 class Window : public QMainWindow {
 public:
   Window();
@@ -42,11 +42,11 @@ public:
   void
   open(const std::vector<std::string>& paths, const std::string& truth = {});
 
-  /** \brief Computes and waits for nothing; \ref settle waits. */
+  /** \brief Starts computing without waiting; \ref settle waits. */
   void
   compute(Analysis analysis);
 
-  /** \brief Lets everything that runs come to its end, and shows it.
+  /** \brief Waits for everything that runs, and shows the results.
    * \return what went wrong, in a sentence; empty: nothing */
   std::string
   settle();
@@ -100,11 +100,11 @@ public:
     return *wires_;
   }
 
-  /** \brief The window as it stands, as a PNG. \throws std::runtime_error */
+  /** \brief Saves the window as a PNG. \throws std::runtime_error */
   void
   shoot(const std::string& path);
 
-  /** \brief What is shown, in numbers: the model's and the window's own. */
+  /** \brief The displayed state as numbers: the model's and the window's own. */
   nlohmann::ordered_json
   state() const;
 

@@ -15,20 +15,19 @@
 
 namespace linelet::opencl {
 
-/** \brief \a error of OpenCL as ours, in one sentence. */
+/** \brief An OpenCL \a error as our own, in one sentence. */
 Error
 explained(const cl::Error& error, const std::string& device);
 
 /** \brief A device with its context, queue, and the programs built for it so far. */
 class Context {
 public:
-  /** \brief Opens a device: the first GPU, else the first device of any kind; or the
-   * first one whose number (as listed by \ref devices) or part of whose name is
-   * \a wish.
+  /** \brief Opens a device: the first GPU, else the first device of any kind; or, if \a
+   * wish is not empty, the first one with that number (as listed by \ref devices) or
+   * with \a wish in its name.
    * \param[in] lanes see \ref lanes; 0: as many as the device prefers
-   * \param[in] use_double false: does without double precision even if the device has
-   * it
-   * \throws Error listing the devices where there is none such */
+   * \param[in] use_double false: uses no double precision even if the device has it
+   * \throws Error listing the devices if there is no such device */
   explicit Context(const std::string& wish = {},
                    unsigned lanes = 0,
                    bool use_double = true);
@@ -51,7 +50,8 @@ public:
     return queue_;
   }
 
-  /** \brief Neighbors that the tensor kernel takes at a time: 1, 4, 8 or 16. */
+  /** \brief Number of neighbors that the tensor kernel processes at a time: 1, 4, 8
+   * or 16. */
   unsigned
   lanes() const
   {

@@ -9,7 +9,7 @@
 
 namespace linelet::opencl {
 
-/** \brief What came of an estimation, and how. */
+/** \brief The result of an estimation. */
 struct Outcome {
   std::vector<PointDistributionTensor> records;
   StageTimes times;
@@ -17,7 +17,8 @@ struct Outcome {
   std::size_t on_host = 0; ///< queries that the host had to complete
 };
 
-/** \brief \ref TensorEngine::estimate on an open device, with settings that it knows.
+/** \brief \ref TensorEngine::estimate on an open device, with settings that it
+ * supports.
  * \throws cl::Error, Error, Canceled */
 Outcome
 estimateOn(Context& context,

@@ -9,16 +9,16 @@
 
 namespace linelet::opencl {
 
-/** \brief Radii of the balls that hold a number of nearest points each.
+/** \brief Radii of the balls that hold the given numbers of nearest points.
  *
- * Cells are as wide as a ball of the usual size; what finds too few points in it is
- * tried again with wider ones, a few times.
+ * Cells are as wide as a ball of the usual size; queries that find too few points are
+ * repeated with wider cells, a few times.
  *
  * \param[in] points finite ones of the surface
- * \param[in] wanted how many points, by query; 0 for those that are not asked for
+ * \param[in] wanted number of points per query; 0 for queries to skip
  * \param[in,out] times upload, grid and nearest are added to
- * \return by query, NaN where the radius was not found. A ball holds more points than
- * are wanted only where some are equally far, to the last digits of double. */
+ * \return radius per query, NaN if not found. A ball holds more points than wanted only
+ * if some are equally far to the last digits of double. */
 std::vector<double>
 nearestRadii(Context& context,
              Slabs& slabs,

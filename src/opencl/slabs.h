@@ -15,7 +15,7 @@
 
 namespace linelet::opencl {
 
-/** \brief Adds the time since its making, or the last call, to a stage. */
+/** \brief Adds the time since its construction, or the last call, to a stage. */
 class Lap {
 public:
   explicit Lap(const cl::CommandQueue& queue) : queue_(queue) {}
@@ -36,11 +36,11 @@ private:
 };
 
 /** \brief Brings queries and the points around them onto the device, in as many slabs
- * as its memory and the keys of cells ask for. */
+ * as its memory and the cell keys require. */
 class Slabs {
 public:
-  /** \brief What is done with a slab, and the indices of its queries; it is to finish
-   * what it has begun. */
+  /** \brief Processes a slab with the indices of its queries; must return only when the
+   * device has finished. */
   using Work = std::function<void(const Slab&, const Indices&)>;
 
   /** \param[in] memory_limit bytes on the device

@@ -11,7 +11,7 @@
 
 namespace linelet::opencl {
 
-/** \brief How keys of points are made of their cells: KeyLayout of cells.cl. */
+/** \brief How the keys of points are made from their cells: KeyLayout of cells.cl. */
 struct KeyLayout {
   cl_uint nx = 1, ny = 1; ///< cells along x and y
   cl_uint index_bits = 0; ///< the lowest bits, for the index of the point
@@ -40,8 +40,8 @@ struct CellFrame {
   }
 };
 
-/** \brief Points on the device: cell, place in the cell (float) and, where the device
- * computes in double, the position itself. */
+/** \brief Points on the device: cell, position in the cell (float) and, if the device
+ * supports double, the position itself. */
 struct DevicePoints {
   cl_uint count = 0;
   cl::Buffer cells;     // int4
@@ -57,7 +57,7 @@ uploadPoints(Context& context,
              const CellFrame& frame,
              int threads);
 
-/** \brief Keys that are sorted at a time: the number is made a multiple of it. */
+/** \brief Number of keys sorted at a time; the total is padded to a multiple of it. */
 constexpr std::size_t sort_block = 2048;
 
 /** \brief The keys of \a points, sorted, then largest keys up to a whole block. */
@@ -71,7 +71,7 @@ sortedKeys(Context& context,
 void
 sortKeys(Context& context, const cl::Buffer& keys, std::size_t count);
 
-/** \brief The cells that hold a query, and where the points around them stand. */
+/** \brief The cells that hold a query, and where the points around them are stored. */
 struct CellTable {
   static constexpr std::size_t rows = 9, row_places = 13; // of cells.cl
 
@@ -95,7 +95,7 @@ assignSlots(Context& context,
             const KeyLayout& layout);
 
 /** \brief Fills in the places: for every row of cells around a slot, and every bin of
- * the row, its first point in sorted order, and behind the last bin its end. */
+ * the row, its first point in sorted order, and after the last bin its end. */
 void
 fillTable(Context& context,
           CellTable& table,
@@ -104,7 +104,7 @@ fillTable(Context& context,
           std::size_t points,
           const KeyLayout& layout);
 
-/** \brief Points and queries on the device, and what leads from one to the other. */
+/** \brief Points and queries on the device, and the table that connects them. */
 struct Slab {
   CellFrame frame;
   KeyLayout layout;

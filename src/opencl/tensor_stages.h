@@ -42,14 +42,14 @@ computeTensors(Context& context,
 cl::Buffer
 computeShapes(Context& context, const DeviceTensors& tensors, const Slab& slab);
 
-/** \brief Instead of a number of neighbors, where only double could tell it and the
- * device has none. */
+/** \brief Stands for a number of neighbors that only double could decide, on a device
+ * without it. */
 constexpr cl_uint undecided = 0xffffffff;
 
 /** \brief Squared distance of the n-th nearest point of every query, in double, on a
- * device that has it.
+ * device that supports it.
  * \param[in] wanted n, at least 1, for every query
- * \return NaN where there are fewer within a cell's width, or too many at about that
+ * \return NaN if there are fewer within a cell's width, or too many at about that
  * distance */
 std::vector<double>
 nearestSquares(Context& context, const Slab& slab, const std::vector<cl_uint>& wanted);

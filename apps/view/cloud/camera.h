@@ -24,8 +24,8 @@ public:
   /** Both must outlive this. */
   Camera(vtkRenderer& renderer, const QWidget& widget);
 
-  /** \brief Turns it about what it looks at: degrees clockwise from north, and above
-   * the horizon. */
+  /** \brief Turns it about its focal point: degrees clockwise from north, and above the
+   * horizon. */
   void
   look(double azimuth, double elevation);
   void
@@ -33,10 +33,10 @@ public:
   void
   showAll(const Box& box);
 
-  /** \brief Turns it as the mouse goes. */
+  /** \brief Turns it with the mouse. */
   void
   turn(QPoint step);
-  /** \brief Shifts it so that what it looks at goes with the mouse. */
+  /** \brief Pans it so that its focal point follows the mouse. */
   void
   shift(QPoint step);
   void

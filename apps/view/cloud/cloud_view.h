@@ -20,13 +20,13 @@ class Camera;
 
 /** \brief The cloud in space, with curves, wires, selection and preview box over it. A
  * random part of the points while it moves, all when it is still. Left button: turn,
- * click: pick; right or middle: shift; wheel: nearer. */
+ * click: pick; right or middle: pan; wheel: zoom. */
 class CloudView : public QVTKOpenGLNativeWidget {
 public:
   explicit CloudView(const Model& model, QWidget* parent = nullptr);
   ~CloudView() override;
 
-  /** \brief What a click means; the ray is in the coordinates of the cloud. */
+  /** \brief Handles a click; the ray is in the coordinates of the cloud. */
   std::function<void(const Ray&, double depth)> on_click;
 
   /** \brief What the model shows now: another scene. Sets the camera. */
@@ -46,7 +46,7 @@ public:
   void
   showEllipsoids(bool everywhere);
 
-  Points drawn_line; ///< that the user is drawing
+  Points drawn_line; ///< the line that the user is drawing
 
   /** \brief Turns the camera: degrees clockwise from north, and above the horizon. */
   void
@@ -56,7 +56,7 @@ public:
   void
   showAll();
 
-  /** \brief The place of a pixel of a point of the cloud, from the upper left. */
+  /** \brief The pixel of a point of the cloud, from the upper left. */
   QPointF
   pixelOf(const Point& p) const;
 

@@ -9,8 +9,7 @@
 
 namespace linelet::view {
 
-/** \brief Curves, truth and wires of \a model; the one that is looked at as
- * \a chosen. */
+/** \brief Curves, truth and wires of \a model; the selected one as \a chosen. */
 void
 showCurves(const Model& model, Polylines& lines, Polylines& chosen);
 

@@ -22,7 +22,7 @@ namespace linelet::view {
 /** \brief What the viewer can compute, each a command of the tool. */
 enum class Analysis { Tensor, MultiScale, Curves, PowerLines };
 
-/** \brief An option of an analysis, as its description says it. */
+/** \brief An option of an analysis, from its description. */
 struct Parameter {
   enum class Kind { Flag, Count, Number, Numbers, Choice, Text };
   std::string name, heading, meaning;
@@ -30,7 +30,7 @@ struct Parameter {
   std::string value, standard;      ///< as on the command line; standard: the default
   std::vector<std::string> choices; ///< of Kind::Choice; others may be typed for some
   std::string range;                ///< in words
-  std::string unit;                 ///< empty: none, or not told
+  std::string unit;                 ///< empty: none, or unknown
 };
 
 /** \brief Everything that can be set of the four analyses, by the names, meanings and
@@ -57,20 +57,20 @@ public:
   config(Analysis analysis) const;
 
   /** \brief Reads an option file of the tool, whole or in part.
-   * \return names in it that say nothing here (outputs, say)
+   * \return names in it that have no meaning here (such as outputs)
    * \throws std::invalid_argument what is wrong; nothing is changed */
   std::vector<std::string>
   loadConfig(Analysis analysis, const std::string& path);
 
-  /** \brief The command that computes the same without a window: what differs from the
-   * defaults, \a inputs, \a output; fit for a shell. */
+  /** \brief The command line that computes the same without a window: settings that
+   * differ from the defaults, \a inputs and \a output, quoted for a shell. */
   std::string
   commandLine(Analysis analysis,
               const std::vector<std::string>& inputs,
               const std::string& output) const;
 };
 
-/** \brief \a word as a shell takes it for one word. */
+/** \brief \a word quoted for a shell. */
 std::string
 shellQuoted(const std::string& word);
 

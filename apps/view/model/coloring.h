@@ -25,12 +25,12 @@ struct Legend {
 
 /** \brief Colors of all points. */
 struct Coloring {
-  std::vector<std::uint8_t> rgb; ///< three a point
+  std::vector<std::uint8_t> rgb; ///< three per point
   Legend legend;
 };
 
-/** \brief Colors by values: from the 2nd to the 98th of 100 along the gradient; NaN is
- * gray. */
+/** \brief Colors by values: the gradient runs from the 2nd to the 98th percentile; NaN
+ * is gray. */
 Coloring
 colorsByValue(const std::vector<float>& values, const std::string& title);
 

@@ -34,9 +34,9 @@ struct Results {
   std::shared_ptr<const powerline::PowerLineNetwork> lines;
 };
 
-/** \brief What all views show, and what they may change: cloud, fields, selection,
- * settings, results, and what was said of wires. Knows no window. Belongs to one
- * thread; long work runs in others, whose results \ref poll takes over. */
+/** \brief What all views show and may change: cloud, fields, selection, settings,
+ * results, and reviews of wires. Independent of any window. Belongs to one thread; long
+ * work runs in others, whose results \ref poll takes over. */
 class Model {
 public:
   AnalysisSettings settings;
@@ -60,15 +60,15 @@ public:
    * @{ */
 
   /** \brief Begins to compute \a analysis with the settings as they are, on the points
-   * within the preview box where there is one.
-   * \throws std::invalid_argument where there is nothing to compute on */
+   * within the preview box if there is one.
+   * \throws std::invalid_argument if there is nothing to compute on */
   void
   compute(Analysis analysis);
 
   void
   cancel();
 
-  /** \brief Whether work goes on. */
+  /** \brief Whether work is running. */
   bool
   busy() const;
 
@@ -81,7 +81,7 @@ public:
     std::string error; ///< a sentence to show; empty: none
   };
 
-  /** \brief Takes over what came to its end. */
+  /** \brief Takes over finished results. */
   Changes
   poll();
 
@@ -95,7 +95,7 @@ public:
     return results_;
   }
 
-  /** \brief Whether the result of \a analysis is there but of other settings. */
+  /** \brief Whether the result of \a analysis exists but with other settings. */
   bool
   stale(Analysis analysis) const;
   /** @} */
@@ -134,7 +134,7 @@ public:
   const powerline::PowerLineNetwork*
   lines() const;
 
-  /** \brief A point of \ref lines as the cloud has it. */
+  /** \brief A point of \ref lines in the coordinates of the cloud. */
   Point
   toCloud(const Point& of_network) const;
   /** @} */
@@ -151,7 +151,7 @@ public:
     return selected_;
   }
 
-  /** \brief The graphs at the selection, once they are there; null before. */
+  /** \brief The graphs at the selection; null until they are computed. */
   const PointGraphs*
   graphs() const
   {
@@ -167,14 +167,14 @@ public:
   double
   tensorRadius() const;
 
-  /** \brief Place in \ref curves, -1: none. */
+  /** \brief Index in \ref curves, -1: none. */
   int curve = -1;
   /** @} */
 
   /** \name Multi-scale image
    * @{ */
 
-  /** \brief Begins the image along \a line, in \a columns places. */
+  /** \brief Starts the image along \a line, with \a columns columns. */
   void
   imageAlong(Points line, std::size_t columns = 200);
 

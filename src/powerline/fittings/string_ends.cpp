@@ -12,7 +12,7 @@ namespace linelet::powerline {
 
 namespace {
 
-// From the span towards the structure, as far as more hangs there than is earthed.
+// From the span toward the structure, as far as more hangs there than is earthed.
 void
 findEarthedEnds(SupportSite& site, const FittingPriors& priors)
 {
