@@ -28,6 +28,7 @@
 #include "powerline/pieces/bundles.h"
 #include "powerline/pieces/candidates.h"
 #include "powerline/pieces/curve_pieces.h"
+#include "powerline/pieces/explanations.h"
 #include "powerline/pieces/find_pieces.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/merge.h"
@@ -177,8 +178,14 @@ extractPowerLines(const Points& points,
     Growth growth(candidates, settings, seeds);
     std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("curves");
+    growth.release();
+    std::vector<Curve> curves = curvesOf(candidates, settings, monitor);
+    std::vector<Piece> along;
+    growAlong(curves, growth, along, settings);
+    pieces = likelierPieces(growth, std::move(pieces), std::move(along), settings);
+    growAlong(curves, growth, pieces, settings);
     std::vector<SeenLine> lines;
-    for (Curve& curve : growAlongCurves(growth, pieces, settings, monitor))
+    for (Curve& curve : curves)
       lines.push_back({std::move(curve.points), curve.noise});
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);

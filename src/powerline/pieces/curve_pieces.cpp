@@ -144,13 +144,40 @@ private:
   std::vector<PointMoments> before_;
 };
 
-} // namespace
+// The free candidates that are nearer to each curve than to the others.
+std::vector<std::vector<Beside>>
+pointsOf(const std::vector<Curve>& curves, const Growth& growth)
+{
+  std::vector<std::vector<Beside>> all;
+  std::vector<double> nearest(growth.candidates().points.size(),
+                              std::numeric_limits<double>::infinity());
+  for (const Curve& curve : curves) {
+    all.push_back(pointsBeside(curve, growth));
+    for (const Beside& p : all.back())
+      nearest[p.index] = std::min(nearest[p.index], p.distance);
+  }
+  for (std::vector<Beside>& along : all)
+    along.erase(
+        std::remove_if(along.begin(),
+                       along.end(),
+                       [&](const Beside& p) { return p.distance > nearest[p.index]; }),
+        along.end());
+  return all;
+}
 
+// Parts of the curve of \a along that hang as one parabola each, fitted to its points
+// that are free. Half of what stands out from the surroundings lies within the median
+// distance; a curve wider than single wires are is a bundle.
 std::vector<Piece>
-piecesAlong(const Curve& curve, const Growth& growth)
+piecesAlong(std::vector<Beside> along, const Growth& growth)
 {
   const Points& points = growth.candidates().points;
-  std::vector<Beside> along = pointsBeside(curve, growth);
+  along.erase(std::remove_if(along.begin(),
+                             along.end(),
+                             [&](const Beside& p) {
+                               return growth.owner(p.index) != Growth::nobody;
+                             }),
+              along.end());
   std::vector<double> distances;
   for (const Beside& p : along)
     distances.push_back(p.distance);
@@ -195,8 +222,6 @@ piecesAlong(const Curve& curve, const Growth& growth)
   return pieces;
 }
 
-namespace {
-
 double
 density(const Piece& piece)
 {
@@ -215,43 +240,40 @@ isRemainder(const Piece& bundle, const std::vector<Piece>& wires)
   });
 }
 
-// Curves of the free candidates, the longest first.
+} // namespace
+
 std::vector<Curve>
-freeCurves(const Growth& growth,
-           const PowerLineSettings& settings,
-           ProgressMonitor* monitor)
+curvesOf(const Candidates& candidates,
+         const PowerLineSettings& settings,
+         ProgressMonitor* monitor)
 {
-  const Points& points = growth.candidates().points;
-  Points free;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (growth.owner(static_cast<Index>(i)) == Growth::nobody)
-      free.push_back(points[i]);
-  if (free.size() < fewest ||
-      std::all_of(
-          free.begin(), free.end(), [&](const Point& p) { return p == free.front(); }))
+  const Points& points = candidates.points;
+  if (points.size() < fewest ||
+      std::all_of(points.begin(), points.end(), [&](const Point& p) {
+        return p == points.front();
+      }))
     return {};
   RefinedSettings curve_settings;
   curve_settings.threads = settings.threads;
   // Behind a hidden stretch there may be a support, and another span beyond it.
   curve_settings.follow_hidden = false;
-  std::vector<Curve> curves = reconstructRefined(free, curve_settings, monitor).curves;
+  std::vector<Curve> curves =
+      reconstructRefined(points, curve_settings, monitor).curves;
   std::stable_sort(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
     return length(a) > length(b);
   });
   return curves;
 }
 
-} // namespace
-
-std::vector<Curve>
-growAlongCurves(Growth& growth,
-                std::vector<Piece>& wires,
-                const PowerLineSettings& settings,
-                ProgressMonitor* monitor)
+void
+growAlong(const std::vector<Curve>& curves,
+          Growth& growth,
+          std::vector<Piece>& wires,
+          const PowerLineSettings& settings)
 {
-  std::vector<Curve> curves = freeCurves(growth, settings, monitor);
-  for (const Curve& curve : curves)
-    for (Piece& part : piecesAlong(curve, growth))
+  std::vector<std::vector<Beside>> beside = pointsOf(curves, growth);
+  for (std::vector<Beside>& along : beside)
+    for (Piece& part : piecesAlong(std::move(along), growth))
       for (Piece& piece : growth.betweenSupports(std::move(part))) {
         const Evidence evidence = weigh(growth, piece, settings);
         if (!evidence.accepted ||
@@ -261,7 +283,6 @@ growAlongCurves(Growth& growth,
         growth.claim(piece, static_cast<int>(wires.size()));
         wires.push_back(std::move(piece));
       }
-  return curves;
 }
 
 } // namespace linelet::powerline

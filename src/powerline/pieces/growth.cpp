@@ -57,6 +57,12 @@ Growth::claim(const Piece& piece, int owner)
     owner_[i] = owner;
 }
 
+void
+Growth::release()
+{
+  std::fill(owner_.begin(), owner_.end(), nobody);
+}
+
 Bin
 Growth::look(const SpanModel& model,
              double from,

@@ -86,6 +86,10 @@ public:
   void
   claim(const Piece& piece, int owner);
 
+  /** \brief Makes all candidates free again. */
+  void
+  release();
+
   int
   owner(Index candidate) const
   {

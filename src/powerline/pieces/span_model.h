@@ -32,6 +32,14 @@ struct SpanModel {
   double tolerance = 0.25;     ///< largest distance of a point that belongs to the wire
   double widest = widest_wire; ///< the tolerance at most: a wide beam scatters points
 
+  /** \brief Whether its points do not fit into the tube of a wire in a narrow beam:
+   * three deviations hold nearly all. */
+  bool
+  isWide() const
+  {
+    return 3 * sigma >= widest_wire;
+  }
+
   static double
   value(const Eigen::Vector3d& c, double s)
   {

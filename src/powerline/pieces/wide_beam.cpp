@@ -67,7 +67,7 @@ areTwoWires(const Residuals& residuals)
 void
 widenToBeam(const Growth& growth, Piece& piece, const PowerLineSettings& settings)
 {
-  if (piece.thickness > 0 || 3 * piece.model.sigma < widest_wire ||
+  if (piece.thickness > 0 || !piece.model.isWide() ||
       piece.model.length() < settings.min_length)
     return;
   const Points& points = growth.candidates().points;

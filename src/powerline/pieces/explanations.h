@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <linelet/powerline/power_line_settings.h>
+
+#include "powerline/pieces/growth.h"
+#include "powerline/pieces/piece.h"
+
+namespace linelet::powerline {
+
+/** \brief The pieces of \a first, but where \a second explains the same candidates
+ * better, its pieces.
+ *
+ * Pieces of the two that share most of their points compete if one of them is wider
+ * than the tube that wires grow in. The side wins whose wires make the points of both
+ * likelier: a Poisson process of wires with normal residuals over the density of
+ * everything else around, less the price of each wire's parameters (Bayesian
+ * information criterion). So one wire in a wide beam wins over the two that tubes make
+ * of it, and the wires of a rack over one in their middle. Narrow pieces stay: chance
+ * would decide, and so would the place where a cloud was cut.
+ *
+ * \a growth is released, and the points of the result are claimed in it. */
+std::vector<Piece>
+likelierPieces(Growth& growth,
+               std::vector<Piece> first,
+               std::vector<Piece> second,
+               const PowerLineSettings& settings);
+
+} // namespace linelet::powerline
