@@ -57,6 +57,7 @@ function(linelet_room name)
     set(ROOM_COMPONENT ${name})
   endif()
   linelet_library(${name} ${ROOM_UNPARSED_ARGUMENTS})
+  set_property(GLOBAL APPEND PROPERTY LINELET_ROOMS linelet_${name})
   linelet_install_room(linelet_${name} ${ROOM_COMPONENT})
 endfunction()
 
