@@ -40,6 +40,8 @@ struct RefinedSettings {
   double distance_cutoff = 0;
   bool follow_hidden = true; ///< in a scene, join curves across a stretch that hides
                              ///< them, where a parabola continues them
+  bool only_stiff = false;   ///< in a scene, leave out curves that turn by more than a
+                             ///< few degrees over ten of their points
   unsigned threads = 0;      ///< threads; 0: all
   CloudTraits whole;         ///< of the cloud, if known
 };

@@ -28,9 +28,8 @@ constexpr std::size_t group_size = 8;
 constexpr double group_side = 30;
 // Closer points tell no more than one of them. In D.
 constexpr double least_distance = 0.25;
-// Stiff curves first: what they explain misleads no other any more. Radians per 10
-// points.
-constexpr TrackBending bendings[] = {{0.01, 10}, {0.15, 10}};
+// Radians per 10 points.
+constexpr TrackBending stiff = {0.01, 10}, flexible = {0.15, 10};
 // In clutter, the points around a seed spread wider than the curve that it lies on.
 constexpr double narrower = 0.25;
 // Log-likelihood ratios: that a curve needs beyond the logarithm of the number of
@@ -281,19 +280,21 @@ mixedCurves(const Points& all,
   TrackedScene scene(onePerCell(all, least_distance * unit), unit);
   const std::vector<TrackSeed> seeds = measureScene(scene, settings.threads, monitor);
   if (monitor)
-    monitor->begin("curves", std::size(bendings) * seeds.size());
+    monitor->begin("curves", (settings.only_stiff ? 1 : 2) * seeds.size());
   // Of the whole cloud, if this is a part of it.
   const double points = settings.whole.points > 0
                             ? settings.whole.points
                             : static_cast<double>(scene.points().size());
   SceneCurves curves(scene, settings, points, monitor);
-  for (const TrackBending& bending : bendings)
-    curves.follow(seeds, bending);
+  // First: what they explain misleads no other any more.
+  curves.follow(seeds, stiff);
+  if (!settings.only_stiff)
+    curves.follow(seeds, flexible);
   const std::vector<TrackSeed> sparse =
       seedsAlongDirections(scene, points, settings.threads, monitor);
   if (monitor)
     monitor->begin("sparse curves", sparse.size());
-  curves.follow(sparse, bendings[0], sure);
+  curves.follow(sparse, stiff, sure);
   ModelCurves found = curves.release();
   if (!settings.follow_hidden)
     return found;

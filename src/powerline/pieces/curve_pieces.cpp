@@ -257,6 +257,7 @@ curvesOf(const Candidates& candidates,
   curve_settings.threads = settings.threads;
   // Behind a hidden stretch there may be a support, and another span beyond it.
   curve_settings.follow_hidden = false;
+  curve_settings.only_stiff = true; // as wires are
   std::vector<Curve> curves =
       reconstructRefined(points, curve_settings, monitor).curves;
   std::stable_sort(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {
