@@ -217,11 +217,11 @@ extractPowerLines(const Points& points,
     const bool terrain = !network.ground.heights.empty();
     dropUnlikely(with_ends, growth, underside, terrain, settings);
     throwIfCanceled(monitor);
-    addStubs(with_ends, growth, seeds, underside, settings);
+    addStubs(with_ends, growth, seeds, underside, terrain, settings);
     matchEnds(with_ends);
     if (mendBreaks(with_ends, growth, settings))
       matchEnds(with_ends);
-    if (addServiceDrops(with_ends, growth, seeds, settings))
+    if (addServiceDrops(with_ends, growth, seeds, underside, terrain, settings))
       matchEnds(with_ends);
     throwIfCanceled(monitor);
     std::vector<Tower> towers = buildTowers(with_ends, growth, ground, settings);

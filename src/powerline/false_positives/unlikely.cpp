@@ -14,6 +14,7 @@
 #include "powerline/pieces/data_border.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/growth.h"
+#include "powerline/pieces/open_below.h"
 #include "powerline/pieces/parallel.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/wire_groups.h"
@@ -259,9 +260,8 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   }
   for (std::size_t w = 0; w < wires.size(); ++w)
     // Rows and edges of roofs do not become wires by running beside some.
-    keep[w] =
-        keep[w] != 0 && plausible(families[family_of.root(w)], terrain) &&
-        (!terrain || openBelow(wires[w].model(), underside) >= priors.open_itself);
+    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)], terrain) &&
+              (!terrain || isOpenBelow(wires[w].model(), underside));
   dropScatter(wires, seen, keep);
   keepOnly(keep, wires, growth);
 }

@@ -11,6 +11,7 @@
 #include "powerline/pieces/bend.h"
 #include "powerline/pieces/data_border.h"
 #include "powerline/pieces/evidence.h"
+#include "powerline/pieces/open_below.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/wire_with_ends.h"
 #include "powerline/terrain/underside.h"
@@ -26,10 +27,6 @@ constexpr double clean_part = 0.75;   // of the length of short wires at the bor
 constexpr double lone_length = 18;    // meters of a lone wire in the clear
 constexpr double lone_clean = 0.8;    // of its bins
 constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
-constexpr double deep = 1.5;          // meters below a wire
-constexpr double beside = 1.25;       // meters, looked at on both sides
-constexpr double roof_rise = 3;       // meters: of a roof of 45 degrees, as far as that
-constexpr double itself_reach = 0.5;  // meters of height, of its own points
 
 // A wire that ends at nothing but a hidden part shows most of its span.
 double
@@ -79,27 +76,6 @@ slopeVariance(const SpanModel& m, int side)
 }
 
 } // namespace
-
-double
-openBelow(const SpanModel& m, const Underside& underside)
-{
-  double open = 0, all = 0;
-  for (double s = m.begin; s <= m.end; s += 1) {
-    const Point p = m.at(s);
-    bool blocked = false;
-    for (const double side : {-beside, 0.0, beside}) {
-      const double lowest = underside.lowestAt(p.x() - side * m.direction.y(),
-                                               p.y() + side * m.direction.x());
-      const bool itself = side == 0 && std::abs(lowest - p.z()) < itself_reach;
-      // Over water, what is lowest beside a wire may be one of the arm above.
-      const bool above = side != 0 && lowest > p.z() + roof_rise;
-      blocked = blocked || (lowest > p.z() - deep && !itself && !above);
-    }
-    open += !blocked;
-    all += 1;
-  }
-  return open / all;
-}
 
 bool
 plausible(const Family& family, bool terrain)

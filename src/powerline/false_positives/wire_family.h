@@ -67,11 +67,6 @@ addEvidence(Family& family,
             const Evidence& evidence,
             const Underside& underside);
 
-/** Fraction of a wire with nothing close below it or to the side of that, unlike on
- * roofs and rocks. Right below, a sparse scan may see nothing but the wire itself. */
-double
-openBelow(const SpanModel& m, const Underside& underside);
-
 /** \brief Whether \a family may be wires.
  * \param[in] terrain whether the cloud shows terrain: lines then hang clear of it */
 bool

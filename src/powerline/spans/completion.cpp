@@ -12,6 +12,7 @@
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/find_pieces.h"
 #include "powerline/pieces/growth.h"
+#include "powerline/pieces/open_below.h"
 #include "powerline/pieces/parallel.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/joints.h"
@@ -109,6 +110,7 @@ addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,
          const std::vector<Seed>& seeds,
          const Underside& underside,
+         bool terrain,
          const PowerLineSettings& settings)
 {
   PowerLineSettings relaxed = settings;
@@ -136,7 +138,8 @@ addStubs(std::vector<WireWithEnds>& wires,
       stub.strand.piece = std::move(piece);
       if ((!weigh(growth, stub.strand.piece, relaxed).accepted &&
            !becomesBundle(growth, stub.strand.piece, relaxed)) ||
-          !goesOn(wires, stub, underside))
+          !goesOn(wires, stub, underside) ||
+          (terrain && !isOpenBelow(stub.model(), underside)))
         continue;
       growth.claim(stub.strand.piece, 0);
       wires.push_back(std::move(stub));

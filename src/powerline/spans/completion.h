@@ -27,6 +27,7 @@ addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,
          const std::vector<Seed>& seeds,
          const Underside& underside,
+         bool terrain,
          const PowerLineSettings& settings);
 
 } // namespace linelet::powerline

@@ -12,6 +12,7 @@
 #include "powerline/pieces/candidates.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/growth.h"
+#include "powerline/pieces/open_below.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/pieces/vertical_slice.h"
 #include "powerline/spans/wire_with_ends.h"
@@ -99,6 +100,8 @@ bool
 addServiceDrops(std::vector<WireWithEnds>& wires,
                 Growth& growth,
                 const std::vector<Seed>& seeds,
+                const Underside& underside,
+                bool terrain,
                 const PowerLineSettings& settings)
 {
   const Candidates& candidates = growth.candidates();
@@ -127,6 +130,8 @@ addServiceDrops(std::vector<WireWithEnds>& wires,
       const double length = std::max(ways[0], ways[1]) + m.length() +
                             (home < 0 ? priors.drop_reach : home);
       if (length < shortest || length > priors.longest_drop)
+        continue;
+      if (terrain && !isOpenBelow(m, underside))
         continue;
       const Evidence evidence = weigh(growth, piece, relaxed);
       const Bend bend = bendOf(piece, candidates.points);

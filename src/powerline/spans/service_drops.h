@@ -10,17 +10,22 @@
 #include "powerline/pieces/candidates.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/spans/wire_with_ends.h"
+#include "powerline/terrain/underside.h"
 
 namespace linelet::powerline {
 
 /** \brief Adds wires that lead from a support of a low line to a house and are visible
  * for too short a stretch to be recognized by themselves. Their length counts from that
  * support. Ends must be matched before, and again afterwards.
+ * \param[in] terrain whether the cloud shows terrain: wires then hang clear of what is
+ * below
  * \return whether there were any */
 bool
 addServiceDrops(std::vector<WireWithEnds>& wires,
                 Growth& growth,
                 const std::vector<Seed>& seeds,
+                const Underside& underside,
+                bool terrain,
                 const PowerLineSettings& settings);
 
 /** \brief Extends service drops to the house that they lead to, as far as their
