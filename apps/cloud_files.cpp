@@ -308,13 +308,12 @@ CloudInput::usable(const io::Cloud& cloud) const
   return usable;
 }
 
-CloudOutput::CloudOutput(Frame& frame) : frame_(frame)
+CloudOutput::CloudOutput(Frame& frame, Inputs inputs) : frame_(frame)
 {
-  frame.addOutput(
-      "OUTPUT",
-      path_,
-      "point file, in the format of its ending; of several inputs, a folder "
-      "for files of the same names");
+  std::string meaning = "point file, in the format of its ending";
+  if (inputs == Inputs::Some)
+    meaning += "; of several inputs, a folder for files of the same names";
+  frame.addOutput("OUTPUT", path_, meaning);
   addOptions(frame.app, options_);
 }
 

@@ -156,8 +156,11 @@ private:
 /** \brief The point file that a command writes: its argument OUTPUT and its options. */
 class CloudOutput {
 public:
-  /** \param[in] frame gets argument and options; must outlive this */
-  explicit CloudOutput(Frame& frame);
+  enum class Inputs { None, Some };
+
+  /** \param[in] frame gets argument and options; must outlive this
+   * \param[in] inputs whether the command reads files: of several it writes a folder */
+  explicit CloudOutput(Frame& frame, Inputs inputs = Inputs::Some);
 
   const std::string&
   path() const

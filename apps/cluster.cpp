@@ -99,8 +99,9 @@ representatives(const io::Cloud& cloud, const Clusters& clusters)
     records[i].normal_y = normal.y();
     records[i].normal_z = normal.z();
   }
-  const char* const normals = clusters.normals.empty() ? "along the smallest extent"
-                                                       : "towards the empty cells";
+  const char* const normals = clusters.normals.empty()
+                                  ? "along the smallest extent"
+                                  : "toward neighboring cells without points";
   for (const io::Column& column : cloud.columns)
     result.set(reduced(column, clusters));
   result.set({"count", std::move(counts), "points that it stands for"});

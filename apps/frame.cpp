@@ -38,9 +38,9 @@ seconds(std::chrono::steady_clock::duration duration)
 io::FileError
 inputAsOutput(const std::string& path, const std::string& input)
 {
-  return io::FileError(path + ": is the input " + input +
-                       (path == input ? "" : " by another name") +
-                       ", which an output would destroy; name another output");
+  return io::FileError(path + ": is the input " +
+                       (path == input ? "" : input + " by another name ") +
+                       "and would be overwritten; name another output");
 }
 
 } // namespace

@@ -80,7 +80,7 @@ generateGeometry(const std::vector<std::string>& arguments)
                          geometryNames().substr(1) + ", or name a file of curves";
       });
   frame.reads(name);
-  CloudOutput output(frame);
+  CloudOutput output(frame, CloudOutput::Inputs::None);
   add("truth", truth, "file for the true curves (.obj and others)");
   frame.writes(truth);
   frame.app

@@ -77,7 +77,7 @@ runGenerateCorridor(const std::vector<std::string>& arguments)
       "classes in the file are the truth (14 wire, 15 pylon, pole or insulator).");
   bench::CorridorSettings settings;
   std::string truth, planted;
-  CloudOutput output(frame);
+  CloudOutput output(frame, CloudOutput::Inputs::None);
   OptionAdder(frame.app)(
       "truth", truth, "file for the true wires, one polyline per span");
   OptionAdder(frame.app)("planted-truth",

@@ -77,7 +77,7 @@ runGenerateScene(const std::vector<std::string>& arguments)
     names += (names.empty() ? ": " : ", ") + std::string(entry.second);
   const OptionAdder add(frame.app);
   add.argument("NAME", settings.kind, "the scene" + names);
-  CloudOutput output(frame);
+  CloudOutput output(frame, CloudOutput::Inputs::None);
   add("truth", truth, "file for the true wires, one polyline per span; bundles as one");
   add("structures",
       structures,

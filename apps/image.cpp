@@ -55,7 +55,7 @@ bool
 isAttribute(const std::string& color)
 {
   constexpr std::string_view others[] = {
-      "shape", "height", "grey", "rgb", "normal", "shaded", "minor"};
+      "shape", "height", "gray", "rgb", "normal", "shaded", "minor"};
   return std::find(std::begin(others), std::end(others), color) == std::end(others);
 }
 

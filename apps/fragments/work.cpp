@@ -39,8 +39,8 @@ runWork(const std::vector<std::string>& arguments)
   std::string place, range, every;
   std::size_t task = 0;
   frame.addArgument("OUTPUT", place, "what was planned as the output");
-  auto* one =
-      frame.app.add_option("--task", task, "only this fragment")->type_name("N");
+  auto* one = frame.app.add_option("--task", task, "only this fragment; 0: all")
+                  ->type_name("N");
   frame.app.add_option("--tasks", range, "only fragments A to B")
       ->type_name("A-B")
       ->excludes(one);

@@ -82,7 +82,7 @@ scalars(const io::Cloud& cloud, const std::string& name, const std::string& file
 {
   Scalars result;
   result.name = name;
-  const bool height = name == "height" || name == "grey";
+  const bool height = name == "height" || name == "gray";
   const io::Column* column = height ? nullptr : cloud.find(name);
   if (!height && column == nullptr) {
     std::string names;
@@ -90,7 +90,7 @@ scalars(const io::Cloud& cloud, const std::string& name, const std::string& file
       names += " " + other.name;
     throw std::runtime_error(
         file + ": there is no attribute '" + name +
-        "' to color by; use shape, height, grey, rgb, normal, shaded or one of its "
+        "' to color by; use shape, height, gray, rgb, normal, shaded or one of its "
         "own:" +
         (names.empty() ? " none" : names));
   }
@@ -259,7 +259,7 @@ viewOf(const io::Cloud& cloud,
   }
   else {
     values = scalars(cloud, settings.color, file);
-    view.colors = colorsByScalar(values, settings.color == "grey");
+    view.colors = colorsByScalar(values, settings.color == "gray");
   }
   return view;
 }
@@ -320,7 +320,7 @@ pictureOfCloud(const io::Cloud& cloud,
                Frame& frame)
 {
   const bool by_shape = settings.color == "shape", by_rgb = settings.color == "rgb";
-  const bool gray = settings.color == "grey" || settings.color == "minor";
+  const bool gray = settings.color == "gray" || settings.color == "minor";
   Scalars values;
   const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
   const bool legend =

@@ -73,7 +73,7 @@ describe(PictureSettings& s, Visit&& visit)
   visit("color",
         s.color,
         "cloud: what to color by: shape (median of the factors over all radii), "
-        "height, grey (height in shades of gray), rgb, normal (of the surface in each "
+        "height, gray (height in shades of gray), rgb, normal (of the surface in each "
         "pixel), shaded (that surface, lit), minor (points, lit by the smallest "
         "eigenvector of their tensor at --tensor-radius), or an attribute of the file");
   visit("curves",

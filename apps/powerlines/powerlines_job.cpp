@@ -70,8 +70,11 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
       "Fragments: overlap, meters: at least the longest span with the supports at its "
       "ends");
   std::string classified = "as input";
-  frame_.app.add_option("--classified", classified, "ending of the classified cloud")
-      ->check(CLI::IsMember({"as input", "las", "laz"}))
+  frame_.app
+      .add_option("--classified",
+                  classified,
+                  "ending of the classified cloud: las, laz, or as input")
+      ->check(CLI::IsMember({"as input", "las", "laz"}).description(""))
       ->type_name("NAME")
       ->group("Options");
   frame_.parse(arguments);

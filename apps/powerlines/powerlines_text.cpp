@@ -52,7 +52,7 @@ struct Totals {
   double length = 0;                ///< meters
   std::optional<std::size_t> below; ///< wires with less clearance than is in order;
                                     ///< nothing: unknown
-  std::size_t doubtful = 0;         ///< wires with a remark
+  std::size_t doubtful = 0;         ///< wires with a reason to doubt them
 };
 
 Totals
@@ -72,7 +72,7 @@ print(const PowerLineNetwork& network, const Totals& totals, double clearance)
 {
   std::printf("%-22s %zu\n", "circuits", network.circuits.size());
   std::printf("%-22s %zu\n", "spans", network.spans.size());
-  std::printf("%-22s %zu (%.0f m, %zu of them with a remark)\n",
+  std::printf("%-22s %zu (%.0f m, %zu of low confidence)\n",
               "wires",
               network.wires.size(),
               totals.length,

@@ -108,12 +108,13 @@ UsablePoints::UsablePoints(const Cloud& cloud,
   const std::string of = " of " + std::to_string(cloud.points.size()) + " points ";
   if (withheld_ > 0)
     warnings->push_back(std::to_string(withheld_) + of +
-                        "are flagged as withheld and take no part");
+                        "are flagged as withheld and were ignored");
   if (ignored_ > 0)
-    warnings->push_back(
-        std::to_string(ignored_) + of + "are of class " + listOf(numbers) +
-        " and take no part" +
-        (classes.kept.empty() ? "; --ignore-classes chooses which do not" : ""));
+    warnings->push_back(std::to_string(ignored_) + of + "are of class " +
+                        listOf(numbers) + " and were ignored" +
+                        (classes.kept.empty()
+                             ? "; --ignore-classes chooses the classes to ignore"
+                             : ""));
 }
 
 void

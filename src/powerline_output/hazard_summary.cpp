@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include <linelet/powerline_output/hazard_layers.h>
@@ -15,12 +16,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** Rounded to a tenth of a millimeter; null: unknown. */
+/** Rounded to a tenth of a millimeter; null: unknown, or an id of nothing. */
 Json
-json(const io::Value& value)
+json(const std::string& name, const io::Value& value)
 {
+  constexpr std::string_view suffix = "_id";
+  const bool is_id =
+      name.size() > suffix.size() &&
+      name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
   if (const auto* number = std::get_if<std::int64_t>(&value))
-    return *number;
+    return is_id && *number == 0 ? Json(nullptr) : Json(*number);
   if (const auto* real = std::get_if<double>(&value))
     return std::isfinite(*real) ? Json(std::round(*real * 1e4) / 1e4) : Json(nullptr);
   return std::get<std::string>(value);
@@ -62,7 +67,7 @@ hazardSummary(const io::Cloud& cloud, const std::vector<Hazards>& states)
         Json one = Json::object();
         for (const auto& [name, value] : feature.attributes)
           if (name != "state")
-            one[name] = json(value);
+            one[name] = json(name, value);
         list.push_back(std::move(one));
       }
       entry[layer.name] = std::move(list);

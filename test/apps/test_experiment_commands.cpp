@@ -149,7 +149,7 @@ TEST_F(ExperimentCommands, LinesFromAboveAreAMapOfTheirCoordinates)
   const std::string curve =
       write("curve.obj", "v 0 0 0\nv 100 0 30\nv 100 50 -9\nl 1 2 3\n");
   runWell("image " + points + " " + path("map.svg") +
-          " --elevation 90 --color grey --width 624 --height 424 --curves " + curve);
+          " --elevation 90 --color gray --width 624 --height 424 --curves " + curve);
   // 100 x 50 on 624 x 424 pixels with borders of 24: 5.76 pixels a unit.
   const auto path_numbers = numbersIn(
       "map.svg",
@@ -171,7 +171,7 @@ TEST_F(ExperimentCommands, NearCurvesAreWiderInPerspective)
   const std::string curves =
       write("curves.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 100 100 0\nl 1 2\nl 3 4\n");
   runWell("image " + points + " " + path("view.svg") +
-          " --azimuth 180 --elevation 20 --color grey --curve-width 10 --curves " +
+          " --azimuth 180 --elevation 20 --color gray --curve-width 10 --curves " +
           curves);
   const auto bands = numbersIn("view.svg",
                                "class=\"curve\" d=\"M([0-9.]+) ([0-9.]+) L([0-9.]+) "

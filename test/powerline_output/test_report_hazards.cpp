@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
+#include <linelet/powerline_output/power_line_summary.h>
+
 #include "report_page.h"
 
 namespace linelet::test {
@@ -110,6 +114,20 @@ TEST_F(Report, WhatWasNotExplainedIsInThePlan)
   EXPECT_EQ(nestingError(text), "");
   EXPECT_EQ(occurrences(text, "<path class=\"unexplained\""), 1U);
   EXPECT_NE(text.find("61 m look like lines"), std::string::npos);
+}
+
+// A reader of the summary would look for a wire or support 0.
+TEST_F(Report, SummaryOfAHazardOfNoOtherWireSaysNull)
+{
+  options_.hazards = hazardsByHand(network_);
+  options_.hazards.front().clearances.back().other = 2;
+  const auto summary =
+      nlohmann::json::parse(powerLineSummary(cloud_, network_, options_));
+  const auto& listed = summary["hazards"][0]["clearances"];
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_TRUE(listed[0]["other_id"].is_null());
+  EXPECT_EQ(listed[1]["other_id"], 2);
+  EXPECT_EQ(listed[0]["wire_id"], 1);
 }
 
 } // namespace
