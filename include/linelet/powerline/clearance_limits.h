@@ -32,8 +32,8 @@ enum class Severity : std::uint8_t { None, Low, Medium, High };
 
 /** \brief Least acceptable distances, by what is near and by severity; meters.
  *
- * For all kinds but FallIn a distance below \ref low is a hazard. For FallIn it is the
- * gap that remains between the falling tree and the wire; at 0 it touches. */
+ * For all kinds but FallIn a distance below \ref Row::low is a hazard. For FallIn it is
+ * the gap that remains between the falling tree and the wire; at 0 it touches. */
 struct ClearanceLimits {
   /** \brief Distances below which the severity is high, medium, low; ascending. */
   struct Row {
