@@ -207,7 +207,7 @@ extractPowerLines(const Points& points,
     if (addSpansBeside(with_ends, growth, underside, settings))
       matchEnds(with_ends);
     throwIfCanceled(monitor);
-    splitAtPoles(with_ends, growth);
+    splitAtPoles(with_ends, growth, settings.threads);
     throwIfCanceled(monitor);
     for (const WireWithEnds& wire : with_ends)
       lines.push_back(seenLine(wire.strand.piece));

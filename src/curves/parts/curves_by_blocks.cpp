@@ -64,9 +64,6 @@ curvesByBlocks(const Points& points,
   // Within a block threads wait for each other often; fewer blocks would leave some
   // idle.
   const bool side_by_side = blocks.count() >= threads;
-  RefinedSettings inside = settings;
-  if (side_by_side)
-    inside.threads = 1;
   BlockMonitor inner(monitor);
   ParallelFailure failure;
   std::vector<CurvePart> parts(blocks.count());
@@ -76,7 +73,7 @@ curvesByBlocks(const Points& points,
     failure.guard([&] {
       const std::size_t block = order[k];
       const Indices own = std::move(members[block]);
-      parts[block] = curvesOfBlock(pointsAt(points, own), block, inside, &inner);
+      parts[block] = curvesOfBlock(pointsAt(points, own), block, settings, &inner);
       if (monitor)
         monitor->advance(1);
     });

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include <Eigen/Core>
 
-#include <linelet/support/threads.h>
-
 #include "ball_points.h"
 #include "curves/ridges/distinct_points.h"
-#include "support/parallel_failure.h"
+#include "support/parallel_chunks.h"
 
 namespace linelet {
 
@@ -221,24 +220,21 @@ seedsAlongDirections(const TrackedScene& scene,
   std::vector<TrackSeed> seeds;
   // What the most of so many points would show by chance.
   const double needed = std::log(std::max(points, 1.0));
-  ParallelFailure failure;
-  Around around;
-#pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))       \
-    firstprivate(around)
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!open.free[i] || failure.failed())
-      continue;
-    failure.guard([&] {
-      if (monitor && monitor->canceled())
-        throw Canceled();
-      TrackSeed seed = bestSeed(open, i, around);
+  std::mutex seeds_mutex;
+  forEachChunk(count, 64, threads, [&](std::size_t begin, std::size_t end) {
+    if (monitor && monitor->canceled())
+      throw Canceled();
+    Around around;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!open.free[i])
+        continue;
+      const TrackSeed seed = bestSeed(open, i, around);
       if (!(seed.quality > needed))
-        return;
-#pragma omp critical(linelet_direction_seeds)
+        continue;
+      const std::lock_guard<std::mutex> lock(seeds_mutex);
       seeds.push_back(seed);
-    });
-  }
-  failure.rethrow();
+    }
+  });
   if (monitor)
     monitor->advance(count);
   std::sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) {

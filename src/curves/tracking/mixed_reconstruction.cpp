@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <numeric>
-
-#include <linelet/support/threads.h>
 
 #include "curves/ridges/distinct_points.h"
 #include "direction_seeds.h"
 #include "explained_points.h"
 #include "hidden_stretches.h"
 #include "seed_groups.h"
+#include "support/parallel_chunks.h"
 #include "track_fit.h"
 #include "track_seeds.h"
 
@@ -168,30 +166,20 @@ private:
   tracksFrom(const std::vector<TrackSeed>& group, const TrackBending& bending) const
   {
     std::vector<Track> tracks(group.size());
-    std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic)                                             \
-    num_threads(threadCount(settings_.threads)) if (group.size() > 1)
-    for (std::size_t k = 0; k < group.size(); ++k)
-      try {
-        for (const double width : {1.0, narrower}) {
-          TrackSeed seed = group[k];
-          seed.noise *= width;
-          Track track = followCurve(scene_,
-                                    seed,
-                                    bending,
-                                    patience,
-                                    settings_.max_iterations,
-                                    promising * needed_);
-          if (track.evidence > tracks[k].evidence)
-            tracks[k] = std::move(track);
-        }
+    forEachChunk(group.size(), 1, settings_.threads, [&](std::size_t k, std::size_t) {
+      for (const double width : {1.0, narrower}) {
+        TrackSeed seed = group[k];
+        seed.noise *= width;
+        Track track = followCurve(scene_,
+                                  seed,
+                                  bending,
+                                  patience,
+                                  settings_.max_iterations,
+                                  promising * needed_);
+        if (track.evidence > tracks[k].evidence)
+          tracks[k] = std::move(track);
       }
-      catch (...) {
-#pragma omp critical(linelet_tracks_failure)
-        failure = std::current_exception();
-      }
-    if (failure)
-      std::rethrow_exception(failure);
+    });
     return tracks;
   }
 

@@ -103,6 +103,12 @@ surfaceScales(const ShapeGraph& graph, const std::vector<double>& radii)
   return result;
 }
 
+double
+reachOf(const SurfaceScales& scales)
+{
+  return scales.isDoubtful() ? disc_radius * scales.radius : 0;
+}
+
 bool
 isSurface(const UniformGrid& grid, const Point& p, const SurfaceScales& scales)
 {

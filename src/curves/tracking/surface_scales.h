@@ -33,8 +33,12 @@ struct SurfaceScales {
 SurfaceScales
 surfaceScales(const ShapeGraph& graph, const std::vector<double>& radii);
 
+/** \brief Distance within which \ref isSurface looks at the points. */
+double
+reachOf(const SurfaceScales& scales);
+
 /** \brief Whether a surface runs through \a p, rather than a few lines side by side.
- * \param[in] grid of all points
+ * \param[in] grid of all points within \ref reachOf
  * \param[in] scales those of \a p */
 bool
 isSurface(const UniformGrid& grid, const Point& p, const SurfaceScales& scales);

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 #include <linelet/features/multi_scale.h>
-#include <linelet/support/threads.h>
 
+#include "support/parallel_chunks.h"
 #include "surface_scales.h"
 
 namespace linelet {
@@ -78,19 +77,11 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
       seeds.push_back(seedAt(i, points[i], graph[coarsest], radii[coarsest]));
   };
   multiScaleShapes(points, points, settings, sink, monitor);
-  std::exception_ptr failure;
-#pragma omp parallel for schedule(dynamic, 64) num_threads(threadCount(threads))
-  for (std::size_t k = 0; k < doubtful.size(); ++k)
-    try {
+  forEachChunk(doubtful.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
       scene.surface[doubtful[k].index] =
           isSurface(scene.grid, points[doubtful[k].index], doubtful[k].scales);
-    }
-    catch (...) {
-#pragma omp critical(linelet_scene_failure)
-      failure = std::current_exception();
-    }
-  if (failure)
-    std::rethrow_exception(failure);
+  });
   seeds.erase(std::remove_if(seeds.begin(),
                              seeds.end(),
                              [&](const TrackSeed& seed) {

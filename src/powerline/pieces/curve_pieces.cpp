@@ -19,6 +19,7 @@
 #include "powerline/pieces/profile.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/pieces/tube_radius.h"
+#include "support/parallel_chunks.h"
 
 namespace linelet::powerline {
 
@@ -146,16 +147,17 @@ private:
 
 // The free candidates that are nearer to each curve than to the others.
 std::vector<std::vector<Beside>>
-pointsOf(const std::vector<Curve>& curves, const Growth& growth)
+pointsOf(const std::vector<Curve>& curves, const Growth& growth, unsigned threads)
 {
-  std::vector<std::vector<Beside>> all;
+  std::vector<std::vector<Beside>> all(curves.size());
+  forEachChunk(curves.size(), 1, threads, [&](std::size_t k, std::size_t) {
+    all[k] = pointsBeside(curves[k], growth);
+  });
   std::vector<double> nearest(growth.candidates().points.size(),
                               std::numeric_limits<double>::infinity());
-  for (const Curve& curve : curves) {
-    all.push_back(pointsBeside(curve, growth));
-    for (const Beside& p : all.back())
+  for (const std::vector<Beside>& along : all)
+    for (const Beside& p : along)
       nearest[p.index] = std::min(nearest[p.index], p.distance);
-  }
   for (std::vector<Beside>& along : all)
     along.erase(
         std::remove_if(along.begin(),
@@ -272,7 +274,7 @@ growAlong(const std::vector<Curve>& curves,
           std::vector<Piece>& wires,
           const PowerLineSettings& settings)
 {
-  std::vector<std::vector<Beside>> beside = pointsOf(curves, growth);
+  std::vector<std::vector<Beside>> beside = pointsOf(curves, growth, settings.threads);
   for (std::vector<Beside>& along : beside)
     for (Piece& part : piecesAlong(std::move(along), growth))
       for (Piece& piece : growth.betweenSupports(std::move(part))) {

@@ -26,6 +26,7 @@ struct Break {
 };
 
 // Slopes rise evenly along a span; how much they drop at \a s, in standard deviations.
+// Samples come by place.
 double
 dropAt(const std::vector<Tangents::Sample>& samples, double s)
 {
@@ -33,15 +34,21 @@ dropAt(const std::vector<Tangents::Sample>& samples, double s)
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double squares = 0;
   std::size_t before = 0, behind = 0;
-  for (const Tangents::Sample& sample : samples) {
-    const double on = sample.s - s;
-    if (std::abs(on) > settings.window || std::abs(on) < settings.blurred)
+  const auto from =
+      std::partition_point(samples.begin(), samples.end(), [&](const auto& sample) {
+        return sample.s - s < -settings.window;
+      });
+  for (auto sample = from; sample != samples.end(); ++sample) {
+    const double on = sample->s - s;
+    if (on > settings.window)
+      break;
+    if (std::abs(on) < settings.blurred)
       continue;
     ++(on < 0 ? before : behind);
     const Eigen::Vector3d x(1, on, on > 0 ? 1 : 0);
     normal += x * x.transpose();
-    right += sample.slope * x;
-    squares += sample.slope * sample.slope;
+    right += sample->slope * x;
+    squares += sample->slope * sample->slope;
   }
   if (before < settings.least_seeds || behind < settings.least_seeds)
     return 0;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "powerline/line_priors.h"
 #include "powerline/pieces/candidates.h"
@@ -62,6 +64,17 @@ joinedAs(const SpanModel& company,
   return joined;
 }
 
+// The wires that hang beside most of wire \a a.
+std::vector<std::size_t>
+companyOf(std::size_t a, const std::vector<WireWithEnds>& wires)
+{
+  std::vector<std::size_t> found;
+  for (std::size_t x = 0; x < wires.size(); ++x)
+    if (x != a && isCompany(wires[a].model(), wires[x].model()))
+      found.push_back(x);
+  return found;
+}
+
 } // namespace
 
 void
@@ -70,7 +83,8 @@ joinBesideCompany(std::vector<WireWithEnds>& wires,
                   const PowerLineSettings& settings)
 {
   std::vector<char> taken(wires.size(), 0);
-  for (std::size_t a = 0; a < wires.size(); ++a)
+  for (std::size_t a = 0; a < wires.size(); ++a) {
+    std::optional<std::vector<std::size_t>> beside; // a, as it is now
     for (std::size_t b = 0; b < wires.size() && taken[a] == 0; ++b) {
       Piece& first = wires[a].strand.piece;
       const Piece& second = wires[b].strand.piece;
@@ -83,10 +97,11 @@ joinBesideCompany(std::vector<WireWithEnds>& wires,
           std::max(std::min(from, to) - m.end, m.begin - std::max(from, to));
       if (gap < 0 || gap > settings.max_gap)
         continue;
-      for (std::size_t x = 0; x < wires.size(); ++x) {
+      if (!beside)
+        beside = companyOf(a, wires);
+      for (const std::size_t x : *beside) {
         const SpanModel& company = wires[x].model();
-        if (x == a || x == b || taken[x] != 0 || !isCompany(m, company) ||
-            !isCompany(second.model, company))
+        if (x == b || taken[x] != 0 || !isCompany(second.model, company))
           continue;
         growth.claim(first, Growth::nobody);
         growth.claim(second, Growth::nobody);
@@ -101,10 +116,13 @@ joinBesideCompany(std::vector<WireWithEnds>& wires,
         else
           growth.claim(second, 0);
         growth.claim(first, 0);
-        if (one)
+        if (one) {
+          beside.reset();
           break;
+        }
       }
     }
+  }
   std::size_t place = 0;
   wires.erase(std::remove_if(wires.begin(),
                              wires.end(),

@@ -16,6 +16,7 @@
 #include "powerline/pieces/vertical_slice.h"
 #include "powerline/spans/wire_groups.h"
 #include "powerline/spans/wire_with_ends.h"
+#include "support/parallel_chunks.h"
 
 namespace linelet::powerline {
 
@@ -86,18 +87,18 @@ partOf(const Piece& whole, double low, double high, const Growth& growth)
 } // namespace
 
 void
-splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth)
+splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth, unsigned threads)
 {
-  const Candidates& candidates = growth.candidates();
   std::vector<std::vector<double>> poles(wires.size());
-  for (const std::vector<std::size_t>& line : gatherLines(wires, candidates)) {
+  const auto lines = gatherLines(wires, growth.candidates());
+  forEachChunk(lines.size(), 1, threads, [&](std::size_t k, std::size_t) {
     std::vector<const Piece*> members;
-    for (const std::size_t w : line)
+    for (const std::size_t w : lines[k])
       members.push_back(&wires[w].strand.piece);
     const LinePoles found(members, growth);
-    for (const std::size_t w : line)
+    for (const std::size_t w : lines[k])
       poles[w] = found.along(wires[w].model());
-  }
+  });
   std::vector<WireWithEnds> result;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     WireWithEnds& wire = wires[w];

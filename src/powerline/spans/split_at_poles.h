@@ -14,6 +14,6 @@ namespace linelet::powerline {
  * line passes its poles without a kink. What protrudes beyond a last pole is cut off.
  */
 void
-splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth);
+splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth, unsigned threads);
 
 } // namespace linelet::powerline

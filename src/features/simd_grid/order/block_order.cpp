@@ -120,7 +120,7 @@ BlockOrder::BlockOrder(const Points& points,
 #pragma omp parallel num_threads(threads)
   {
     std::vector<Entry> entries;
-#pragma omp for schedule(dynamic, 64)
+#pragma omp for schedule(dynamic, 8)
     for (std::ptrdiff_t b = 0; b < count; ++b)
       failure.guard(
           [&] { sortBlock(static_cast<std::size_t>(b), points, frame, entries); });
