@@ -33,14 +33,21 @@ forEachChunk(std::size_t count, std::size_t chunk, unsigned threads, const Work&
   };
 #ifdef _OPENMP
   if (threadCount(threads) > 1 && omp_in_parallel() != 0) {
-    // Few, since libgomp runs a loop of many tasks in one thread.
-    const auto tasks = static_cast<std::ptrdiff_t>(
-        std::min(chunks, static_cast<std::size_t>(omp_get_num_threads())));
+    const std::size_t helpers =
+        std::min(chunks, static_cast<std::size_t>(omp_get_num_threads()));
     std::atomic<std::size_t> next{0};
-#pragma omp taskloop grainsize(1) shared(run, next)
-    for (std::ptrdiff_t t = 0; t < tasks; ++t)
+    const auto drain = [&] {
       for (std::size_t k = next++; k < chunks; k = next++)
         run(k);
+    };
+#pragma omp taskgroup
+    {
+      for (std::size_t t = 1; t < helpers; ++t) {
+#pragma omp task shared(drain)
+        drain();
+      }
+      drain();
+    }
     failure.rethrow();
     return;
   }

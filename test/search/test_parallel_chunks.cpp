@@ -30,8 +30,8 @@ visits(std::size_t count, std::size_t chunk, unsigned threads)
 TEST(ParallelChunks, EveryPlaceIsVisitedOnce)
 {
   for (const unsigned threads : {1U, 2U, 5U})
-    for (const std::size_t count : {0, 1, 63, 64, 65, 1000})
-      for (const std::size_t chunk : {1, 64, 5000})
+    for (const std::size_t count : std::vector<std::size_t>{0, 1, 63, 64, 65, 1000})
+      for (const std::size_t chunk : std::vector<std::size_t>{1, 64, 5000})
         EXPECT_EQ(visits(count, chunk, threads), std::vector<int>(count, 1));
 }
 
