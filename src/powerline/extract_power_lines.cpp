@@ -27,6 +27,7 @@
 #include "powerline/network/unexplained.h"
 #include "powerline/pieces/bundles.h"
 #include "powerline/pieces/candidates.h"
+#include "powerline/pieces/chords.h"
 #include "powerline/pieces/curve_pieces.h"
 #include "powerline/pieces/explanations.h"
 #include "powerline/pieces/find_pieces.h"
@@ -190,6 +191,7 @@ extractPowerLines(const Points& points,
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
     throwIfCanceled(monitor);
+    dropChords(growth, pieces);
     addNextSpans(growth, pieces, underside, settings, monitor);
     addParallelWires(growth, pieces, settings);
     throwIfCanceled(monitor);

@@ -76,6 +76,26 @@ TEST_F(Explanations, WiresOfARackWinOverOneInTheirMiddle)
   EXPECT_EQ(likelier(rack, middle).size(), 2u);
 }
 
+TEST_F(Explanations, WiresOfARackWinThoughOneIsMissing)
+{
+  wires({-0.35, 0, 0.35}, 0.03);
+  const std::vector<Piece> two = {between(-1, -0.2), between(0.2, 1)};
+  const std::vector<Piece> middle = {between(-1, 1)};
+  EXPECT_EQ(likelier(middle, two).size(), 2u);
+  EXPECT_EQ(likelier(two, middle).size(), 2u);
+}
+
+TEST_F(Explanations, ASliceOfAWideWireIsNone)
+{
+  wires({0}, 0.2);
+  const Piece whole = between(-1, 1);
+  for (const double y : {-0.2, 0.0, 0.1}) {
+    const Piece slice = between(y - 0.06, y + 0.06);
+    EXPECT_EQ(likelier({whole}, {slice}).front().members, whole.members);
+    EXPECT_EQ(likelier({slice}, {whole}).front().members, whole.members);
+  }
+}
+
 TEST_F(Explanations, OfNarrowWiresTheFirstStay)
 {
   wires({0}, 0.03);

@@ -23,8 +23,6 @@ namespace linelet::powerline {
 namespace {
 
 constexpr LinePriors priors;
-constexpr double straight_length = 30; // meters, from which a sag can be told
-
 constexpr double part_of = 0.5;    // of the length beside something straight
 constexpr double part_reach = 2.5; // meters from it
 

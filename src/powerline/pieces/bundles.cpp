@@ -21,6 +21,7 @@ constexpr LinePriors priors;
 constexpr double bundle_width = 0.7; // meters between conductors of one bundle
 constexpr double least_cover = 0.5;  // of the bins of a conductor in its own right
 constexpr double complete = 0.8;     // part of its neighbor's length
+constexpr double kept = 0.85;        // of its points
 constexpr double alike = 0.25; // of the points of one conductor, another has at least
 
 /** The conductor that hangs like \a whole, shifted to where \a part was seen. */
@@ -35,7 +36,9 @@ completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& resu
   result.model = whole;
   result.model.t[0] += shift[0];
   result.model.z[0] += shift[1];
-  if (!growth.collect(result, 0.2))
+  if (!growth.collect(result, 0.2) ||
+      static_cast<double>(result.members.size()) <
+          kept * static_cast<double>(part.members.size()))
     return false;
   const SpanModel& m = result.model;
   if (m.length() < complete * whole.length())
@@ -118,10 +121,12 @@ sortBundles(Growth& growth,
     }
     growth.claim(piece, 0);
     // Farther apart than they scatter, they are two wires. Those of low lines hang on
-    // racks, however short they are, and the longer one may go on over a pole.
-    if (nearest > piece.tolerance() + neighbor->piece.tolerance() &&
-        (piece.model.length() >= priors.short_line ||
-         heightOf(piece, growth.candidates()) < priors.highest_pole))
+    // racks, however short they are, and the longer one may go on over a pole; of a
+    // bundle, short pieces of single conductors show.
+    const double scatter = piece.tolerance() + neighbor->piece.tolerance();
+    const bool on_rack = heightOf(piece, growth.candidates()) < priors.highest_pole;
+    if (on_rack ? nearest > scatter / 2
+                : nearest > scatter && piece.model.length() >= priors.short_line)
       wires.push_back({std::move(piece), {}});
     else
       neighbor->companions.push_back(std::move(piece));

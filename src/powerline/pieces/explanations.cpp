@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include "powerline/line_priors.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/profile.h"
 #include "powerline/pieces/tube_radius.h"
@@ -28,7 +29,9 @@ constexpr double most = 0.5; // of the smaller one's points are shared by compet
 /** Density of points that a wire causes, per cubic meter. */
 class WireDensity {
 public:
-  WireDensity(const Piece& piece, const Points& points) : model_(piece.model)
+  /** \param[in] count points that it explains, of its members */
+  WireDensity(const Piece& piece, double count, const Points& points)
+      : model_(piece.model)
   {
     const auto n = static_cast<double>(piece.members.size());
     double squares = 0;
@@ -36,7 +39,7 @@ public:
       squares += model_.residual(points[i], model_.along(points[i])).squaredNorm();
     // Per axis.
     variance_ = squares / (2 * n) + least_residual * least_residual;
-    peak_ = n / std::max(bin_length, model_.length()) / (2 * M_PI * variance_);
+    peak_ = count / std::max(bin_length, model_.length()) / (2 * M_PI * variance_);
   }
 
   double
@@ -84,19 +87,36 @@ groupsOf(const std::vector<Piece>& pieces, std::size_t others, std::size_t candi
   return group;
 }
 
-// Logarithm of the likelihood of \a all points under \a wires and \a background.
+// Logarithm of the likelihood of \a all points under \a wires, what these leave to the
+// wide ones among \a others, and \a background.
 double
 likelihood(const std::vector<const Piece*>& wires,
+           const std::vector<const Piece*>& others,
            const Indices& all,
            const std::vector<double>& background,
            const Points& points)
 {
   std::vector<WireDensity> densities;
   double sum = 0;
+  const auto add = [&](const Piece& wire, double count) {
+    densities.emplace_back(wire, count, points);
+    sum -= parameters / 2 * std::log(static_cast<double>(wire.members.size()));
+  };
+  Indices explained;
   for (const Piece* wire : wires) {
-    densities.emplace_back(*wire, points);
-    sum -= parameters / 2 * std::log(static_cast<double>(wire->members.size()));
+    add(*wire, static_cast<double>(wire->members.size()));
+    explained.insert(explained.end(), wire->members.begin(), wire->members.end());
   }
+  std::sort(explained.begin(), explained.end());
+  if (!others.empty()) // each is one of many that could be seen in a wide one
+    sum -= LinePriors().alone * static_cast<double>(wires.size());
+  for (const Piece* other : others)
+    if (other->model.isWide())
+      add(*other,
+          static_cast<double>(
+              std::count_if(other->members.begin(), other->members.end(), [&](Index i) {
+                return !std::binary_search(explained.begin(), explained.end(), i);
+              })));
   for (std::size_t k = 0; k < all.size(); ++k) {
     double density = background[k];
     for (const WireDensity& wire : densities)
@@ -157,8 +177,12 @@ likelierPieces(Growth& growth,
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     const std::vector<double> background = densityAround(all, candidates);
-    const bool second_stays = likelihood(sides[1], all, background, points) >
-                              likelihood(sides[0], all, background, points);
+    const auto best = [&](int side) {
+      return std::max(
+          likelihood(sides[side], {}, all, background, points),
+          likelihood(sides[side], sides[1 - side], all, background, points));
+    };
+    const bool second_stays = best(1) > best(0);
     for (const std::size_t k : entry.second)
       stays[k] = (k >= others) == second_stays;
   }

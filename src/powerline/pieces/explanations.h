@@ -20,8 +20,9 @@ namespace linelet::powerline {
  * likelier: a Poisson process of wires with normal residuals over the density of
  * everything else around, less the price of each wire's parameters (Bayesian
  * information criterion). So one wire in a wide beam wins over the two that tubes make
- * of it, and the wires of a rack over one in their middle. Narrow pieces stay: chance
- * would decide, and so would the place where a cloud was cut.
+ * of it, and the wires of a rack over one in their middle, also where some of them were
+ * not found: what they leave counts as that one's. Narrow pieces stay: chance would
+ * decide, and so would the place where a cloud was cut.
  *
  * \a growth is released, and the points of the result are claimed in it. */
 std::vector<Piece>

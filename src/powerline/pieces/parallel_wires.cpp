@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -20,9 +21,6 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double source_length = 20; // meters of a wire whose shape tells of others
-constexpr double reach = 9;          // meters to the next wire of a line
-constexpr double too_near = 0.35;    // meters, from its own
-constexpr double cell = 0.3;         // meters across, of one place for a wire
 constexpr double stretch = 4;        // meters along
 constexpr double least_cover = 0.25; // of the stretches
 constexpr int least_stretches = 4;
@@ -31,9 +29,31 @@ constexpr std::size_t crowded = 200; // free points per meter, a wood
 constexpr double off_middle = 0.1; // of its length, the lowest point of a wire cut off
 constexpr double sag_spread = 0.3; // sags of one line differ by this part, at most
 
+constexpr double most_beside =
+    0.5;                           // of the length of a wire, in the scatter of another
 constexpr double whole = 0.7;      // of the length of the wire beside
 constexpr double thin_cover = 0.2; // of the bins of a wire that is nearly as long ...
 constexpr double thin_clean = 0.9; // ... of those with points, clean
+
+/** Where wires are looked for beside another, and how finely; meters. */
+struct Zone {
+  double from, to; ///< distances from it
+  double cell;     ///< across, of one place for a wire
+  double beyond;   ///< the ends of the other, a wire may lead
+};
+
+// Wires of a line; and those of a rack, which are told apart if they hang farther apart
+// than their points scatter.
+constexpr Zone line = {0.35, 9, 0.3, std::numeric_limits<double>::infinity()};
+constexpr double rack_cell = 2.5;   // standard deviations ...
+constexpr double least_cell = 0.05; // ... or meters: wires of a rack do not hang alike
+
+Zone
+rackOf(const SpanModel& m)
+{
+  const double cell = std::max(least_cell, rack_cell * m.sigma);
+  return {1.5 * cell, LinePriors().rack, cell, growth_gap};
+}
 
 /** A wire that hangs like another: beside it, and flatter or deeper. */
 struct Place {
@@ -60,7 +80,7 @@ struct Beside {
 };
 
 std::vector<Beside>
-freePointsBeside(const Growth& growth, const SpanModel& m, int bins)
+freePointsBeside(const Growth& growth, const SpanModel& m, const Zone& zone, int bins)
 {
   const Candidates& candidates = growth.candidates();
   const double step = m.length() / bins;
@@ -68,12 +88,12 @@ freePointsBeside(const Growth& growth, const SpanModel& m, int bins)
   for (int k = 0; k < bins; ++k) {
     const double from = m.begin + k * step;
     candidates.grid.forEachWithin(
-        m.at(from + step / 2), std::hypot(step / 2, reach), [&](Index i, double) {
+        m.at(from + step / 2), std::hypot(step / 2, zone.to), [&](Index i, double) {
           const double s = m.along(candidates.points[i]);
           if (growth.owner(i) != Growth::nobody || s < from || s >= from + step)
             return;
           const Eigen::Vector2d r = m.residual(candidates.points[i], s);
-          if (r.norm() >= too_near && r.norm() <= reach)
+          if (r.norm() >= zone.from && r.norm() <= zone.to)
             points.push_back({k, s, r[0], r[1]});
         });
     if (points.size() > crowded * static_cast<std::size_t>(1 + m.length()))
@@ -93,20 +113,22 @@ struct Found {
 void
 findPlaces(const std::vector<Beside>& points,
            const SpanModel& m,
+           const Zone& zone,
            int bins,
            double pivot,
            std::vector<Found>& found)
 {
   const double farthest = std::max(m.end - pivot, pivot - m.begin);
   const double drop = std::abs(m.z[2]) * farthest * farthest;
+  const double cell = zone.cell;
   const int bends = static_cast<int>(sag_spread * drop / cell);
-  constexpr int half = static_cast<int>(reach / cell) + 2, side = 2 * half + 1;
+  const int half = static_cast<int>(zone.to / cell) + 2, side = 2 * half + 1;
   struct Count {
     int stretches, last;
   };
   for (int bend = -bends; bend <= bends; ++bend) {
     const double part = bend * cell / std::max(drop, cell);
-    std::vector<Count> counts(side * side, Count{0, -1});
+    std::vector<Count> counts(static_cast<std::size_t>(side * side), Count{0, -1});
     for (const Beside& p : points) {
       const double up = p.up - part * m.z[2] * std::pow(p.s - pivot, 2);
       // A place is four cells wide and shares them with its neighbors.
@@ -115,12 +137,13 @@ findPlaces(const std::vector<Beside>& points,
       if (y < 0 || y + 1 >= side)
         continue;
       for (const int at : {y * side + x, y * side + x + 1})
-        for (Count* count : {&counts[at], &counts[at + side]})
+        for (Count* count : {&counts[static_cast<std::size_t>(at)],
+                             &counts[static_cast<std::size_t>(at + side)]})
           if (count->last != p.stretch)
             *count = {count->stretches + 1, p.stretch}; // points come by stretch
     }
     for (int at = 0; at < side * side; ++at)
-      if (const int n = counts[at].stretches;
+      if (const int n = counts[static_cast<std::size_t>(at)].stretches;
           n >= least_stretches && n >= least_cover * bins)
         found.push_back(
             {n, {{(at % side - half) * cell, (at / side - half) * cell}, part, pivot}});
@@ -129,19 +152,19 @@ findPlaces(const std::vector<Beside>& points,
 
 // The best places beside a wire, no two of them for one wire.
 std::vector<Place>
-findPlaces(const Growth& growth, const SpanModel& m)
+findPlaces(const Growth& growth, const SpanModel& m, const Zone& zone)
 {
   const int bins = std::max(1, static_cast<int>(m.length() / stretch));
-  const std::vector<Beside> points = freePointsBeside(growth, m, bins);
+  const std::vector<Beside> points = freePointsBeside(growth, m, zone, bins);
   // Wires between the same supports differ least in the middle; where the data cut the
   // span off, its lowest point tells where that is.
   const double middle = (m.begin + m.end) / 2;
   const double vertex = m.z[2] > 0 ? -m.z[1] / (2 * m.z[2]) : middle;
   std::vector<Found> found;
-  findPlaces(points, m, bins, middle, found);
+  findPlaces(points, m, zone, bins, middle, found);
   if (vertex > m.begin && vertex < m.end &&
       std::abs(vertex - middle) > off_middle * m.length())
-    findPlaces(points, m, bins, vertex, found);
+    findPlaces(points, m, zone, bins, vertex, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::tuple(-a.stretches, std::abs(a.place.bend)) <
            std::tuple(-b.stretches, std::abs(b.place.bend));
@@ -151,7 +174,7 @@ findPlaces(const Growth& growth, const SpanModel& m)
     const SpanModel candidate = f.place.beside(m);
     if (places.size() < most_tries &&
         std::none_of(places.begin(), places.end(), [&](const Place& other) {
-          return compare(candidate, other.beside(m)).distance < 1.5 * cell;
+          return compare(candidate, other.beside(m)).distance < 1.5 * zone.cell;
         }))
       places.push_back(f.place);
   }
@@ -173,6 +196,17 @@ isParallelWire(const Growth& growth,
            e.occupied >= thin_cover * e.bins && e.clean >= thin_clean * e.occupied));
 }
 
+// Whether \a piece runs within the scatter of one of \a wires.
+bool
+isScatterOf(const std::vector<Piece>& wires, const Piece& piece)
+{
+  return std::any_of(wires.begin(), wires.end(), [&](const Piece& wire) {
+    const Parallel parallel = compare(piece.model, wire.model);
+    return parallel.overlap >= most_beside * piece.model.length() &&
+           parallel.distance <= wire.tolerance();
+  });
+}
+
 } // namespace
 
 void
@@ -190,17 +224,21 @@ addParallelWires(Growth& growth,
                : a < b;
   });
   for (const std::size_t source : order)
-    for (const Place& place : findPlaces(growth, pieces[source].model)) {
-      Piece parallel;
-      parallel.model = place.beside(pieces[source].model);
-      if (!growth.collect(parallel, cell) ||
-          !growth.collect(parallel, parallel.model.tolerance) ||
-          !growth.extend(parallel) ||
-          !isParallelWire(growth, parallel, pieces[source].model, settings))
-        continue;
-      growth.claim(parallel, static_cast<int>(pieces.size()));
-      pieces.push_back(std::move(parallel));
-    }
+    for (const Zone& zone : {rackOf(pieces[source].model), line})
+      for (const Place& place : findPlaces(growth, pieces[source].model, zone)) {
+        Piece parallel;
+        parallel.model = place.beside(pieces[source].model);
+        if (!growth.collect(parallel, zone.cell) ||
+            !growth.collect(parallel, parallel.model.tolerance) ||
+            !growth.extend(parallel,
+                           pieces[source].model.begin - zone.beyond,
+                           pieces[source].model.end + zone.beyond) ||
+            !isParallelWire(growth, parallel, pieces[source].model, settings) ||
+            isScatterOf(pieces, parallel))
+          continue;
+        growth.claim(parallel, static_cast<int>(pieces.size()));
+        pieces.push_back(std::move(parallel));
+      }
 }
 
 } // namespace linelet::powerline

@@ -84,45 +84,66 @@ partOf(const Piece& whole, double low, double high, const Growth& growth)
   return part;
 }
 
+// Appends the spans of \a piece between \a poles along it, each claimed.
+void
+appendSpans(Piece& piece,
+            const std::vector<double>& poles,
+            Growth& growth,
+            std::vector<WireWithEnds>& spans)
+{
+  growth.claim(piece, Growth::nobody);
+  for (std::size_t k = 0; k <= poles.size(); ++k) {
+    const double low = k == 0 ? piece.model.begin : poles[k - 1];
+    const double high = k == poles.size() ? piece.model.end : poles[k];
+    if (high - low < least_piece)
+      continue;
+    WireWithEnds part;
+    part.strand.piece = partOf(piece, low, high, growth);
+    if (part.strand.piece.members.empty())
+      continue;
+    growth.claim(part.strand.piece, 0);
+    spans.push_back(std::move(part));
+  }
+}
+
+/** \brief Places of poles along a wire and along each of its companions. */
+struct PolesOfStrand {
+  std::vector<double> piece;
+  std::vector<std::vector<double>> companions;
+};
+
 } // namespace
 
 void
 splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth, unsigned threads)
 {
-  std::vector<std::vector<double>> poles(wires.size());
+  std::vector<PolesOfStrand> poles(wires.size());
   const auto lines = gatherLines(wires, growth.candidates());
   forEachChunk(lines.size(), 1, threads, [&](std::size_t k, std::size_t) {
     std::vector<const Piece*> members;
     for (const std::size_t w : lines[k])
       members.push_back(&wires[w].strand.piece);
     const LinePoles found(members, growth);
-    for (const std::size_t w : lines[k])
-      poles[w] = found.along(wires[w].model());
+    for (const std::size_t w : lines[k]) {
+      poles[w].piece = found.along(wires[w].model());
+      for (const Piece& companion : wires[w].strand.companions)
+        poles[w].companions.push_back(found.along(companion.model));
+    }
   });
   std::vector<WireWithEnds> result;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     WireWithEnds& wire = wires[w];
-    Piece& piece = wire.strand.piece;
-    if (poles[w].empty()) {
+    if (poles[w].piece.empty()) {
       result.push_back(std::move(wire));
       continue;
     }
-    growth.claim(piece, Growth::nobody);
-    for (std::size_t k = 0; k <= poles[w].size(); ++k) {
-      const double low = k == 0 ? piece.model.begin : poles[w][k - 1];
-      const double high = k == poles[w].size() ? piece.model.end : poles[w][k];
-      if (high - low < least_piece)
-        continue;
-      WireWithEnds part;
-      part.strand.piece = partOf(piece, low, high, growth);
-      if (part.strand.piece.members.empty())
-        continue;
-      growth.claim(part.strand.piece, 0);
-      result.push_back(std::move(part));
-    }
+    appendSpans(wire.strand.piece, poles[w].piece, growth, result);
     // What was short beside the whole may be a wire beside one of its spans.
-    for (Piece& companion : wire.strand.companions)
-      result.push_back({{std::move(companion), {}}, {}});
+    for (std::size_t c = 0; c < wire.strand.companions.size(); ++c)
+      if (Piece& companion = wire.strand.companions[c]; poles[w].companions[c].empty())
+        result.push_back({{std::move(companion), {}}, {}});
+      else
+        appendSpans(companion, poles[w].companions[c], growth, result);
   }
   wires = std::move(result);
 }
