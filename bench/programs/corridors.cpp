@@ -2,12 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Simulated corridors, extracted and compared with their truth.
-//
-//   corridors [SCENES [FIRST_SEED [OPTION VALUE]...]]
-//
-// OPTION is one of `linelet generate corridor`, without dashes: corridors 5 100 voltage
-// 380 density 10. Without options every scene takes voltage, wind, strips, vegetation,
-// houses and density by its seed.
 
 #include <algorithm>
 #include <chrono>
@@ -28,6 +22,16 @@ namespace {
 
 using namespace linelet;
 using namespace linelet::bench;
+
+constexpr const char* usage =
+    R"(usage: benchmark_corridors [SCENES=6 [FIRST_SEED=1 [OPTION VALUE]...]]
+
+Simulated corridors, extracted and compared with their truth.
+
+OPTION is one of `linelet generate corridor`, without dashes: benchmark_corridors 5 100
+voltage 380 density 10. Without options every scene takes voltage, wind, strips,
+vegetation, houses and density by its seed.
+)";
 
 /** Different scenes by seed. */
 CorridorSettings
@@ -141,6 +145,10 @@ main(int count, char** arguments)
 {
   try {
     const std::vector<std::string> words(arguments + 1, arguments + count);
+    if (std::find(words.begin(), words.end(), "--help") != words.end()) {
+      std::printf("%s", usage);
+      return EXIT_SUCCESS;
+    }
     const int scenes = words.empty() ? 6 : std::stoi(words[0]);
     const int first = words.size() < 2 ? 1 : std::stoi(words[1]);
     std::printf("scene    F1     F1away prec.  F1pylon | spans found    %%     len%%  "

@@ -2,15 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The scene matrix: curves and power lines against the truth, row by row.
-//
-//   scenes [--rows NAME,...] [--seeds FIRST COUNT] [--methods NAME,...] [--json FILE]
-//          [--final]
-//
-// Methods: curves (everything above ground by the true classes), curves-ground (the
-// whole cloud), powerlines (the whole cloud, classes not told). Seeds 1 to 99 are for
-// development; seeds of 1000 and more are for final figures, drawn once at the end, and
-// need --final.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -36,6 +29,18 @@ using namespace linelet;
 using namespace linelet::bench;
 
 constexpr std::uint32_t first_final_seed = 1000;
+
+constexpr const char* usage =
+    R"(usage: benchmark_scenes [--rows NAME,...] [--seeds FIRST COUNT=1 2]
+           [--methods NAME,...] [--json FILE] [--final]
+
+Curves and power lines of simulated scenes against the truth, row by row.
+
+Rows are the scenes of `linelet generate scene`; all without --rows. Methods: curves
+(everything above ground by the true classes), curves-ground (the whole cloud),
+powerlines (the whole cloud, classes not told). Seeds 1 to 99 are for development; those
+of 1000 and more are for final figures, drawn once at the end, and need --final.
+)";
 
 struct Request {
   std::vector<SceneKind> rows;
@@ -270,7 +275,12 @@ int
 main(int count, char** arguments)
 {
   try {
-    runMatrix(readRequest({arguments + 1, arguments + count}));
+    const std::vector<std::string> words(arguments + 1, arguments + count);
+    if (std::find(words.begin(), words.end(), "--help") != words.end()) {
+      std::printf("%s", usage);
+      return EXIT_SUCCESS;
+    }
+    runMatrix(readRequest(words));
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error) {
