@@ -13,6 +13,7 @@
 
 #include <linelet/io/vector_file.h>
 
+#include "random_seed.h"
 #include "tiles_test.h"
 
 namespace linelet::test {
@@ -24,9 +25,7 @@ protected:
 
 TEST_F(CurvesFragmentsTest, OfAFolderAreThoseOfTheWhole)
 {
-  const unsigned seed = std::random_device{}();
-  std::mt19937 random(seed);
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(randomSeed());
   runWell(job_ + path("tiles") + " " + path("a.obj"));
   ASSERT_GT(io::readCurves(path("a.obj")).curves.size(), 20U);
   std::vector<double> chunks = {95};
@@ -44,9 +43,7 @@ TEST_F(CurvesFragmentsTest, OfAFolderAreThoseOfTheWhole)
 
 TEST_F(CurvesFragmentsTest, VerbsAndKilledRunsWriteTheSameBytes)
 {
-  const unsigned seed = std::random_device{}();
-  std::mt19937 random(seed);
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(randomSeed());
   const std::string chunk = " --chunk 150";
   runWell(job_ + path("tiles") + " " + path("a.obj") + chunk);
   runWell("plan " + job_ + path("tiles") + " " + path("b.obj") + chunk);

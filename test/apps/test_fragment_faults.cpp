@@ -14,6 +14,7 @@
 
 #include <sys/mount.h>
 
+#include "random_seed.h"
 #include "tiles_test.h"
 
 namespace linelet::test {
@@ -134,9 +135,7 @@ TEST_P(FragmentFaultsTest, ASignalEndsItWithinTwoSeconds)
 // Killed at any moments and gone on with; LINELET_TEST_KILLS=50 asks for more of them.
 TEST_P(FragmentFaultsTest, KilledAndResumed)
 {
-  const unsigned seed = std::random_device{}();
-  std::mt19937 random(seed);
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(randomSeed());
   runWell(job("a", 90));
   std::istringstream words(job("b", 90));
   const std::vector<std::string> arguments{std::istream_iterator<std::string>(words),

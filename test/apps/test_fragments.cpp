@@ -12,6 +12,7 @@
 
 #include <sys/mount.h>
 
+#include "random_seed.h"
 #include "test_data.h"
 #include "tiles_test.h"
 
@@ -139,8 +140,7 @@ TEST_F(FragmentsTest, PartialResultsAreAskedForAndTold)
 // Killed 50 times at any moment, and gone on with.
 TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
 {
-  const unsigned seed = std::random_device{}();
-  std::mt19937 random(seed);
+  std::mt19937 random(randomSeed());
   const std::string job = "tensor" + options_ + path("tiles") + " ";
   runWell(job + path("a") + " --chunk 12");
   killAgainAndAgain({"tensor",
@@ -156,12 +156,11 @@ TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
                     50,
                     random);
   runWell(job + path("b") + " --chunk 12 --resume");
-  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")))
-      << "seed " << seed;
+  EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
   // Nor does a writer that was killed in the middle of an output leave anything.
   for (const auto& file : fs::directory_iterator(path("b")))
     EXPECT_EQ(file.path().filename().string().find(".part-"), std::string::npos)
-        << file.path() << ", seed " << seed;
+        << file.path();
 }
 
 TEST_F(FragmentsTest, ASignalEndsAtOnceAndWhatIsDoneIsKept)

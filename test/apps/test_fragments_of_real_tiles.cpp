@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "random_seed.h"
 #include "run_tool.h"
 #include "test_data.h"
 
@@ -29,11 +30,10 @@ protected:
   void
   compare(const std::string& command, const std::string& ending)
   {
-    const unsigned seed = std::random_device{}();
-    std::mt19937 random(seed);
+    std::mt19937 random(randomSeed());
     const std::string chunk =
         std::to_string(std::uniform_real_distribution<double>(25, 70)(random));
-    SCOPED_TRACE("seed " + std::to_string(seed) + ", chunk " + chunk);
+    SCOPED_TRACE("chunk " + chunk);
     const std::string whole = path("whole" + ending), parts = path("parts" + ending);
     runWell(command + path("tiles") + " " + whole);
     runWell(command + path("tiles") + " " + parts + " --chunk " + chunk + " --json " +

@@ -14,6 +14,12 @@ namespace linelet {
 
 namespace {
 
+bool
+isBefore(const Point& a, const Point& b)
+{
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
 /** \brief Makes records one by one; one maker per thread. */
 class RecordMaker {
 public:
@@ -36,15 +42,25 @@ public:
     offsets_.resize(found_.size());
     for (std::size_t n = 0; n < found_.size(); ++n)
       offsets_[n] = surface_[found_[n]] - query;
+    // A piece of a cloud has its points in another order than the whole, and their sum
+    // would round otherwise. Pieces have no nearest neighbors.
+    if (!isNearest())
+      std::sort(offsets_.begin(), offsets_.end(), isBefore);
     return tensorOf(offsets_, radius, settings_);
   }
 
 private:
+  bool
+  isNearest() const
+  {
+    return settings_.k > 0 || !sizes_.counts.empty();
+  }
+
   double
   find(const Point& query, std::size_t i)
   {
     found_.clear();
-    if (settings_.k > 0 || !sizes_.counts.empty()) {
+    if (isNearest()) {
       const std::size_t k = settings_.k > 0 ? settings_.k : sizes_.counts[i];
       return search_.nearest(query, k, found_);
     }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "model/picking.h"
+#include "random_seed.h"
 
 namespace {
 
@@ -44,9 +45,7 @@ pickByHand(const Points& points, const Ray& ray, double depth)
 
 TEST(Picking, FindsWhatALookAtEveryPointFinds)
 {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
+  std::mt19937 random(test::randomSeed());
   std::uniform_real_distribution<double> place(-10, 10);
   Points points;
   for (int i = 0; i < 3000; ++i)

@@ -126,7 +126,6 @@ TEST(GridEngine, AgreesOnRandomClouds)
   const unsigned first_seed = randomSeed();
   for (unsigned i = 0; i < 60; ++i) {
     const unsigned seed = first_seed + i;
-    SCOPED_TRACE("seed " + std::to_string(seed));
     boost::random::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
       return boost::random::uniform_real_distribution<double>(low, high)(random);

@@ -5,6 +5,7 @@
 // against those of the whole cloud: to the bit.
 
 #include "features/simd_grid/test_grid_engine.h"
+#include "random_seed.h"
 
 #include <cstring>
 #include <numeric>
@@ -94,16 +95,17 @@ sameBits(const Record& a, const Record& b)
 
 TEST(GridEnginePieces, HaveTheRecordsOfTheWhole)
 {
-  const unsigned seed = std::random_device()();
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  const unsigned seed = randomSeed();
   const Points whole = scene(seed);
-  for (const char* weight : {"const", "fermi-dirac-1", "quadratic"})
+  for (const char* weight : {"const", "fermi-dirac-1", "quadratic", "step:0.5"})
     for (const Centroid centroid : {Centroid::QueryPoint, Centroid::Mean})
       for (const double radius : {0.2, 1.0, 3.0, 200.0, 0.0}) {
         SCOPED_TRACE(std::string(weight) + ", " + std::string(nameOf(centroid)) +
                      ", radius " + std::to_string(radius));
         TensorSettings settings;
         settings.weighting = Weighting(weight);
+        if (radius > 100 && settings.weighting.kernel() == Kernel::Step)
+          continue; // all pairs in double: too slow
         settings.centroid = centroid;
         settings.radius = radius;
         settings.engine = Engine::Grid;
@@ -123,6 +125,25 @@ TEST(GridEnginePieces, HaveTheRecordsOfTheWhole)
                 << "point " << part.taken[i];
         }
       }
+}
+
+// The tree's neighbors come in the order of their indices, which a piece changes.
+TEST(GridEnginePieces, HaveTheRecordsOfTheWholeFromATree)
+{
+  const Points whole = scene(randomSeed());
+  for (const char* weight : {"const", "fermi-dirac-1"}) {
+    TensorSettings settings;
+    settings.weighting = Weighting(weight);
+    settings.radius = 1;
+    settings.engine = Engine::Tree;
+    const auto expected = estimateTensors(whole, whole, settings);
+    const Cut part = cut(whole, {}, 3, 5, tensorMargin(settings));
+    const auto records = pieceTensors(part.points, part.piece, settings);
+    ASSERT_EQ(records.size(), part.taken.size());
+    for (std::size_t i = 0; i < records.size(); ++i)
+      ASSERT_TRUE(sameBits(records[i], expected[part.taken[i]]))
+          << weight << ", point " << part.taken[i];
+  }
 }
 
 // Two points close together are a cloud that is smaller than any radius; as a piece of
@@ -145,8 +166,7 @@ TEST(GridEnginePieces, MayBeSmallerThanTheRadius)
 
 TEST(GridEnginePieces, HaveTheShapesOfTheWhole)
 {
-  const unsigned seed = std::random_device()();
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  const unsigned seed = randomSeed();
   const Points whole = scene(seed);
   for (const char* weight : {"const", "fermi-dirac-1"})
     for (const Centroid centroid : {Centroid::QueryPoint, Centroid::Mean}) {
@@ -172,8 +192,7 @@ TEST(GridEnginePieces, HaveTheShapesOfTheWhole)
 // The order in which points come is that of the file, and says nothing of their places.
 TEST(GridEnginePieces, DoNotDependOnTheOrderOfThePoints)
 {
-  const unsigned seed = std::random_device()();
-  SCOPED_TRACE("seed " + std::to_string(seed));
+  const unsigned seed = randomSeed();
   const Points points = uniformPoints(8000, {12, 12, 1}, seed);
   Indices order(points.size());
   std::iota(order.begin(), order.end(), Index{0});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hazard_scene.h"
+#include "random_seed.h"
 
 namespace {
 
@@ -42,9 +43,7 @@ TEST(FallIn, TurnsAboutTheFootOnTheTerrain)
 
 TEST(FallIn, CountsATreeOnceAndNoBuilding)
 {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random(randomSeed());
   std::uniform_real_distribution<double> one(-1, 1);
   PowerLineNetwork network;
   network.ground = plane();

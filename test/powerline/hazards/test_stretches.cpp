@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hazard_scene.h"
+#include "random_seed.h"
 
 namespace {
 
@@ -18,9 +19,7 @@ using namespace linelet::test;
 // that of brute force.
 TEST(Stretches, AgreeWithBruteForce)
 {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random(randomSeed());
   std::uniform_real_distribution<double> one(-1, 1);
   for (int run = 0; run < 20; ++run) {
     PowerLineNetwork network;

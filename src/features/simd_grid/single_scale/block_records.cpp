@@ -10,18 +10,16 @@ namespace linelet::grid {
 PointDistributionTensor
 BlockSweep::inDouble(std::size_t query, const PointList& candidates)
 {
-  // In the order of Engine::Tree, so that even the rounding is the same.
-  exact_.clear();
-  for (std::size_t i = 0; i < candidates.size; ++i)
-    if (isNeighbor(query, candidates.id[i]))
-      exact_.emplace_back(job_.surface.index(candidates.id[i]), candidates.id[i]);
-  if (exact_.empty())
-    return unknownTensor(0);
-  std::sort(exact_.begin(), exact_.end());
+  // In the order of the list, which is that of the places: the indices of a piece of a
+  // cloud come in another order than those of the whole, and the sum would round
+  // otherwise.
   offsets_.clear();
   const Point at = job_.queries.point(first_ + query);
-  for (const auto& neighbor : exact_)
-    offsets_.push_back(job_.surface.point(neighbor.second) - at);
+  for (std::size_t i = 0; i < candidates.size; ++i)
+    if (isNeighbor(query, candidates.id[i]))
+      offsets_.push_back(job_.surface.point(candidates.id[i]) - at);
+  if (offsets_.empty())
+    return unknownTensor(0);
   return tensorOf(offsets_, radiusOf(query), job_.settings);
 }
 

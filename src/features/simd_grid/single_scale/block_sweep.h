@@ -7,7 +7,6 @@
 #include <atomic>
 #include <deque>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <linelet/features/tensor_estimation.h>
@@ -149,7 +148,6 @@ private:
   PointList certain_; // neighbors of all queries of a part, for SweepMethod::Weights
   PointList last_, dense_;
   Indices doubtful_;
-  std::vector<std::pair<Index, std::uint32_t>> exact_;
   Points offsets_;
 };
 
