@@ -4,12 +4,11 @@
 #include "las_blocks.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 
 #include <linelet/support/threads.h>
 
 #include "io/laz/chunk_reader.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::io {
 
@@ -128,18 +127,15 @@ LasBlocks::forEach(
     const std::function<void(std::size_t number, const RecordBlock& block)>& use,
     const std::function<bool(const RecordBlock& block)>& worth) const
 {
-  std::exception_ptr problem;
-  std::atomic<bool> stop{false};
+  ParallelFailure failure;
   wanted |= laz::field::z;
   const bool layered = layout_ && layout_->layered();
 #pragma omp parallel num_threads(threadCount(source_.options.threads))
   {
     std::string records;
 #pragma omp for schedule(dynamic)
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      if (stop)
-        continue;
-      try {
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      failure.guard([&] {
         const laz::Chunk& chunk = blocks_[i];
         if (layout_)
           load(chunk, records, layered && worth ? laz::field::z : wanted);
@@ -151,16 +147,9 @@ LasBlocks::forEach(
           use(i, block);
         }
         source_.advance(chunk.count);
-      }
-      catch (...) {
-#pragma omp critical(linelet_las_blocks)
-        if (!stop.exchange(true))
-          problem = std::current_exception();
-      }
-    }
+      });
   }
-  if (problem)
-    std::rethrow_exception(problem);
+  failure.rethrow();
 }
 
 } // namespace linelet::io

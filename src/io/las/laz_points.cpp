@@ -4,14 +4,13 @@
 #include "laz_points.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 
 #include <linelet/support/threads.h>
 
 #include "io/laz/chunk_table.h"
 #include "io/laz/chunk_writer.h"
 #include "io/source.h"
+#include "support/parallel_failure.h"
 
 namespace linelet::io {
 
@@ -34,26 +33,16 @@ encodeChunks(
 {
   const std::size_t size = layout.chunk_size;
   std::vector<std::vector<std::uint8_t>> chunks((count + size - 1) / size);
-  std::exception_ptr problem;
-  std::atomic<bool> stop{false};
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threadCount(threads))
-  for (std::size_t i = 0; i < chunks.size(); ++i) {
-    if (stop)
-      continue;
-    try {
+  for (std::size_t i = 0; i < chunks.size(); ++i)
+    failure.guard([&] {
       const std::size_t number = std::min(size, count - i * size);
       std::string text = records(i * size, number);
       chunks[i] =
           laz::writeChunk(layout, reinterpret_cast<std::uint8_t*>(text.data()), number);
-    }
-    catch (...) {
-#pragma omp critical(linelet_laz_points)
-      if (!stop.exchange(true))
-        problem = std::current_exception();
-    }
-  }
-  if (problem)
-    std::rethrow_exception(problem);
+    });
+  failure.rethrow();
   return chunks;
 }
 
