@@ -322,7 +322,7 @@ CloudOutput::pathFor(CloudInput& input, std::size_t number) const
 {
   if (!input.several())
     return path_;
-  // What is written has no octree.
+  // Outputs have no octree: .copc goes from the name.
   std::string name =
       std::filesystem::path(input.files().at(number)).filename().string();
   if (const std::size_t at = name.rfind(".copc.laz"); at != std::string::npos)

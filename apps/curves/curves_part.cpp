@@ -40,7 +40,7 @@ pass(Archive& archive, BlockPart& one_block)
 void
 saveBlockParts(const std::string& result, std::vector<BlockPart> parts)
 {
-  std::error_code ignored; // the file tells
+  std::error_code ignored; // writing the file reports it
   std::filesystem::create_directories(std::filesystem::path(result).parent_path(),
                                       ignored);
   Saver saver;

@@ -105,7 +105,7 @@ FragmentRun::merge(FragmentJob& job, bool partial)
   fs::remove_all(fs::path(folder_) / "results", ignored);
   if (missing == 0) {
     ledger_.removeLocks();
-    // What killed workers left beside what is whole now.
+    // Temporary files that killed workers left beside the outputs.
     const fs::path output = fs::path(folder_).replace_extension();
     io::removeLeftovers(fs::is_directory(output, ignored)
                             ? output.string()

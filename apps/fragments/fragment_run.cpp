@@ -78,7 +78,7 @@ void
 FragmentRun::remove() const
 {
   std::error_code ignored;
-  // First what makes it a run: who is killed in between leaves none to go on with.
+  // The plan first: if killed in between, nothing is left that looks like a run.
   fs::remove(fs::path(folder_) / "plan.json", ignored);
   fs::remove_all(folder_, ignored);
 }

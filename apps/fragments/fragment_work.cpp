@@ -108,7 +108,8 @@ FragmentRun::work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool 
   };
   work.settle = [&](std::size_t k, const std::string& reason) {
     const std::size_t task = left[k];
-    const bool done = reason.empty() || ledger_.done(Ledger::task, task); // by another
+    const bool done =
+        reason.empty() || ledger_.done(Ledger::task, task); // by another worker
     if (done)
       pieces.remove(task);
     else {

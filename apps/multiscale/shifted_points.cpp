@@ -19,7 +19,7 @@ void
 announceShift(const Points& points, const CentroidShiftSettings& shift, Frame& frame)
 {
   if (!(shift.radius > 0 && std::isfinite(shift.radius)))
-    return; // refused by whoever makes it
+    return; // the caller refuses it
   const GridSearch search(points, shift.radius);
   const ScaleCost cost = measuredCost(points, 160, [&](const Indices& chosen) {
     Points some;

@@ -215,7 +215,7 @@ Canvas::save(const std::string& path) const
         out = (out & ~(0xFFU << (8 * c))) | mean << (8 * c);
       }
   cairo_surface_mark_dirty(image.get());
-  std::string png; // in memory: what fails on disk is told by the file
+  std::string png; // in memory: errors on disk are those of the file
   const auto append = [](void* text, const unsigned char* bytes, unsigned count) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes),
                                             count);

@@ -26,10 +26,10 @@ struct CopiedPoints {
 };
 
 /** \brief Writes the points of \a files once more, block by block, with their classes
- * and what was found, so that nobody need hold their attributes.
+ * and what was found, so that their attributes need not be held in memory.
  * \param[in] path .las or .laz
  * \param[in] options how to read them, with the shift of all, and threads
- * \param[in] wkt reference system, where the first file tells none
+ * \param[in] wkt reference system, where the first file has none
  * \param[in] wires of the network, whose reviews name classes
  * \throws io::PartsDiffer where they cannot be written in this way, io::FileError */
 CopiedPoints

@@ -245,7 +245,7 @@ savePart(const std::string& result,
          const PowerLineNetwork& network,
          PowerlinesPart part)
 {
-  std::error_code ignored; // the files tell
+  std::error_code ignored; // writing the files reports it
   std::filesystem::create_directories(std::filesystem::path(result).parent_path(),
                                       ignored);
   std::vector<PointLabel> labels(network.classes.size());

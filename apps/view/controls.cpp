@@ -77,7 +77,7 @@ Controls::makeEditor(Analysis analysis, const Parameter& p)
     const auto take = [=] {
       apply(analysis, name, combo->currentText().toStdString());
     };
-    if (p.range.find("one of") != 0) { // others may be typed
+    if (p.range.find("one of") != 0) { // other values may be typed
       combo->setEditable(true);
       connect(combo->lineEdit(), &QLineEdit::editingFinished, take);
     }
@@ -168,7 +168,7 @@ Controls::apply(Analysis analysis, const std::string& name, const std::string& v
     edit(analysis, name, value);
   }
   catch (const std::invalid_argument&) {
-    // It is shown.
+    // The model shows the error.
   }
 }
 

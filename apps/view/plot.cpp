@@ -284,7 +284,7 @@ Plot::mouseMoveEvent(QMouseEvent* event)
 {
   if (dragged_ < 0 || static_cast<std::size_t>(dragged_) >= handles.size())
     return;
-  // The handles may be made anew by what is called.
+  // A copy: the callback may rebuild the handles.
   const auto drag = handles[static_cast<std::size_t>(dragged_)].drag;
   drag(toValue(event->localPos()));
 }

@@ -80,7 +80,7 @@ Window::Window()
 
 Window::~Window()
 {
-  // The panels speak of the model, which goes first.
+  // The panels refer to the model, a member, which would be destroyed before them.
   timer_->stop();
   delete takeCentralWidget();
   for (QDockWidget* dock : findChildren<QDockWidget*>())

@@ -274,7 +274,7 @@ findRuns(PointBlock& block)
                 hn::FirstN(doubles, static_cast<std::size_t>(block.count - 1 - i)));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(doubles, change, bits);
-    // No branch for a change: in fine grids there is no telling where they are.
+    // No branch for a change of cell: in fine grids it would be unpredictable.
     std::uint64_t places = 0;
     std::memcpy(&places, set_bits.places[bits[0]], sizeof(places));
     places += 0x0101010101010101U * static_cast<std::uint64_t>(i + 1);

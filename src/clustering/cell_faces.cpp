@@ -40,7 +40,7 @@ cut(const std::array<Point, 8>& corners, const Point& center, const Point& norma
   std::array<double, 8> heights{};
   for (std::size_t k = 0; k < corners.size(); ++k)
     heights[k] = normal.dot(corners[k] - center);
-  // A plane along a side belongs to the cell on either side of it.
+  // A plane along a side belongs to the cells on both sides of it.
   const bool above = *std::min_element(heights.begin(), heights.end()) >= 0;
   const auto isUp = [&](double height) { return above ? height > 0 : height >= 0; };
   Points places;
@@ -76,7 +76,7 @@ Point
 planeNormal(const Representative& of)
 {
   const EigenSystem system = eigenAnalysis(of.tensor);
-  // As far as rounding can tell a plane from a row.
+  // Below this ratio rounding alone could make a plane of a row.
   constexpr double row = 1e-9;
   const bool is_plane = of.count >= 3 && system.values[1] > row * system.values[2];
   return is_plane ? system.normal() : Point::Zero();
@@ -95,8 +95,8 @@ addQuad(Index number,
     return;
   const std::array<Point, 8> corners = cornersOf(of.cell, frame);
   Points places = cut(corners, of.center, normal);
-  // The plane of members that mostly came from beside may pass by their cell: it is
-  // then drawn as far as a cell around their mean reaches.
+  // Where most members came from neighboring cells, their plane may miss this cell: it
+  // is then cut by a cell around their mean.
   if (places.empty()) {
     std::array<Point, 8> around = corners;
     for (Point& corner : around)

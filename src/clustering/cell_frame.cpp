@@ -151,7 +151,7 @@ pieces(const Points& points, const ClusterSettings& settings, int threads)
   frame.scale_y = frame.cells[1] / (2 * frame.tangent_y);
   double near = camera.near, far = camera.far;
   if (!(near > 0) || !std::isfinite(far)) {
-    // As far as the points in view go.
+    // The depths of the points in view.
     const auto depth = [&](const Point& point) -> Point {
       const Point at = frame.axes * (point - frame.eye);
       const bool seen = at.z() > 0 && std::abs(at.x()) <= frame.tangent_x * at.z() &&
@@ -221,8 +221,8 @@ CellFrame::reach(const Cell& cell) const
 {
   if (!perspective)
     return size;
-  // To the far end of the neighbor behind, and a cell and a half across there; the
-  // corners of a cell can point along any axis of space.
+  // Along the view up to the far end of the neighbor behind, across it a cell and a
+  // half at that depth. The corners of a cell can point along any axis of space.
   const auto layer = static_cast<std::size_t>(cell[2]);
   const double front = depths[layer > 0 ? layer - 1 : 0];
   const double back = depths[std::min(layer + 2, depths.size() - 1)];

@@ -36,8 +36,8 @@ normalOf(const Representative& of,
     for (std::int32_t dy = -reach; dy <= reach; ++dy)
       for (std::int32_t dz = -reach; dz <= reach; ++dz) {
         const Cell cell = {of.cell[0] + dx, of.cell[1] + dy, of.cell[2] + dz};
-        // Nothing is known of what a camera does not see; around boxes there is
-        // nothing.
+        // What lies out of a camera's view is unknown; what lies outside of the box
+        // is empty.
         if (frame.perspective && !isWithin(cell, frame.cells))
           continue;
         const Index slot = directory.find(cell);

@@ -152,7 +152,7 @@ simulate(Heuristic heuristic,
     if (device == Dispatcher::none)
       return schedule;
     const double now = running[device].end;
-    // Everyone who is done by now has told so before anyone is answered.
+    // All devices that are done by now report before any gets its next fragment.
     for (std::size_t d = 0; d < times.devices(); ++d)
       if (busy[d] && running[d].end <= now) {
         dispatcher.finished(running[d].fragment, d, running[d].end - running[d].begin);

@@ -27,7 +27,7 @@ public:
   void
   run(std::size_t devices)
   {
-    // Every device has its first fragment before any is done with its own.
+    // Every device gets its first fragment before any can finish.
     std::vector<std::optional<std::size_t>> first;
     for (std::size_t device = 0; device < devices; ++device)
       first.push_back(dispatcher_.next(device));

@@ -57,7 +57,7 @@ Ledger::find(const char* kind, std::size_t number) const
     return entry;
   }
   catch (const std::exception&) {
-    return {}; // of no use: as good as none
+    return {}; // unreadable: counts as missing
   }
 }
 
@@ -83,7 +83,7 @@ Ledger::write(const char* kind, std::size_t number, const Entry& entry) const
   for (const auto& [fragment, points] : entry.pieces)
     json["pieces"].push_back({fragment, points});
   const std::string file = path(kind, number);
-  std::error_code ignored; // the file tells
+  std::error_code ignored; // writing the file reports it
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(),
                                       ignored);
   io::OutputFile out(file);
@@ -96,7 +96,7 @@ Ledger::forgetFailures() const
 {
   namespace fs = std::filesystem;
   for (const char* kind : {cut, task, output}) {
-    std::error_code none; // as good as no entry
+    std::error_code none; // counts as no entry
     for (const auto& file : fs::directory_iterator(fs::path(folder_) / kind, none)) {
       std::size_t number = 0;
       if (std::sscanf(file.path().filename().c_str(), "%zu.json", &number) != 1)
@@ -128,7 +128,7 @@ WorkLock::WorkLock(const std::string& path)
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(),
                                       ignored);
   file_ = ::open((path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  // Without a lock two workers do the same work, to the same end.
+  // Without a lock two workers do the same work twice, with the same result.
   if (file_ >= 0)
     ::flock(file_, LOCK_EX);
 }

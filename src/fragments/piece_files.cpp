@@ -52,7 +52,7 @@ PieceFiles::flush()
       continue;
     if (piece.place.empty()) {
       const std::string name = path_(fragment);
-      std::error_code ignored; // the file tells
+      std::error_code ignored; // writing the file reports it
       fs::create_directories(fs::path(name).parent_path(), ignored);
       piece.place = name + ".part-" + std::to_string(::getpid());
       std::remove(piece.place.c_str());

@@ -64,7 +64,7 @@ Pieces::path(std::size_t fragment, std::size_t input) const
 Pieces::Ranges
 Pieces::octreeRanges(std::size_t input, std::size_t number) const
 {
-  // Places are those of all that is read.
+  // The places in the octree hold only where nothing is left out.
   if (!options_.bounds.empty() || !options_.bounds_3d.empty() ||
       options_.resolution > 0 || options_.lenient)
     return {};
@@ -181,7 +181,7 @@ Pieces::load(std::size_t number, ProgressMonitor* monitor) const
     if (section.count > 0)
       fragment.sections.push_back(section);
   }
-  // Who cuts an input anew leaves out what is done by then: no points, but no error.
+  // Cutting an input anew leaves out fragments that are done: empty, but no error.
   refuseIfDone(number);
   return fragment;
 }

@@ -89,7 +89,7 @@ pathOf(const std::string& folder)
   return (std::filesystem::path(folder) / "plan.json").string();
 }
 
-// What bytes in paths are no UTF-8 is replaced: such a path is refused when it is read.
+// Bytes of paths that are not UTF-8 are replaced; reading such a path is refused.
 std::string
 textOf(const Plan& plan)
 {

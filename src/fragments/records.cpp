@@ -55,7 +55,7 @@ writeRecords(const std::string& path,
              std::size_t bytes,
              std::size_t first)
 {
-  std::error_code ignored; // the file tells
+  std::error_code ignored; // writing the file reports it
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(),
                                       ignored);
   std::vector<Head> heads;

@@ -149,7 +149,7 @@ Tiling::box(std::size_t number) const
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   Area area{{-none, -none}, {none, none}};
-  // From the box to the cut that is above all.
+  // From the box up to the root of all cuts.
   for (int inside = -1 - static_cast<int>(number); inside != 0 && !cuts_.empty();) {
     std::size_t k = 0;
     while (k < cuts_.size() && cuts_[k].below != inside && cuts_[k].above != inside)

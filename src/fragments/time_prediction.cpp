@@ -21,7 +21,7 @@ TimePrediction::add(double points, double seconds)
   std::fill(std::begin(coefficients_), std::end(coefficients_), 0.0);
   if (sizes.size() == 1) {
     const Eigen::Map<const Eigen::VectorXd> times(seconds_.data(), rows);
-    // One size tells a rate, if anything.
+    // From a single size, only a rate can be estimated.
     if (points > 0)
       coefficients_[1] = times.mean() * unit_ / points;
     else

@@ -80,7 +80,7 @@ placeFor(const std::string& path)
   if (name.size() > NAME_MAX)
     throw FileError(cannotWrite(path, ENAMETOOLONG));
   const std::string lead = leadOfHost() + std::to_string(::getpid()) + "-";
-  // A journal of SQLite beside it has a longer name still.
+  // SQLite appends to the name for its journal.
   constexpr std::size_t longest = NAME_MAX - 16;
   if (lead.size() + name.size() <= longest)
     place.replace_filename(lead + name);

@@ -204,7 +204,7 @@ extentOf(const io::Cloud& cloud)
   return input;
 }
 
-/** What tells an input from others. */
+/** What distinguishes an input from others. */
 Json
 identityOf(const InputExtent& input, const std::string& source)
 {
@@ -244,7 +244,7 @@ otherResultsIn(const std::string& folder,
   const Json there = Json::parse(in, nullptr, false);
   if (!there.is_object() || !there.contains("source") || !there["source"].is_string())
     return unknown;
-  // A summary of an earlier version tells less.
+  // Summaries of earlier versions have fewer keys.
   const Json here = identityOf(input, source);
   for (const auto& [key, value] : here.items())
     if (there.contains(key) && there[key] != value) {

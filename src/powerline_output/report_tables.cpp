@@ -37,7 +37,7 @@ lowest(const Content& content, const Span& span, Get get)
   double least = std::numeric_limits<double>::quiet_NaN();
   for (const int id : span.wires) {
     const double distance = get(content.wire(id)).distance;
-    if (!(least <= distance)) // also where least is not known yet
+    if (!(least <= distance)) // also while least is still NaN
       least = distance == distance ? distance : least;
   }
   return least;

@@ -98,7 +98,7 @@ namesOf()
   return names;
 }
 
-/** \brief The unit that the meaning of an option speaks of. */
+/** \brief The unit that the help text of an option names. */
 std::string
 unitIn(const std::string& meaning)
 {

@@ -104,7 +104,7 @@ writeHdf5(const std::string& path,
           const CurveNetwork& network,
           ProgressMonitor* monitor = nullptr);
 
-/** \brief Writes \a network alone, with \a shift added by whoever reads it.
+/** \brief Writes \a network alone, with \a shift, which readers add.
  * \throws FileError */
 void
 writeHdf5Curves(const std::string& path,

@@ -203,9 +203,9 @@ measureBending(const MixtureState& mixture,
                double spacing,
                const NodeSystem& system)
 {
-  // The scale of the prior: that at which its bends and what is unknown of them are as
-  // wide as it says (MacKay). Expectation maximization has the same fixed point and
-  // creeps.
+  // The scale of the prior at which the bends and their uncertainty are as wide as it
+  // says (MacKay's fixed point). Expectation maximization has the same fixed point, but
+  // converges slowly.
   const double rigidity = rigidityOf(state.bending, spacing);
   const std::size_t bends = bendsOf(state.curve);
   const double across = mixture.frame.dimensions - 1;

@@ -99,7 +99,7 @@ FreeEnds::cheapestCut(const MixtureState& mixture,
     freedom +=
         state.node_freedom[end == 0 ? done : state.node_freedom.size() - 1 - done];
     const bool whole = done + 1 == edges;
-    // A part of a curve goes only where the likelihood alone gains by it.
+    // A part of a curve is removed only if the likelihood alone gains by it.
     if ((state.curve.closed && !whole) || (whole && mixture.curves.size() == 1))
       continue;
     const double change = -2 * (loss - n * std::log(std::max(1e-12, 1 - weight))) -

@@ -10,8 +10,8 @@ namespace linelet {
 
 namespace {
 
-// Of the points of an edge, so large a share counts at least, whatever the curve's
-// freedom takes away.
+// At least this share of an edge's points counts, however many degrees of freedom the
+// curve takes.
 constexpr double least_spare = 0.3;
 // The logarithm of the noise is a random walk. The first guess of its variance over the
 // whole length of a curve, and the steps that this guess counts for.

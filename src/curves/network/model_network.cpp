@@ -21,8 +21,8 @@ namespace {
 constexpr double attached_distance = 2;
 constexpr double attach_distance = 0.8;
 constexpr double loop_length = 5;
-// Vertices of the result per node of the fit: an edge across a junction is told by its
-// vertices to belong to neither curve, so it had better be short.
+// Vertices of the result per node of the fit: an edge across a junction belongs to
+// neither curve, as its vertices show, so it should be short.
 constexpr std::size_t finer = 3;
 
 /** \brief Half the points of each edge to each of its vertices. */

@@ -221,7 +221,7 @@ componentCurves(const Points& points,
       curves, near_gap * scale_unit, settings.distance_cutoff, end_reach * scale_unit);
 }
 
-/** \brief \a known, and what is not known of it by \a points, all different. */
+/** \brief \a known if it is; else the traits of \a points, all distinct. */
 CloudTraits
 traitsOf(const Points& points,
          const NeighborSearch* search,

@@ -20,27 +20,27 @@ namespace linelet {
 
 namespace {
 
-// Seeds followed side by side, of a cell of so many D; the best of them then take their
-// points first.
+// Seeds that are followed at a time from a cell of this side, in D; the best of them
+// claims its points first.
 constexpr std::size_t group_size = 8;
 constexpr double group_side = 30;
-// Closer points tell no more than one of them. In D.
+// In D: closer points carry no more information than one of them.
 constexpr double least_distance = 0.25;
 // Radians per 10 points.
 constexpr TrackBending stiff = {0.01, 10}, flexible = {0.15, 10};
 // In clutter, the points around a seed spread wider than the curve that it lies on.
 constexpr double narrower = 0.25;
-// Log-likelihood ratios: that a curve needs beyond the logarithm of the number of
-// points, by which the most of so many starts would stand out by chance; that each of
-// its points must tell on average; and that a curve may lose where it is hidden.
+// Log-likelihood ratios: needed by a curve, beyond the logarithm of the number of
+// points, which the best of so many starts reaches by chance; needed per point on
+// average; and allowed to be lost where the curve is hidden.
 constexpr double least_evidence = 20, least_per_point = 0.5, patience = 12;
-// Of the evidence that a curve needs, what its first passes must give.
+// Share of the evidence needed that the first passes must give.
 constexpr double promising = 0.5;
-// Spacings of its points over which a curve may be hidden between stretches of it.
+// In spacings of its points: the longest gap between visible stretches of a curve.
 constexpr double widest_gap = 150;
-// A start that came to nothing is not made again by points that it led over twice.
+// Points that failed starts passed this often do not start curves themselves.
 constexpr int most_failures = 2;
-// Of its points, this share must be free still.
+// Share of its points that no other curve may have claimed.
 constexpr double least_free = 0.8;
 // A refit that loses more of the length than this was misled by its surroundings, if
 // the evidence is this many times what is needed.
@@ -50,12 +50,12 @@ constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
 // clearly. Of the scenes looked at, four fifths of what was no curve lie above, and one
 // two-hundredth of the curves.
 constexpr double widest = 0.1;
-// However clearly it stands out, a curve is longer than wide by far: in standard
-// deviations.
+// In standard deviations across: even a curve that stands out clearly is much longer
+// than wide.
 constexpr double least_length = 20;
 
-// Nor is what runs along a surface a curve of its own: within so many D, and beyond the
-// curve's own scatter, on most of its length.
+// What runs along a surface is not a curve of its own either: within so many D, and
+// beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
 constexpr double own_width = 3; // standard deviations, of its own points about it
 

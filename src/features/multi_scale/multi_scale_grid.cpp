@@ -182,7 +182,7 @@ chosenScaleEngine(const Points& surface,
                   double largest_radius,
                   const MultiScaleSettings& settings)
 {
-  // Few points keep all their digits, as nobody waits for them.
+  // Few points are fast enough in double.
   constexpr std::size_t least_points = 1000, least_queries = 256;
   if (settings.engine != ScaleEngine::Auto)
     return settings.engine;

@@ -120,7 +120,7 @@ ScaleSweep::prefixMoments(std::size_t scales)
     if (centroid_ == Centroid::Mean) {
       const double uncentered = tensors_[k].trace();
       tensors_[k].add(-1, first / count);
-      // Neighbors close together far from the point: the difference is rounding.
+      // Close together but far from the point: the difference is mostly rounding.
       if (tensors_[k].trace() < 1e-9 * uncentered) {
         const Points prefix(sorted_.begin(), sorted_.begin() + neighbors_[k]);
         const Point mean = centroid(Centroid::Mean, prefix, Point::Zero(), radii_[k]);
@@ -133,7 +133,7 @@ ScaleSweep::prefixMoments(std::size_t scales)
 void
 ScaleSweep::weightedTensors(std::size_t scales)
 {
-  // From large to small: a smaller neighborhood is what is left of the larger one.
+  // From large to small: each neighborhood is a prefix of the next larger one.
   Point center = Point::Zero();
   for (std::size_t k = scales; k-- > 0;) {
     sorted_.resize(neighbors_[k]);

@@ -157,7 +157,7 @@ private:
   }
 
   /** Puts the shift near the box of the points, so that a part of a cloud can have that
-   * of the whole; near the first point where the header tells no box; or near the one
+   * of the whole; near the first point where the header has no box; or near the one
    * asked for. */
   void
   chooseCorner()

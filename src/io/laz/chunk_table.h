@@ -37,8 +37,8 @@ readChunkTable(std::string_view file,
                std::uint64_t count,
                const Layout& layout);
 
-/** \brief Checks that \a chunk, told by another index, lies in \a file and can have its
- * points. \throws Error */
+/** \brief Checks that \a chunk, taken from another index, lies in \a file and can have
+ * its points. \throws Error */
 void
 checkChunk(std::string_view file, const Chunk& chunk, const Layout& layout);
 

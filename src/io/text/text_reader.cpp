@@ -21,7 +21,7 @@ public:
   add(std::string_view word)
   {
     std::int64_t whole = 0;
-    double real = NAN; // nothing between two commas: not known
+    double real = NAN; // empty fields are undefined
     if (whole_ && parseNumber(word, whole)) {
       integers_.push_back(whole);
       return true;

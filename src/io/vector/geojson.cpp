@@ -39,7 +39,7 @@ appendReal(std::string& json, double value)
   if (std::isfinite(value))
     appendNumber(json, value);
   else
-    json += "null"; // JSON has no other word for what is not known
+    json += "null"; // JSON has no NaN
 }
 
 std::string

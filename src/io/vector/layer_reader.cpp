@@ -98,7 +98,7 @@ curvesFromLayers(const Source& source, std::string* wkt)
   const Complaints complaints;
   const auto dataset = openDataset(source.name, complaints);
   CurveNetwork network;
-  // Null is how linelet says that nothing is known; without the member it is WGS 84.
+  // A null CRS means unknown; without the member it is WGS 84.
   const bool tells =
       endingOf(source.name) != ".geojson" ||
       source.bytes.substr(0, 1000).find("\"crs\":null") == std::string::npos;

@@ -44,7 +44,7 @@ wktOf(const OGRSpatialReference& reference)
 {
   char* text = nullptr;
   std::string wkt;
-  // LAS and most readers of WKT want the form of 2001.
+  // LAS and most readers expect WKT 1 (2001).
   const char* const options[] = {"FORMAT=WKT1_GDAL", nullptr};
   if (reference.exportToWkt(&text, options) == OGRERR_NONE)
     wkt = text;
@@ -184,7 +184,7 @@ wktOfText(const std::string& text)
   if (std::ifstream file(text); file)
     definition.assign(std::istreambuf_iterator<char>(file), {});
   OGRSpatialReference reference;
-  // Not SetFromUserInput's way to the network.
+  // SetFromUserInput would otherwise fetch URLs.
   const char* const options[] = {
       "ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
   if (reference.SetFromUserInput(definition.c_str(), options) != OGRERR_NONE)
@@ -266,7 +266,7 @@ degreesIn(const Cloud& cloud)
            units.plan_name;
   if (!cloud.wkt.empty() || cloud.points.size() < 2)
     return {};
-  // Next to no extent, but for the height.
+  // Hardly any extent in plan suggests degrees.
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Point& p : cloud.points)
     if (p.allFinite()) {
@@ -282,7 +282,7 @@ degreesIn(const Cloud& cloud)
 
 } // namespace linelet::io
 
-// Whoever links linelet::vector asks for this symbol, which brings the object along.
+// Linking linelet::vector references this symbol, which pulls in this object.
 extern "C" LINELET_PUBLIC const bool linelet_reference_systems;
 const bool linelet_reference_systems =
     (linelet::io::setReferenceSystems(&linelet::io::systems), true);

@@ -155,7 +155,7 @@ const VectorPoints reader = {reads, readVertices};
 
 } // namespace linelet::io
 
-// Whoever links linelet::vector asks for this symbol, which brings the object along.
+// Linking linelet::vector references this symbol, which pulls in this object.
 extern "C" LINELET_PUBLIC const bool linelet_vector_points;
 const bool linelet_vector_points =
     (linelet::io::setVectorPoints(&linelet::io::reader), true);

@@ -67,7 +67,7 @@ featureOf(const FileSummary& file,
     warnings->push_back(file.path + ": its reference system is not known, nor where on "
                                     "Earth it is; it gets no geometry");
   ordered_json& properties = feature["properties"];
-  properties["datetime"] = "1970-01-01T00:00:00Z"; // demanded, and not known
+  properties["datetime"] = "1970-01-01T00:00:00Z"; // required by STAC, but unknown
   properties["pc:count"] = file.points;
   properties["pc:type"] = "lidar";
   properties["pc:encoding"] = fs::path(file.path).extension().string().substr(1);

@@ -121,8 +121,8 @@ tensionAfter(const std::vector<SpanShape>& before,
                                 "be above 0 for another state");
   const double wanted = unstretched(before, tension, load, stiffness) *
                         (1 + conductor.expansion * 1e-6 * warming);
-  // What is unstretched falls with the tension: bisection of its logarithm, from a sag
-  // of half a span to a stretch of the whole conductor by its modulus.
+  // The unstretched length falls as the tension rises: bisect the logarithm of the
+  // tension, from a sag of half a span to the strain of the conductor's full modulus.
   double longest = 0;
   for (const SpanShape& span : after)
     longest = std::max(longest, span.length);

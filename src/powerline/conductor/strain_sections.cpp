@@ -159,7 +159,7 @@ moveToState(const PowerLineNetwork& network,
 {
   const double load = loadOf(settings.conductor, {}).vertical;
   const ConductorLoad new_load = loadOf(settings.conductor, state);
-  // A catenary's swing says where its ends are from its vertex: the belly is opposite.
+  // A catenary's swing points from its vertex to its ends, opposite to the belly.
   const double swing = new_load.swing() * (side < 0 ? 1 : -1);
   const double warming =
       state.temperature - settings.measured_temperature + settings.conductor.creep;
@@ -171,7 +171,7 @@ moveToState(const PowerLineNetwork& network,
     StrainSection section;
     section.circuit = chain.front().wire->circuit;
     std::vector<SpanShape> before, after, level;
-    // The mean of the tensions, each as good as it is known. Wind during the scan adds
+    // The mean of the tensions, weighted by their precision. Wind during the scan adds
     // to the weight.
     double weights = 0, known_load = 0;
     for (const Link& link : chain) {

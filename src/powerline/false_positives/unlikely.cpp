@@ -250,7 +250,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
         evidence.likelihood < (company ? priors.in_company : priors.alone))
       keep[w] = 0;
     if (chain >= long_line)
-      continue; // it speaks for itself
+      continue; // a long chain needs no further evidence
     if (keep[w] == 0)
       continue;
     family.drop = family.drop || drop;

@@ -163,7 +163,7 @@ findSurroundings(const PowerLineNetwork& network,
       continue;
     const double far = std::max(reach, std::min(height, tallest) + margin);
     const auto& near = cells.near(p);
-    // Many a classifier takes insulators for leaves.
+    // Classifiers often take insulators for vegetation.
     if ((meaning == Meaning::Unknown || meaning == Meaning::Vegetation) &&
         std::any_of(near.begin(), near.end(), [&](std::uint32_t w) {
           return mayCarry(network.wires[w], network.supports, p);

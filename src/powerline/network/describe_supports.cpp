@@ -11,8 +11,8 @@ namespace linelet::powerline {
 
 namespace {
 
-// Without terrain nobody knows how high it is; its foot is then its lowest point, which
-// the labels will tell.
+// Without terrain the height is unknown; labeling the points then lowers the base to
+// the lowest of them.
 Support
 describeSupport(const Tower& tower, int id, bool has_terrain)
 {

@@ -246,7 +246,7 @@ labelSupports(PowerLineNetwork& network,
     network.classes[i] = pylon_class;
     Support& support = network.supports[*tower];
     ++support.points;
-    if (network.ground.heights.empty()) // its foot, as far as anybody knows
+    if (network.ground.heights.empty()) // the best guess of its foot
       support.base.z() = std::min(support.base.z(), p.z());
   }
 }

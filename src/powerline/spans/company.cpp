@@ -26,7 +26,8 @@ constexpr LinePriors priors;
 constexpr double explained_part = 0.9; // of the points of both parts
 constexpr double widest_cut = 0.6;     // meters, first fit of two parts
 
-// One wire of two parts, as \a company hangs; without members where they are none.
+// Joins two parts into one wire that hangs as \a company does; without members where
+// they are not one.
 Piece
 joinedAs(const SpanModel& company,
          const Piece& a,

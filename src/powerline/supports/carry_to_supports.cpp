@@ -18,7 +18,7 @@ namespace {
 
 constexpr double own_place =
     2; // meters between wires of a support, if only one is known
-// Standard deviation of a place where nobody can tell any more where a wire is.
+// Standard deviation of a place beyond which a wire's position is unknown.
 constexpr double most_vague = 0.3; // meters
 
 /** A place that a wire hangs at. */

@@ -224,7 +224,7 @@ MultiScaleSweep::setScales(const Part& queries, const Level& level)
                  far = radius + size + margin;
     LeafScale& scale = scales_[k];
     scale.radius = static_cast<float>(radii_[k]);
-    // What left the groups as sums is not about the queries.
+    // Sums of groups are not relative to the query.
     const bool summed = method_ == SweepMethod::Sums && level.inside[k + 1].count > 0;
     scale.relative = !summed && radius < 1.5 * size;
     scale.near = near > 0 && !scale.relative ? static_cast<float>(near * near) : -1.0F;
