@@ -186,8 +186,8 @@ extractPowerLines(const Points& points,
     pieces = likelierPieces(growth, std::move(pieces), std::move(along), settings);
     growAlong(curves, growth, pieces, settings);
     std::vector<SeenLine> lines;
-    for (Curve& curve : curves)
-      lines.push_back({std::move(curve.points), curve.noise});
+    for (const Curve& curve : curves)
+      lines.push_back({curve.points, curve.noise});
     stages.begin("bundles");
     mergePieces(growth, pieces, settings);
     throwIfCanceled(monitor);
@@ -223,7 +223,7 @@ extractPowerLines(const Points& points,
     matchEnds(with_ends);
     if (mendBreaks(with_ends, growth, settings))
       matchEnds(with_ends);
-    if (addServiceDrops(with_ends, growth, seeds, underside, terrain, settings))
+    if (addServiceDrops(with_ends, growth, seeds, curves, underside, terrain, settings))
       matchEnds(with_ends);
     throwIfCanceled(monitor);
     std::vector<Tower> towers = buildTowers(with_ends, growth, ground, settings);

@@ -83,7 +83,7 @@ addBlock(World& world,
 
 } // namespace
 
-double
+House
 addHouse(World& world, const Plot& plot, Random& random)
 {
   const double l = random.uniform(4.5, 8), w = random.uniform(3.5, 5.5);
@@ -104,7 +104,7 @@ addHouse(World& world, const Plot& plot, Random& random)
     const double at = random.uniform(-0.5, 0.5) * l;
     addBlock(world, plot, at, 0.55 * w, 0.9, eaves, eaves + 0.75 * (ridge - eaves));
   }
-  return eaves;
+  return {l, w, eaves};
 }
 
 void

@@ -8,9 +8,14 @@
 
 namespace linelet::bench::scenes {
 
-/** \brief A dwelling with a gabled roof, eaves, chimney and now and then an aerial.
- * \return height of the eaves above its base */
-double
+/** \brief Size of a house, meters; its ridge runs along its length. */
+struct House {
+  double half_length, half_width;
+  double eaves; ///< height above its base
+};
+
+/** \brief A dwelling with a gabled roof, eaves, chimney and now and then an aerial. */
+House
 addHouse(World& world, const Plot& plot, Random& random);
 
 /** \brief A long hall: flat with a parapet, or with several ridges. */

@@ -47,7 +47,10 @@ public:
     const double spacing = std::sqrt(plan_.strips / plan_.density);
     const double line_step = spacing * std::sqrt(aspect_);
     const double pulse_step = spacing / std::sqrt(aspect_);
-    const double reach = 0.5 * std::hypot(world_.length, world_.width) + 5;
+    // Solves reach = half the extent + the margin there.
+    const double reach = (0.5 * std::hypot(world_.length, world_.width) +
+                          std::abs(flight.across) + marginAt(flight, flight.across)) *
+                         (1 + tallest() / plan_.altitude);
     const auto lines = static_cast<std::size_t>(2 * reach / line_step);
     if (monitor != nullptr)
       monitor->begin("scan strip " + std::to_string(flight.number), lines);
@@ -70,14 +73,28 @@ public:
   }
 
 private:
+  /** Meters from the ground in the middle to the top of all things. */
+  double
+  tallest() const
+  {
+    return std::max(0.0, caster_.top() - middle_.z());
+  }
+
+  /** What stands high is met by pulses that reach the ground outside of the extent: so
+   * many meters outside where they are aimed at \a v. */
+  double
+  marginAt(const Flight& flight, double v) const
+  {
+    const double slope = std::hypot((v - flight.across) / (plan_.altitude + tallest()),
+                                    std::tan(flight.tilt));
+    return tallest() * slope + 3;
+  }
+
   void
   shoot(const Flight& flight, double u, double v)
   {
     const Point plan = middle_ + u * along_ + v * across_;
-    // What stands high is met by pulses that reach the ground outside of the extent.
-    const double margin = std::max(0.0, caster_.top() - middle_.z()) *
-                              std::abs(v - flight.across) / plan_.altitude +
-                          3;
+    const double margin = marginAt(flight, v);
     if (plan.x() < -margin || plan.x() > world_.length + margin ||
         std::abs(plan.y()) > 0.5 * world_.width + margin)
       return;

@@ -31,8 +31,11 @@ addRow(World& world, double y, double side, Random& random)
     const double turn = side_on + random.normal(0.05);
     if (!world.take(x, at, 8))
       continue;
-    const double eaves = addHouse(world, Plot(base, turn), random);
-    all.push_back({base + Point(random.uniform(-2, 2), -side * 4.2, eaves - 0.2)});
+    const House house = addHouse(world, Plot(base, turn), random);
+    const double wall = side_on == 0 ? house.half_width : house.half_length;
+    const double bracket = wall + 0.3; // in front of it, however the house is turned
+    all.push_back(
+        {base + Point(random.uniform(-2, 2), -side * bracket, house.eaves - 0.2)});
     if (random.integer(0, 1) == 0) {
       const Point front = world.relief.at(x - 9, at - side * 7);
       addFence(world, Plot(front, 0), random.uniform(8, 16), random);

@@ -269,23 +269,32 @@ curvesOf(const Candidates& candidates,
 }
 
 void
+forEachPieceAlong(const std::vector<Curve>& curves,
+                  const Growth& growth,
+                  unsigned threads,
+                  const std::function<void(Piece&)>& visit)
+{
+  for (std::vector<Beside>& along : pointsOf(curves, growth, threads))
+    for (Piece& part : piecesAlong(std::move(along), growth))
+      for (Piece& piece : growth.betweenSupports(std::move(part)))
+        visit(piece);
+}
+
+void
 growAlong(const std::vector<Curve>& curves,
           Growth& growth,
           std::vector<Piece>& wires,
           const PowerLineSettings& settings)
 {
-  std::vector<std::vector<Beside>> beside = pointsOf(curves, growth, settings.threads);
-  for (std::vector<Beside>& along : beside)
-    for (Piece& part : piecesAlong(std::move(along), growth))
-      for (Piece& piece : growth.betweenSupports(std::move(part))) {
-        const Evidence evidence = weigh(growth, piece, settings);
-        if (!evidence.accepted ||
-            (piece.thickness > 0 &&
-             (evidence.height < bundle_height || isRemainder(piece, wires))))
-          continue;
-        growth.claim(piece, static_cast<int>(wires.size()));
-        wires.push_back(std::move(piece));
-      }
+  forEachPieceAlong(curves, growth, settings.threads, [&](Piece& piece) {
+    const Evidence evidence = weigh(growth, piece, settings);
+    if (!evidence.accepted ||
+        (piece.thickness > 0 &&
+         (evidence.height < bundle_height || isRemainder(piece, wires))))
+      return;
+    growth.claim(piece, static_cast<int>(wires.size()));
+    wires.push_back(std::move(piece));
+  });
 }
 
 } // namespace linelet::powerline

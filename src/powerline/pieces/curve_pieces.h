@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <linelet/curves/curve_network.h>
@@ -20,12 +21,21 @@ curvesOf(const Candidates& candidates,
          const PowerLineSettings& settings,
          ProgressMonitor* monitor);
 
-/** \brief Adds to \a wires the accepted pieces of free candidates along \a curves;
- * their points are claimed in \a growth. Finds what no straight neighborhood shows:
- * bundles, sparse and noisy wires, those in a wide beam.
+/** \brief Calls \a visit with the parts of \a curves that hang between two supports,
+ * fitted to the free candidates beside them, one after the other: what it claims is not
+ * free for the next.
  *
  * A point belongs to the nearest of the curves. They are cut where two parabolas
  * explain their points better than one does (Bayesian information criterion). */
+void
+forEachPieceAlong(const std::vector<Curve>& curves,
+                  const Growth& growth,
+                  unsigned threads,
+                  const std::function<void(Piece&)>& visit);
+
+/** \brief Adds to \a wires the accepted pieces of free candidates along \a curves;
+ * their points are claimed in \a growth. Finds what no straight neighborhood shows:
+ * bundles, sparse and noisy wires, those in a wide beam. */
 void
 growAlong(const std::vector<Curve>& curves,
           Growth& growth,

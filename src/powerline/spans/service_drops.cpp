@@ -10,6 +10,7 @@
 #include "powerline/line_priors.h"
 #include "powerline/pieces/bend.h"
 #include "powerline/pieces/candidates.h"
+#include "powerline/pieces/curve_pieces.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/open_below.h"
@@ -28,40 +29,59 @@ constexpr double step = 0.25;    // meters, on the way to a house
 constexpr double eaves = 1;      // meters around the end of a drop, of its house ...
 constexpr double a_roof = 3;     // ... points there
 
-/** Where a low line hangs from a support. */
-struct Attachment {
-  Point place;
-  Eigen::Vector2d along; ///< its wire there
+/** A stretch of a low line's wire where drops may branch off. */
+struct Stretch {
+  const SpanModel* wire;
+  double low, high;
 };
 
-std::vector<Attachment>
-attachmentsOf(const std::vector<WireWithEnds>& wires, const Candidates& candidates)
+// Drops branch off at poles. What clearly hangs is one span and has them at its ends;
+// along others there may be poles that trees hide, with kinks too small to be seen.
+std::vector<Stretch>
+stretchesOf(const std::vector<WireWithEnds>& wires, const Candidates& candidates)
 {
-  std::vector<Attachment> all;
+  std::vector<Stretch> all;
   for (const WireWithEnds& wire : wires) {
-    if (wire.leaves[0] || wire.leaves[1] || wire.strand.piece.thickness > 0 ||
-        heightOf(wire.strand.piece, candidates) > priors.highest_pole)
+    const Piece& piece = wire.strand.piece;
+    if (wire.leaves[0] || wire.leaves[1] || piece.thickness > 0 ||
+        heightOf(piece, candidates) > priors.highest_pole ||
+        (wire.ends[0].partner < 0 && wire.ends[1].partner < 0 &&
+         wire.model().length() < priors.short_line))
       continue;
-    for (const End& end : wire.ends)
-      if (end.partner >= 0 || wire.model().length() >= priors.short_line)
-        all.push_back({end.place, wire.model().direction});
+    const SpanModel& m = wire.model();
+    const double first = m.along(wire.ends[0].place),
+                 last = m.along(wire.ends[1].place);
+    const double reach = priors.drop_beside;
+    if (bendOf(piece, candidates.points).isAbove(flattest)) {
+      all.push_back({&m, first - reach, first + reach});
+      all.push_back({&m, last - reach, last + reach});
+    }
+    else
+      all.push_back({&m, first - reach, last + reach});
   }
   return all;
 }
 
-// Meters from the end of \a m on to where it hangs from one of \a attachments; negative
+// Meters from the end of \a m on to where it branches off one of \a lines; negative
 // where it does not.
 double
-wayTo(const SpanModel& m, int side, const std::vector<Attachment>& attachments)
+wayTo(const SpanModel& m, int side, const std::vector<Stretch>& lines)
 {
   double nearest = -1;
-  for (const Attachment& from : attachments) {
-    const double s = m.along(from.place);
-    const double on = side == 0 ? m.begin - s : s - m.end;
-    if (on < -1 || on > priors.drop_reach || (nearest >= 0 && on >= nearest) ||
-        std::abs(m.direction.dot(from.along)) > own_way)
+  for (const auto& [line, low, high] : lines) {
+    const double cosine = m.direction.dot(line->direction);
+    if (std::abs(cosine) > own_way)
       continue;
-    const Point offset = m.at(s) - from.place;
+    const Eigen::Vector2d between = m.origin - line->origin;
+    const double on_line =
+        (between.dot(line->direction) - cosine * between.dot(m.direction)) /
+        (1 - cosine * cosine);
+    const Point from = line->at(std::clamp(on_line, low, high));
+    const double s = m.along(from);
+    const double on = side == 0 ? m.begin - s : s - m.end;
+    if (on < -1 || on > priors.drop_reach || (nearest >= 0 && on >= nearest))
+      continue;
+    const Point offset = m.at(s) - from;
     if (offset.head<2>().norm() <= priors.drop_beside &&
         offset.z() >= -priors.drop_below && offset.z() <= priors.drop_beside)
       nearest = std::max(0.0, on);
@@ -100,52 +120,60 @@ bool
 addServiceDrops(std::vector<WireWithEnds>& wires,
                 Growth& growth,
                 const std::vector<Seed>& seeds,
+                const std::vector<Curve>& curves,
                 const Underside& underside,
                 bool terrain,
                 const PowerLineSettings& settings)
 {
   const Candidates& candidates = growth.candidates();
-  const std::vector<Attachment> attachments = attachmentsOf(wires, candidates);
+  const std::vector<Stretch> lines = stretchesOf(wires, candidates);
   PowerLineSettings relaxed = settings;
   relaxed.min_length = std::min(least_seen, settings.min_length);
   const double shortest = std::min(priors.shortest_drop, settings.min_length);
-  std::vector<char> tried(candidates.points.size(), 0);
   const std::size_t before = wires.size();
+  const auto addIfDrop = [&](Piece& piece) {
+    const SpanModel& m = piece.model;
+    const double ways[2] = {wayTo(m, 0, lines), wayTo(m, 1, lines)};
+    if ((ways[0] >= 0) == (ways[1] >= 0))
+      return;
+    const double home = wayHome(m, ways[0] >= 0 ? 1 : 0, growth);
+    // A wire does not end in the air: where no house is seen, it is farther.
+    const double length =
+        std::max(ways[0], ways[1]) + m.length() + (home < 0 ? priors.drop_reach : home);
+    if (length < shortest || length > priors.longest_drop ||
+        heightOf(piece, candidates) > priors.highest_pole)
+      return;
+    if (terrain && !isOpenBelow(m, underside))
+      return;
+    const Evidence evidence = weigh(growth, piece, relaxed);
+    const Bend bend = bendOf(piece, candidates.points);
+    if (!evidence.accepted || evidence.likelihood < priors.alone ||
+        bend.rulesOut(flattest) ||
+        (evidence.chord > priors.steepest_drop && !bend.isAbove(flattest)))
+      return;
+    growth.claim(piece, 0);
+    WireWithEnds drop;
+    drop.strand.piece = std::move(piece);
+    drop.leaves = {ways[0] >= 0, ways[1] >= 0};
+    wires.push_back(std::move(drop));
+  };
+  std::vector<char> tried(candidates.points.size(), 0);
   for (const Seed& seed : seeds) {
     const Point& p = candidates.points[seed.candidate];
     if (tried[seed.candidate] != 0 || growth.owner(seed.candidate) != Growth::nobody ||
-        std::none_of(attachments.begin(), attachments.end(), [&](const Attachment& a) {
-          return (a.place - p).norm() < priors.longest_drop;
+        std::none_of(lines.begin(), lines.end(), [&](const Stretch& line) {
+          const double s = std::clamp(line.wire->along(p), line.low, line.high);
+          return (line.wire->at(s) - p).norm() < priors.longest_drop;
         }))
       continue;
     for (Piece& piece : growth.grow(seed)) {
       for (const Index i : piece.members)
         tried[i] = 1;
-      const SpanModel& m = piece.model;
-      const double ways[2] = {wayTo(m, 0, attachments), wayTo(m, 1, attachments)};
-      if ((ways[0] >= 0) == (ways[1] >= 0))
-        continue;
-      const double home = wayHome(m, ways[0] >= 0 ? 1 : 0, growth);
-      // A wire does not end in the air: where no house is seen, it is farther.
-      const double length = std::max(ways[0], ways[1]) + m.length() +
-                            (home < 0 ? priors.drop_reach : home);
-      if (length < shortest || length > priors.longest_drop)
-        continue;
-      if (terrain && !isOpenBelow(m, underside))
-        continue;
-      const Evidence evidence = weigh(growth, piece, relaxed);
-      const Bend bend = bendOf(piece, candidates.points);
-      if (!evidence.accepted || evidence.likelihood < priors.alone ||
-          bend.rulesOut(flattest) ||
-          (evidence.chord > priors.steepest_drop && !bend.isAbove(flattest)))
-        continue;
-      growth.claim(piece, 0);
-      WireWithEnds drop;
-      drop.strand.piece = std::move(piece);
-      drop.leaves = {ways[0] >= 0, ways[1] >= 0};
-      wires.push_back(std::move(drop));
+      addIfDrop(piece);
     }
   }
+  // Where clutter beside a drop spoils its seeds, its curve may still show it.
+  forEachPieceAlong(curves, growth, settings.threads, addIfDrop);
   return wires.size() > before;
 }
 

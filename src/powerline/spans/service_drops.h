@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <linelet/curves/curve_network.h>
 #include <linelet/powerline/power_line_settings.h>
 
 #include "powerline/pieces/candidates.h"
@@ -14,9 +15,9 @@
 
 namespace linelet::powerline {
 
-/** \brief Adds wires that lead from a support of a low line to a house and are visible
- * for too short a stretch to be recognized by themselves. Their length counts from that
- * support. Ends must be matched before, and again afterwards.
+/** \brief Adds wires that lead from a low line to a house and are visible for too short
+ * a stretch to be recognized by themselves, from seeds and along curves. Their length
+ * counts from that line. Ends must be matched before, and again afterwards.
  * \param[in] terrain whether the cloud shows terrain: wires then hang clear of what is
  * below
  * \return whether there were any */
@@ -24,6 +25,7 @@ bool
 addServiceDrops(std::vector<WireWithEnds>& wires,
                 Growth& growth,
                 const std::vector<Seed>& seeds,
+                const std::vector<Curve>& curves,
                 const Underside& underside,
                 bool terrain,
                 const PowerLineSettings& settings);
