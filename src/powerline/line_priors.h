@@ -37,6 +37,10 @@ struct LinePriors {
   double in_company = 12; ///< if its line predicts its position
   /// @}
 
+  /// Of the logarithm of the scatter of wires in one scan, at least: the beam meets them
+  /// at different angles and distances
+  double scatter_spread = 0.15;
+
   double hidden = 0.3; ///< fraction of a wire hidden by crowns, supports and dropouts
 
   /// \name What hides a wire also hides those right beside it

@@ -45,14 +45,11 @@ constexpr double least_free = 0.8;
 // A refit that loses more of the length than this was misled by its surroundings, if
 // the evidence is this many times what is needed.
 constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
-// Points that lie farther from their curve than this share of their spacing along it
-// make a strip of a surface or a volume rather than a curve, unless it stands out very
-// clearly. Of the scenes looked at, four fifths of what was no curve lie above, and one
-// two-hundredth of the curves.
-constexpr double widest = 0.1;
-// In standard deviations across: even a curve that stands out clearly is much longer
-// than wide.
-constexpr double least_length = 20;
+// Noise of a curve, in geometric means of its length and the spacing of its points, at
+// most, unless it stands out very clearly: the wider it is for its spacing, the longer
+// it must be. Of the tracks looked at, in scenes of two simulators, nine tenths of the
+// strips of surfaces and crowns lie above, and six hundredths of the wires.
+constexpr double widest = 1.0 / 30;
 
 // What runs along a surface is not a curve of its own either: within so many D, and
 // beyond the curve's own scatter, on most of its length.
@@ -223,8 +220,7 @@ private:
       fit = fitTrack(scene_, track, FitTo::Members, stop);
     const double count = countOf(fit.fit);
     if (fit.fit.curves.empty() ||
-        length(fit.fit.curves) < least_length * fit.fit.noise ||
-        (fit.fit.noise * count > widest * length(fit.fit.curves) &&
+        (fit.fit.noise * std::sqrt(count) > widest * length(fit.fit.curves) &&
          track.evidence < very_sure * needed_))
       return false;
     if (shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)

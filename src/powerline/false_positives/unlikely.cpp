@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "powerline/false_positives/scan_scatter.h"
 #include "powerline/false_positives/wire_family.h"
 #include "powerline/line_priors.h"
 #include "powerline/pieces/bend.h"
@@ -160,6 +161,23 @@ accompanies(const SpanModel& other, const SpanModel& m)
   return true;
 }
 
+ScanScatter::Sample
+scatterOf(const WireWithEnds& wire, const Evidence& evidence)
+{
+  return {evidence.rms, static_cast<double>(wire.strand.piece.members.size())};
+}
+
+// How single wires scatter in this scan.
+ScanScatter
+scatterOf(const std::vector<WireWithEnds>& wires, const std::vector<Evidence>& evidence)
+{
+  std::vector<ScanScatter::Sample> samples;
+  for (std::size_t w = 0; w < wires.size(); ++w)
+    if (wires[w].strand.piece.thickness == 0)
+      samples.push_back(scatterOf(wires[w], evidence[w]));
+  return ScanScatter(samples);
+}
+
 // Drops wires that are hardly seen where one beside them is: scattered points of that
 // one. \param[in] seen share of the length of every wire
 void
@@ -216,6 +234,11 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   any_length.min_length = 0;
   std::vector<LineWire> lines;
   std::vector<double> seen(wires.size(), 1);
+  std::vector<Evidence> evidence_of;
+  evidence_of.reserve(wires.size());
+  for (const WireWithEnds& wire : wires)
+    evidence_of.push_back(weighAnew(growth, wire.strand.piece, any_length));
+  const ScanScatter scatter = scatterOf(wires, evidence_of);
   for (std::size_t w = 0; w < wires.size(); ++w) {
     ++families[family_of.root(w)].wires;
     if (chainLength(wires, w) >= long_line)
@@ -242,12 +265,17 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     addJoints(family, wires, w);
     family.open += m.length() * openBelow(m, underside);
     family.length += m.length();
-    const Evidence evidence = weighAnew(growth, wires[w].strand.piece, any_length);
+    const Evidence& evidence = evidence_of[w];
     if (evidence.bins > 0)
       seen[w] = static_cast<double>(evidence.occupied) / evidence.bins;
-    const bool company = beyond.joined || family.wires >= many;
-    if (evidence.bins > 0 &&
-        evidence.likelihood < (company ? priors.in_company : priors.alone))
+    // A line predicts how its wires scatter, too.
+    const double excess = wires[w].strand.piece.thickness > 0
+                              ? 0
+                              : scatter.excess(scatterOf(wires[w], evidence));
+    const bool company =
+        (beyond.joined || family.wires >= many) && excess <= priors.spread;
+    if (evidence.bins > 0 && evidence.likelihood + logPriorOfScatter(excess) <
+                                 (company ? priors.in_company : priors.alone))
       keep[w] = 0;
     if (chain >= long_line)
       continue; // a long chain needs no further evidence

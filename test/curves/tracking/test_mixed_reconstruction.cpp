@@ -219,6 +219,32 @@ TEST(MixedReconstruction, WiresOfARackAreTrackedOneByOne)
   }
 }
 
+// As drops from a pole to houses: too short to stand out as clearly as a long wire,
+// with points that scatter as far as a seventh of their spacing.
+TEST(MixedReconstruction, ShortNoisyCurvesAreCurves)
+{
+  for (const unsigned seed : {21U, 22U, 23U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.05);
+    Points points = scene(seed, false);
+    const auto at = [](int drop, double x) {
+      return Point(5 + 9 * drop + 0.3 * x, x - 8, 9 - 0.2 * x + 0.004 * x * x);
+    };
+    int near = 0, all = 0;
+    for (int drop = 0; drop < 4; ++drop)
+      for (int k = 0; k < 28; ++k)
+        points.push_back(at(drop, 10 * unit(random)) +
+                         Point(noise(random), noise(random), noise(random)));
+    const CurveNetwork network = reconstructCurves(points);
+    for (int drop = 0; drop < 4; ++drop)
+      for (double x = 0.5; x < 9.5; x += 0.5, ++all)
+        near += distanceTo(network, at(drop, x)) <= 0.1;
+    EXPECT_GE(near, 0.9 * all);
+  }
+}
+
 // A wide beam lays the points of a wire down in a ribbon, whose width is many times its
 // height; three of them side by side look like a surface on scales from a meter on.
 TEST(MixedReconstruction, RibbonsSideBySideAreNoSurface)

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the linelet authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+namespace linelet::powerline {
+
+/** \brief How far the points of single wires scatter in a scan.
+ *
+ * The scatter comes from the sensor and is about the same for all wires. What scatters
+ * much wider than they do is more likely a row of other things. */
+class ScanScatter {
+public:
+  struct Sample {
+    double rms = 0; ///< of the points about their wire, meters
+    double points = 0;
+  };
+
+  /** \param[in] wires most of whose points are those of real, single wires */
+  explicit ScanScatter(const std::vector<Sample>& wires);
+
+  /** \brief By how many standard deviations \a wire scatters wider than is usual; 0
+   * where it does not. */
+  double
+  excess(const Sample& wire) const;
+
+private:
+  double usual_ = 0; // median of ln(rms), over the points
+  double spread_ = 0;
+};
+
+/** \brief Logarithm of the prior of a wire whose scatter has such an \a excess,
+ * relative to one that is usual: of a Student distribution with 3 degrees of freedom,
+ * as some are bundles that are not resolved. */
+double
+logPriorOfScatter(double excess);
+
+} // namespace linelet::powerline
