@@ -11,7 +11,7 @@
 namespace linelet::test {
 
 /** \brief A seed that differs from run to run and is printed; LINELET_TEST_SEED repeats
- * one. For tests that hold for any input: a failure is a bug, not chance. */
+ * a run. For tests that hold for any input: a failure is a bug, not chance. */
 inline unsigned
 randomSeed()
 {

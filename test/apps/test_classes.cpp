@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which classes take part, and which are given.
+// Which points take part by their class, and which classes points are given.
 
 #include <map>
 
@@ -61,7 +61,7 @@ TEST_F(Classes, NoiseTakesNoPartUnlessAsked)
   EXPECT_GT(neighbors(" --keep-classes 7,14"), 15);
   EXPECT_NEAR(neighbors(" --keep-classes 7"), 8.8, 0.01);
   EXPECT_NEAR(neighbors(" --ignore-classes 14"), 8.8, 0.01);
-  // It stays in the file, without a shape.
+  // It stays in the file but has no shape.
   runWell("tensor --radius 0.45 " + cloud + " " + out);
   const io::Cloud shapes = io::readCloud(out);
   ASSERT_EQ(shapes.points.size(), 200u);
@@ -100,14 +100,14 @@ TEST_F(Classes, SurviveAnOptionFile)
   }
 }
 
-// What a bird of noise class hangs in would be a hazard.
+// Points of a noise class near a wire must not become a hazard.
 TEST_F(Classes, BirdsUnderAWireAreNoHazard)
 {
   io::Cloud cloud = io::readCloud(corridor_);
   runWell("powerlines " + corridor_ + " " + path("plain"));
   const auto before = json(path("plain/summary.json"))["wires"];
   ASSERT_FALSE(before.empty());
-  // A crowd half a meter under the middle of every wire.
+  // A dense patch half a meter below the middle of every wire.
   std::size_t birds = 0;
   for (std::size_t i = 0; i < cloud.points.size() && birds < 400; ++i) {
     auto& classes =
@@ -136,7 +136,7 @@ TEST_F(Classes, BirdsUnderAWireAreNoHazard)
   };
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_NEAR(clearanceOf(after[i]), clearanceOf(before[i]), 0.01) << i;
-  // Asked for, they are in the way.
+  // On request they count as obstacles.
   runWell("powerlines --overwrite --ignore-classes none " + path("birds.las") + " " +
           path("birds"));
   const auto asked = json(path("birds/summary.json"))["wires"];
@@ -145,7 +145,7 @@ TEST_F(Classes, BirdsUnderAWireAreNoHazard)
   }));
 }
 
-// Of the line alone nobody can say that it is clear.
+// With nothing but the line in the cloud, its clearance is unknown.
 TEST_F(Classes, AWireAboveNothingHasNoKnownClearance)
 {
   const std::string figures = path("figures.json");
@@ -190,7 +190,7 @@ TEST_F(Classes, OfPowerLinesAreThoseAskedFor)
 TEST_F(Classes, ThatCameWithTheFileStayOrGo)
 {
   io::Cloud cloud = io::readCloud(corridor_);
-  // A patch of ground that somebody has called a wire.
+  // A patch of ground misclassified as wire.
   auto& classes =
       std::get<std::vector<std::uint8_t>>(cloud.find("classification")->values);
   std::vector<std::size_t> wrong;

@@ -13,7 +13,7 @@ namespace {
 
 class ClusterCommand : public ToolTest {
 protected:
-  /** \brief 10 x 10 x 4 points in unit distances, of two classes, with a measure. */
+  /** \brief 10 x 10 x 4 points one unit apart, in two classes, with a measure. */
   std::string
   cloud() const
   {
@@ -94,7 +94,7 @@ TEST_F(ClusterCommand, GivesTheSameFileWithAnyThreadsAndDevice)
 
 TEST_F(ClusterCommand, WritesTheFacesOfItsCellsAsAMesh)
 {
-  // Cells of 2 x 2 x 4 fill a box of 9 x 9 x 3: 5 x 5 of them side by side.
+  // Cells of 2 x 2 x 4 over a box of 9 x 9 x 3: 5 x 5 of them side by side.
   const std::string start = "cluster " + cloud() + " " + path("out.ply") +
                             " --cells 5,5,1 --moves 0 --json " + path("out.json") +
                             " --mesh " + path("mesh.ply");
@@ -103,7 +103,7 @@ TEST_F(ClusterCommand, WritesTheFacesOfItsCellsAsAMesh)
   EXPECT_NE(contents(path("mesh.ply")).find("element face 70\n"), std::string::npos);
   EXPECT_NE(contents(path("mesh.ply")).find("element vertex 72\n"), std::string::npos)
       << "corners in common are one vertex";
-  runWell(start); // quads: a plane each
+  runWell(start); // quads: one plane each
   EXPECT_EQ(json(path("out.json")).at("faces"), 25);
 }
 

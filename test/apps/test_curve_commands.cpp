@@ -106,7 +106,7 @@ TEST_F(CurveCommands, ACircleIsOneClosedCurveInEveryFormat)
     const std::string told =
         runWell("curves " + cloud + " " + output + " --json " + path("circle.json"))
             .error;
-    // Only GeoJSON has a reference system even where none is known.
+    // Only GeoJSON always has a reference system.
     EXPECT_EQ(told.find("take the coordinates for degrees") != std::string::npos,
               std::string(ending) == ".geojson")
         << told;
@@ -225,7 +225,7 @@ TEST_F(CurveCommands, ABenchmarkGoesOnWhereItWasStopped)
   EXPECT_EQ(json(path("runs.json"))["resumed"], 20);
   EXPECT_EQ(contents(rows), all);
 
-  // As if it had been killed while it wrote the fifth row.
+  // As if killed while writing the fifth row.
   std::size_t end = 0;
   for (int line = 0; line < 5; ++line)
     end = all.find('\n', end) + 1;
@@ -245,7 +245,7 @@ TEST_F(CurveCommands, RowsOfOtherSettingsAreNotTakenForThese)
   runWell(command + " --scheme euler");
   EXPECT_EQ(json(path("runs.json"))["resumed"], 0);
   EXPECT_EQ(json(path("runs.json"))["method"], "published scheme euler");
-  // Said aloud, the default is what it was.
+  // The default, named explicitly, changes nothing.
   runWell(command + " --scheme rk32");
   EXPECT_EQ(json(path("runs.json"))["resumed"], 10);
   EXPECT_EQ(json(path("runs.json"))["method"], "published");
@@ -255,7 +255,7 @@ TEST_F(CurveCommands, RowsOfOtherSettingsAreNotTakenForThese)
 
 TEST_F(CurveCommands, AStraightWireHasFewVertices)
 {
-  // Five hundred points along a line, a hundredth about it.
+  // Five hundred points along a line, with noise of a hundredth.
   std::string text;
   for (int i = 0; i < 500; ++i)
     text += std::to_string(0.1 * i) + " " + std::to_string(0.01 * std::sin(i * 7.1)) +
@@ -273,7 +273,7 @@ TEST_F(CurveCommands, AStraightWireHasFewVertices)
   EXPECT_LT(few, all / 2);
   const double tolerance = json(path("wire.json"))["simplify_tolerance"];
   EXPECT_NEAR(tolerance, 0.001, 0.0005); // a tenth of the noise
-  // It is the same curve, to this tolerance.
+  // It is the same curve to within this tolerance.
   runWell("evaluate " + path("all.obj") + " " + path("wire.gpkg") + " --json " +
           path("same.json"));
   EXPECT_LE(json(path("same.json"))["e_h"].get<double>(), tolerance * 1.01);

@@ -71,7 +71,7 @@ TEST_F(CurvesFragmentsTest, WhatDoesNotWorkInFragmentsIsRefused)
   expectOneLineOf(in + path("a.h5"), "a.h5");
 }
 
-// Nobody would know why the machine ran out of memory.
+// Without the warning nobody would know why memory ran out.
 TEST_F(CurvesFragmentsTest, WhatCannotBeCutForMemoryIsTold)
 {
   std::string helix;
@@ -94,7 +94,7 @@ TEST_F(CurvesFragmentsTest, WhatCannotBeCutForMemoryIsTold)
   EXPECT_EQ(runWell(job + " --chunk 9").error, "") << "there is enough";
 }
 
-// One point, and none that a curve could run through.
+// A single point, and points that no curve can run through.
 TEST_F(CurvesFragmentsTest, DegenerateInputs)
 {
   write("one.xyz", "1 2 3\n");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Experiments of the tool: geometries of the user's own, sweeps over settings, tensors
-// of fourth order, and pictures made of lines.
+// Experiments with the tool: the user's own geometries, sweeps over settings,
+// fourth-order tensors, and vector pictures.
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ TEST_F(ExperimentCommands, AnyCurvesAreSampledAndDisturbed)
               HasSubstr("\nsuccess\n"));
   EXPECT_EQ(run("generate ovals " + path("o.xyz")).code, 2);
   expectOneLineOf("generate " + path("none.obj") + " " + path("o.xyz"), "none.obj");
-  expectOneLineOf("generate " + own + " " + own, "own.obj"); // an input is no output
+  expectOneLineOf("generate " + own + " " + own, "own.obj"); // it is an input
 }
 
 TEST_F(ExperimentCommands, ASweepRunsEveryCombinationOnce)
@@ -91,7 +91,7 @@ TEST_F(ExperimentCommands, ASweepRunsEveryCombinationOnce)
   EXPECT_EQ(result[0]["values"], "weight const points 40 jitter 0");
   EXPECT_EQ(result[7]["values"], "weight fermi-dirac:0.6;0.1 points 60 jitter 0.1");
   const std::string rows = contents(path("rows.csv"));
-  // Again: all of it is there already, and says the same, to the digits of the file.
+  // A second run finds all rows done and says the same, to the digits of the file.
   const auto expectSame = [](const nlohmann::json& x, const nlohmann::json& y) {
     for (const char* name : {"index", "values", "runs", "success"})
       EXPECT_EQ(x[name], y[name]);
@@ -104,7 +104,7 @@ TEST_F(ExperimentCommands, ASweepRunsEveryCombinationOnce)
   ASSERT_EQ(again.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i)
     expectSame(again[i], result[i]);
-  // One of them alone, as another machine would run it.
+  // A single one, as another machine would run it.
   runWell(sweep + path("one.json") + " --vary-index 5");
   ASSERT_EQ(json(path("one.json"))["combinations"].size(), 1u);
   expectSame(json(path("one.json"))["combinations"][0], result[4]);
@@ -150,7 +150,7 @@ TEST_F(ExperimentCommands, LinesFromAboveAreAMapOfTheirCoordinates)
       write("curve.obj", "v 0 0 0\nv 100 0 30\nv 100 50 -9\nl 1 2 3\n");
   runWell("image " + points + " " + path("map.svg") +
           " --elevation 90 --color gray --width 624 --height 424 --curves " + curve);
-  // 100 x 50 on 624 x 424 pixels with borders of 24: 5.76 pixels a unit.
+  // 100 x 50 on 624 x 424 pixels with borders of 24: 5.76 pixels per unit.
   const auto path_numbers = numbersIn(
       "map.svg",
       "class=\"curve\" d=\"M([0-9.]+) ([0-9.]+) L([0-9.]+) ([0-9.]+) L([0-9.]+) "
@@ -183,7 +183,7 @@ TEST_F(ExperimentCommands, NearCurvesAreWiderInPerspective)
   const auto length = [](const std::vector<double>& b) {
     return std::hypot(b[2] - b[0], b[3] - b[1]);
   };
-  // Far ones are drawn first, so that near ones lie over them.
+  // Far curves are drawn first, so that near ones cover them.
   EXPECT_GT(width(bands[1]), 1.2 * width(bands[0]));
   EXPECT_NEAR(
       width(bands[1]) / length(bands[1]), width(bands[0]) / length(bands[0]), 0.005)
@@ -203,7 +203,7 @@ TEST_F(ExperimentCommands, EllipsesLieAlongALine)
   ASSERT_EQ(ellipses.size(), 100u);
   for (const std::vector<double>& e : ellipses) {
     EXPECT_GT(e[0], 50 * (e[1] + 0.01));
-    // Up to the right: -45 degrees on paper, whose y runs down.
+    // Up to the right is -45 degrees on paper, whose y axis points down.
     EXPECT_NEAR(std::abs(std::tan(e[2] * M_PI / 180) + 1), 0, 0.01);
   }
   expectOneLineOf("image " + path("line.xyz") + " " + path("line.png") +

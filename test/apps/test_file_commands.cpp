@@ -133,7 +133,7 @@ TEST_F(FileCommands, AFileThatEndsTooEarlyIsReadOnlyOnRequest)
 
 TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
 {
-  // Of input and output the output is complained about: nothing was read yet.
+  // With input and output both bad, the output is reported: nothing has been read yet.
   for (const std::string command : {"tensor ", "multiscale ", "curves "})
     for (const std::string output : {"out.foo", "no/folder/out.ply"})
       expectOneLineOf(command + path("none.las") + " " + path(output), path(output));
@@ -141,7 +141,7 @@ TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
   expectOneLineOf("tensor " + path("none.las") + " " + path("out.gpkg"), "out.gpkg");
   expectOneLineOf("convert " + path("none.las") + " " + path("out.foo"), "out.foo");
   expectOneLineOf("image " + path("none.las") + " " + path("no/out.png"), "no/out.png");
-  // Outputs beside the main one as well.
+  // The same for outputs beside the main one.
   for (const std::string call : {"info none.las --json ",
                                  "multiscale none.las out.las --graphs ",
                                  "generate circle out.las --truth ",
@@ -150,7 +150,7 @@ TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
                                  "benchmark --sample 1 --plot "})
     expectOneLineOf("" + call + path("no/folder/out.png"), path("no/folder/out.png"));
   expectOneLineOf("benchmark --sample 1 --plot " + path("out.jpg"), path("out.jpg"));
-  // What can be written is not touched by asking.
+  // Checking leaves a writable file untouched.
   write("kept.ply", "what was here before");
   expectOneLineOf("curves " + path("none.las") + " " + path("kept.ply"), "none.las");
   EXPECT_EQ(contents(path("kept.ply")), "what was here before");

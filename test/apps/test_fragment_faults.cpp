@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What may go wrong while power lines and curves are looked for in fragments: it is
-// told in a sentence, and once it is mended the result is that of an undisturbed run.
+// What can go wrong while power lines and curves run in fragments: it is reported in
+// one sentence, and once mended, the result is that of an undisturbed run.
 
 #include <chrono>
 #include <csignal>
@@ -19,11 +19,11 @@
 
 namespace linelet::test {
 
-/** \brief A command, and which of its files tell the result. */
+/** \brief A command, and which of its files hold the result. */
 struct FaultyJob {
   const char* command;
   const char* output;
-  std::vector<std::string> files; ///< of the output; empty: itself
+  std::vector<std::string> files; ///< relative to the output; empty: the output itself
 };
 
 void
@@ -132,7 +132,7 @@ TEST_P(FragmentFaultsTest, ASignalEndsItWithinTwoSeconds)
   expectSame("a", "b");
 }
 
-// Killed at any moments and gone on with; LINELET_TEST_KILLS=50 asks for more of them.
+// Killed at arbitrary moments and resumed; LINELET_TEST_KILLS=50 asks for more kills.
 TEST_P(FragmentFaultsTest, KilledAndResumed)
 {
   std::mt19937 random(randomSeed());

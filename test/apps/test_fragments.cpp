@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is worked on in fragments is, byte for byte, what is worked on in one piece;
-// whatever happens in between.
+// Runs in fragments give, byte for byte, the result of a run in one piece, whatever
+// interrupts them.
 
 #include <chrono>
 #include <csignal>
@@ -41,7 +41,7 @@ TEST_F(FragmentsTest, TensorOfTilesIsThatOfTheWholeFolder)
   runWell("tensor" + options_ + path("tiles") + " " + path("a"));
   runWell("tensor" + options_ + path("tiles") + " " + path("b") + " --chunk 33");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
-  // Cut for memory, crowded boxes further.
+  // Cut to fit memory; crowded boxes are cut further.
   runWell("tensor" + options_ + path("tiles") + " " + path("c") +
           " --memory 20M --json " + path("c.json"));
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("c")));
@@ -70,7 +70,7 @@ TEST_F(FragmentsTest, VerbsDoTheSameInWorkersOfTheirOwn)
   expectOneLineOf("merge " + path("b"), "--partial");
   runWell("work " + path("b") + " --task 0");
   runWell("work " + path("b") + " --tasks 1-2");
-  // Two at once, on the same tasks, and each on its half.
+  // Two workers on the same tasks, then each on its half.
   const pid_t one = start({"work", path("b")}), other = start({"work", path("b")});
   runWell("work " + path("b") + " --every 1/2");
   runWell("work " + path("b") + " --every 2/2");
@@ -99,13 +99,13 @@ TEST_F(FragmentsTest, ATruncatedTileIsNamedAndTheRestIsKept)
   fs::resize_file(tile(3), whole.size() * 2 / 3);
   expectOneLineOf(job + path("b") + " --chunk 45", tile(3));
   write("tiles/t3.laz", whole);
-  // It is another file now: a plan that knew the broken one is not gone on with.
+  // The file is another one now, so a plan made for the broken one is not resumed.
   expectOneLineOf(job + path("b") + " --chunk 45 --resume", "--resume");
   runWell(job + path("b") + " --chunk 45");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
 }
 
-// Of a COPC file, each fragment reads the nodes that it touches; nothing is cut before.
+// Each fragment reads the COPC nodes it touches; nothing is cut beforehand.
 TEST_F(FragmentsTest, OctreesAreReadByWindow)
 {
   LINELET_NEEDS_DATA("readers/copc");
@@ -137,7 +137,7 @@ TEST_F(FragmentsTest, PartialResultsAreAskedForAndTold)
   EXPECT_TRUE(fs::exists(path("b/t0.laz")));
 }
 
-// Killed 50 times at any moment, and gone on with.
+// Killed 50 times at arbitrary moments, and resumed.
 TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
 {
   std::mt19937 random(randomSeed());
@@ -157,7 +157,7 @@ TEST_F(FragmentsTest, KilledAndResumedIsTheSame)
                     random);
   runWell(job + path("b") + " --chunk 12 --resume");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
-  // Nor does a writer that was killed in the middle of an output leave anything.
+  // A writer killed in the middle of an output leaves nothing either.
   for (const auto& file : fs::directory_iterator(path("b")))
     EXPECT_EQ(file.path().filename().string().find(".part-"), std::string::npos)
         << file.path();
@@ -186,7 +186,7 @@ TEST_F(FragmentsTest, ASignalEndsAtOnceAndWhatIsDoneIsKept)
   EXPECT_GT(doneOf(path("b")), 0U);
 }
 
-// A disk that is full is told, and once there is room it goes on.
+// A full disk is reported, and the run continues once there is room.
 TEST_F(FragmentsTest, DiskFull)
 {
   fs::create_directories(path("disk"));
@@ -215,7 +215,7 @@ TEST_F(FragmentsTest, WhatHasNoFragmentsSaysSo)
   EXPECT_EQ(run("plan").code, 2);
 }
 
-// Too small for a point: one by one, and one point alone.
+// Too small for any point: first point by point, then for a single point.
 TEST_F(FragmentsTest, DegenerateInputs)
 {
   write("one.xyz", "1 2 3\n");

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a run in fragments takes of memory depends on --memory, not on how much there is
-// to work on.
+// The memory of a run in fragments depends on --memory, not on the size of the cloud.
 
 #include <sys/resource.h>
 
@@ -19,7 +18,7 @@ protected:
   {
   }
 
-  /** The bundled corridor so many times, one behind the other. \return the folder */
+  /** The bundled corridor \a count times in a row. \return the folder */
   std::string
   corridors(int count) const
   {
@@ -39,7 +38,7 @@ protected:
     return folder;
   }
 
-  /** Most memory of a run of the tool, megabytes. */
+  /** Peak memory of a run of the tool, in megabytes. */
   static double
   peakOf(const std::vector<std::string>& arguments)
   {
@@ -51,7 +50,7 @@ protected:
     return static_cast<double>(usage.ru_maxrss) / 1024;
   }
 
-  /** Most memory of power lines in so many corridors. */
+  /** Peak memory for power lines in \a count corridors. */
   double
   peakOfPowerLines(int count) const
   {
@@ -71,8 +70,8 @@ protected:
 TEST_F(FragmentsMemoryTest, PowerLinesTakeNoMoreForMoreTiles)
 {
   const double few = peakOfPowerLines(6), many = peakOfPowerLines(12);
-  // Measured 156 MB and 135 to 138, by where the boxes lie; 27 more of every six tiles
-  // where every fragment keeps all points that the report could draw.
+  // Measured: 156 MB, and 135 to 138 depending on where the boxes lie. It grew by 27 MB
+  // for every six tiles when each fragment kept all points that the report might draw.
   EXPECT_LT(many, few + 5) << few << " MB for 6 tiles, " << many << " for 12";
 }
 

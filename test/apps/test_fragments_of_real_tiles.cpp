@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A real forest in two tiles: no border of a fragment shows in what is made of it.
+// A real forest in two tiles: the result shows no trace of the fragments' borders.
 
 #include <filesystem>
 #include <random>
@@ -15,7 +15,7 @@ namespace linelet::test {
 
 class RealTilesInFragments : public ToolTest {
 protected:
-  /** The neighborhood of the border between two tiles, as two files. */
+  /** The surroundings of the border between two tiles, as two files. */
   void
   SetUp() override
   {
@@ -26,7 +26,7 @@ protected:
               path("tiles/" + name) + " --bounds 885060,629650,885180,629750");
   }
 
-  /** Writes the same in one piece and in fragments of random size. */
+  /** Writes the same output in one piece and in fragments of random size. */
   void
   compare(const std::string& command, const std::string& ending)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fragments on the processor and two unequal OpenCL devices side by side, whatever
-// heuristic shares them out: every point once, as the processor alone has it.
+// Fragments on the processor and two unequal OpenCL devices side by side, under every
+// heuristic: each point once, with the values that the processor alone gives.
 
 #include <cmath>
 #include <cstdlib>
@@ -28,8 +28,8 @@ protected:
     runWell("tensor --radius 1.5 --engine grid " + path("tiles") + " " + path("a"));
   }
 
-  /** Whether the tile \a name of \a folder has the neighbors of the processor's, and
-   * its shape factors as far as doc/cluster.md says. */
+  /** Whether the tile \a name in \a folder has the same neighbors as the processor's,
+   * and shape factors as close as doc/cluster.md promises. */
   void
   expectSameTile(const std::string& folder, const std::string& name) const
   {
@@ -85,8 +85,8 @@ TEST_F(FragmentsOnDevicesTest, AreThoseOfTheProcessor)
   }
 }
 
-// Without a --chunk there are several fragments for each device, and work and merge do
-// the same.
+// Without --chunk there are several fragments for each device; work and merge do the
+// same.
 TEST_F(FragmentsOnDevicesTest, WorkersUseTheDevicesOfTheirMachine)
 {
   runWell("plan tensor --radius 1.5 --engine all " + path("tiles") + " " + path("b"));
@@ -100,7 +100,7 @@ TEST_F(FragmentsOnDevicesTest, WorkersUseTheDevicesOfTheirMachine)
     expectSameTile(path("b"), "t" + std::to_string(i) + ".laz");
 }
 
-// A device that cannot do it leaves the work to the others.
+// A device that fails leaves its work to the others.
 TEST_F(FragmentsOnDevicesTest, ADeviceThatFailsIsLeftOut)
 {
   const std::string job = "tensor --radius 1.5 --centroid weighted-median --engine ";

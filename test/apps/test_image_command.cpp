@@ -39,7 +39,7 @@ public:
     return cairo_image_surface_get_height(image_.get());
   }
 
-  /** \brief From the upper left corner. */
+  /** \brief Counted from the upper left corner. */
   Rgb
   at(int x, int y) const
   {
@@ -53,7 +53,7 @@ public:
             static_cast<int>(pixel & 0xFF)};
   }
 
-  /** \brief Pixels whose channels are all within \a tolerance of \a color. */
+  /** \brief Number of pixels whose channels are all within \a tolerance of \a color. */
   int
   count(const Rgb& color, int tolerance) const
   {
@@ -73,7 +73,7 @@ private:
   std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> image_;
 };
 
-// The pure colors of the shapes, as the documentation has them.
+// The pure colors of the shapes, as documented.
 constexpr Rgb gray = {214, 214, 214}, blue = {33, 84, 217}, green = {26, 158, 51};
 
 class ImageCommand : public ToolTest {
@@ -85,7 +85,7 @@ protected:
     boost::random::mt19937 random(5);
     boost::random::uniform_01<double> unit;
     std::string text;
-    const int points = dimensions == 3 ? 30000 : 4000; // small balls are no balls
+    const int points = dimensions == 3 ? 30000 : 4000; // balls need more
     for (int i = 0; i < points; ++i) {
       std::string line;
       for (int axis = 0; axis < 3; ++axis)
@@ -96,7 +96,8 @@ protected:
     return write("cloud.xyz", text);
   }
 
-  /** \brief A profile through the middle, far from the border for its radii. */
+  /** \brief A profile through the middle, far from the border compared with its
+   * radii. */
   Picture
   profile(const std::string& options = "") const
   {
@@ -108,7 +109,7 @@ protected:
   }
 };
 
-// If one of these failed, a reader would take one shape for another.
+// If one of these failed, a reader would mistake one shape for another.
 TEST_F(ImageCommand, AProfileThroughALineIsGray)
 {
   cloud(1);
@@ -149,7 +150,7 @@ TEST_F(ImageCommand, TheGraphsMarkTheChosenRadius)
           " --point 5,5,5 --centroid pdt --width 600 --height 400");
   const Picture picture(path("graphs.png"));
   constexpr Rgb mark = {204, 38, 26};
-  EXPECT_GT(picture.count(mark, 12), 200); // a line down the plot, discs and words
+  EXPECT_GT(picture.count(mark, 12), 200); // a line down the plot, dots and text
 }
 
 TEST_F(ImageCommand, ACloudShowsTheColorOfAnAttribute)
@@ -188,7 +189,7 @@ TEST_F(ImageCommand, NormalsOfAPlaneFromAboveLookAtTheEye)
 
 TEST_F(ImageCommand, LightOnPointsIsByTheSmallestEigenvector)
 {
-  // A floor and a wall, seen from the south and above.
+  // A floor and a wall, seen from the south and from above.
   std::string text = "x,y,z\n";
   for (int i = 0; i < 60; ++i)
     for (int k = 0; k < 30; ++k) {
@@ -199,7 +200,7 @@ TEST_F(ImageCommand, LightOnPointsIsByTheSmallestEigenvector)
           " --width 400 --height 300 --azimuth 180 --elevation 30 --point-size 9 "
           "--tensor-radius 3 --color minor");
   const Picture picture(path("room.png"));
-  // By the formula of the light, from above the left shoulder at (-.5, -.6, -.62): the
+  // The formula of the light, from above the left shoulder at (-.5, -.6, -.62): the
   // floor's normal is (0, -cos 30, -sin 30), the wall's (0, sin 30, -cos 30).
   const double length = std::hypot(0.5, 0.6, 0.62);
   const auto gray = [&](double y, double z) {
@@ -246,7 +247,7 @@ TEST_F(ImageCommand, CellsAreDrawnInTheColorsOfTheirShape)
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x) {
         const Rgb pixel = picture.at(x, y);
-        // Splats let the paper through between them.
+        // The paper shows between splats.
         red += pixel[0] > 1.5 * pixel[1] && pixel[0] > 1.5 * pixel[2] ? 1 : 0;
       }
     EXPECT_GT(red, 400 * 300 / 8) << kind;

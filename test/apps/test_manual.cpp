@@ -33,7 +33,7 @@ protected:
   }
 };
 
-// What --help knows stands in the page and is completed, for every command.
+// Everything in --help is in the manual page and in the completion, for every command.
 TEST_F(Manual, NamesEveryOptionOfEveryCommand)
 {
   const std::vector<std::string> names = commands();
@@ -99,7 +99,7 @@ TEST_F(Features, AreThoseThatAreAskedFor)
     EXPECT_NE(out.find(name), nullptr) << name;
   for (const char* name : {"lambda1", "major_x", "neighbors", "omnivariance"})
     EXPECT_EQ(out.find(name), nullptr) << name;
-  // As before where nothing is asked for, and everything with all.
+  // The old output by default, and everything with all.
   ASSERT_EQ(
       run("tensor " + path("in.ply") + " " + path("out.ply") + " --radius 0.5").code,
       0);

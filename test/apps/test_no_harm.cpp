@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Nothing that is read is ever destroyed, and nothing of others without being told to.
+// No input is ever destroyed, and no foreign file is replaced unless asked.
 
 #include <filesystem>
 
@@ -133,18 +133,18 @@ TEST_F(NoHarm, ResultsOfAnotherInputAreKept)
   expectOneLineOf("powerlines " + other + " " + folder, "one.las");
   EXPECT_EQ(contents(folder + "/classified.las"), before);
   runWell("powerlines " + one + " " + folder + " --clearance 4");
-  // Of the same name, but another cloud.
+  // A file of the same name, but another cloud.
   fs::create_directories(path("second"));
   const std::string namesake = cloud("second/one.las", 2000);
   expectOneLineOf("powerlines " + namesake + " " + folder, "another one.las");
   runWell("powerlines " + other + " " + folder + " --overwrite");
   EXPECT_EQ(json(folder + "/summary.json")["source"], "other.las");
-  // Results that cannot be told from anyone's.
+  // Results that could be anyone's.
   fs::remove(folder + "/summary.json");
   expectOneLineOf("powerlines " + other + " " + folder, "unknown input");
   write("out/summary.json", "{]");
   expectOneLineOf("powerlines " + other + " " + folder, "unknown input");
-  // Files of another kind are none of its business.
+  // Files of other kinds are left alone.
   fs::create_directories(path("notes"));
   write("notes/todo.txt", "prune");
   runWell("powerlines " + one + " " + path("notes"));
@@ -155,7 +155,7 @@ TEST_F(NoHarm, PlacesThatCannotBeWrittenAreOneSentence)
   const std::string in = cloud("in.las");
   fs::create_directories(path("closed/inner"));
   fs::permissions(path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
-  // Root may write anywhere; procfs refuses even him.
+  // Root may write anywhere, but not even root into procfs.
   const std::string closed = geteuid() == 0 ? "/proc" : path("closed");
   const std::vector<std::string> commands = {
       "convert " + in + " " + closed + "/out.las",
@@ -252,7 +252,7 @@ TEST_F(NoHarm, DegreesAreToldByAllThatMeasure)
 
 TEST_F(NoHarm, LongWorkIsToldBeforehand)
 {
-  // Twenty thousand points, all neighbors of each other, one by one in double.
+  // Twenty thousand points, each a neighbor of every other, one by one in double.
   std::string text;
   for (int i = 0; i < 40000; ++i)
     text += std::to_string(i % 97) + " " + std::to_string(i % 101) + " " +

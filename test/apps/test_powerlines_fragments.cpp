@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Power lines in fragments are those of the whole cloud, in every file but the
+// Power lines found in fragments are those of the whole cloud, in every file but the
 // pictures.
 
 #include <chrono>
@@ -17,8 +17,8 @@ namespace linelet::test {
 
 class PowerlinesFragmentsTest : public TilesTest {
 protected:
-  /** Whether both say the same, places and lengths to a millimeter. What no wire
-   * explains is looked for by the spacing of all points of a fragment. */
+  /** Whether both agree, places and lengths to a millimeter. Unexplained lines are left
+   * out: they are searched for at the spacing of a fragment's points. */
   static void
   expectSame(const nlohmann::json& one,
              const nlohmann::json& other,
@@ -28,7 +28,7 @@ protected:
       return;
     ASSERT_EQ(one.is_number(), other.is_number()) << where;
     if (one.is_number()) {
-      // The constant of a flat catenary is known to as many digits as its sag.
+      // The constant of a flat catenary has only as many significant digits as its sag.
       const double value = one, apart = where == "a" ? 1e-3 * value : 1e-3;
       EXPECT_NEAR(value, other.get<double>(), apart) << where;
       return;
@@ -68,7 +68,7 @@ protected:
           << entry.path();
   }
 
-  /** Locks that workers held. */
+  /** Locks held by workers. */
   static std::size_t
   locksIn(const std::string& folder)
   {
@@ -81,7 +81,7 @@ protected:
   const std::string job_ = "powerlines --threads 1 ";
 };
 
-// The newcomer's path: a folder of tiles, more than the memory, cut anywhere.
+// A newcomer's run: a folder of tiles that exceeds memory, cut anywhere.
 TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
 {
   std::mt19937 random(randomSeed());
@@ -96,7 +96,7 @@ TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
   EXPECT_FALSE(fs::exists(path("b.fragments"))) << "nothing is to stay";
 }
 
-// Wires that go on beyond a pole may end there one above the other.
+// Wires that continue beyond a pole may end there one above the other.
 TEST_F(PowerlinesFragmentsTest, OfAStreetAreThoseOfTheWhole)
 {
   runWell("generate scene street " + path("street.laz") + " --seed 8");
@@ -115,7 +115,7 @@ TEST_F(PowerlinesFragmentsTest, AreCutForMemory)
             json(path("b/summary.json"))["points"]);
 }
 
-// Where fragments overlap by less than a span, that is told.
+// A warning says when fragments overlap by less than a span.
 TEST_F(PowerlinesFragmentsTest, TellOfSpansThatReachBeyondTheBuffer)
 {
   const Outcome outcome =
@@ -145,8 +145,8 @@ TEST_F(PowerlinesFragmentsTest, ReviewsAreRefused)
                   "--reviewed");
 }
 
-// Whoever is killed while the folder of a finished run is removed leaves no run that
-// counts as done but has no results.
+// A run killed while it removes the folder of a finished run must not count as done
+// without results.
 TEST_F(PowerlinesFragmentsTest, WhatIsLeftOfAFinishedRunIsNotGoneOnWith)
 {
   const std::string job =
@@ -160,7 +160,7 @@ TEST_F(PowerlinesFragmentsTest, WhatIsLeftOfAFinishedRunIsNotGoneOnWith)
   EXPECT_FALSE(fs::exists(path("b.fragments")));
 }
 
-// A worker that is asked to end does so within two seconds, and is gone on with.
+// A worker that is told to stop does so within two seconds, and the run can be resumed.
 TEST_F(PowerlinesFragmentsTest, AWorkerHearsOfSignals)
 {
   runWell(job_ + path("tiles") + " " + path("a"));

@@ -46,8 +46,8 @@ protected:
     return write("wire.csv", text);
   }
 
-  /** \brief Checks what every run of `powerlines` leaves, whether it found wires or
-   * not. \return the summary */
+  /** \brief Checks what every run of `powerlines` leaves behind, with or without wires.
+   * \return the summary */
   nlohmann::json
   expectAllFiles(const std::string& folder, std::size_t points) const
   {
@@ -61,7 +61,7 @@ protected:
     const nlohmann::json summary = json(folder + "/summary.json");
     EXPECT_EQ(summary["points"], points);
 
-    // Every file tells the same number of wires.
+    // All files agree on the number of wires.
     std::size_t drawn = 0;
     const nlohmann::json drawing = json(folder + "/wires.geojson");
     for (const auto& feature : drawing["features"])
@@ -98,7 +98,7 @@ TEST_F(SceneCommands, MultiscaleAddsTheOptimalScale)
   const auto summary = json(path("scales.json"));
   EXPECT_EQ(summary["points"], 150);
   EXPECT_EQ(summary["unknown"], 0);
-  // The 6th neighbor of a point of the wire is the third to one side.
+  // The 6th neighbor of a point on the wire is the third to one side.
   EXPECT_NEAR(summary["scale_unit"], 0.3, 0.06);
   EXPECT_GT(summary["noise_rate"], 0);
   EXPECT_LT(summary["noise_rate"], 0.5);
@@ -139,7 +139,7 @@ TEST_F(SceneCommands, PowerlinesFindsTheWiresOfTheSampleScan)
   const auto summary =
       expectAllFiles(path("corridor"), io::readCloud(scan).points.size());
   EXPECT_EQ(summary["source"], "corridor.las");
-  // The truth has 33, stubs at the border of the scan among them.
+  // The truth has 33, stubs at the border of the scan included.
   EXPECT_GE(std::count_if(summary["wires"].begin(),
                           summary["wires"].end(),
                           [](const auto& wire) { return wire["confidence"] > 0.5; }),
@@ -223,7 +223,7 @@ TEST_F(SceneCommands, GeneratedScenesComeWithTheirTruth)
   const CurveNetwork wires = io::readCurves(path("wires.obj"), cloud.shift);
   ASSERT_EQ(wires.curves.size(), told["wires"].size());
   EXPECT_NEAR(length(wires), told["wire_length"], 0.1);
-  // The files agree on the frame: points of wires lie along the truth.
+  // The files agree on the coordinates: points of wires lie along the truth.
   const bench::SegmentTree tree(wires);
   std::size_t count = 0, near = 0;
   for (std::size_t i = 0; i < cloud.points.size(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tiles of a cloud in one call, against the cloud in one file.
+// Tiles of a cloud in one call, compared with the cloud in one file.
 
 #include <cstdint>
 #include <cstring>
@@ -44,7 +44,7 @@ protected:
           continue;
         const Point place =
             c < 0.3 ? Point(a, 8 * b, 0.1 * c) : Point(a, 0.03 * b, 9 + 0.03 * c);
-        // On the grid that every file has.
+        // On the grid common to all files.
         part.points.emplace_back((place * 100).array().round() / 100);
         part_sizes.push_back(0.5f + 0.25f * static_cast<float>(part.points.size() % 7));
       }
@@ -57,7 +57,8 @@ protected:
     io::writeCloud(path("whole" + ending), whole);
   }
 
-  /** \brief Runs \a command on the whole and on the tiles: the same values. */
+  /** \brief Runs \a command on the whole and on the tiles, and expects the same
+   * values. */
   void
   expectSame(const std::string& command, const std::string& ending) const
   {

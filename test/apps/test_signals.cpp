@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A tool that is told to stop stops, whatever it is doing, and leaves nothing half
+// When told to stop, the tool stops, whatever it is doing, and leaves nothing half
 // done.
 
 #include <chrono>
@@ -39,7 +39,7 @@ protected:
     return path("big.las");
   }
 
-  /** \brief A net of noisy lines, which takes long to tell apart. */
+  /** \brief A mesh of noisy lines, which takes long to disentangle. */
   std::string
   net() const
   {
@@ -57,7 +57,7 @@ protected:
     return path("net.las");
   }
 
-  /** \brief A pipe that nothing comes out of. */
+  /** \brief A pipe that never delivers anything. */
   std::string
   pipe(const std::string& name) const
   {
@@ -94,7 +94,7 @@ protected:
     _exit(127);
   }
 
-  /** \brief Sends \a signal to the command after some time of work.
+  /** \brief Sends \a signal to the command once it has worked for a while.
    * \param[in] kept files that it may leave */
   void
   expectEnds(const std::vector<std::string>& arguments,
@@ -116,7 +116,7 @@ protected:
     }
     kill(child, signal);
     const Clock::time_point told = Clock::now();
-    constexpr milliseconds most(4000); // promised are 2000; machines are busy
+    constexpr milliseconds most(4000); // 2000 are promised, but machines are busy
     while (waitpid(child, &status, WNOHANG) == 0) {
       if (Clock::now() - told > most) {
         ADD_FAILURE() << "does not end";
@@ -151,7 +151,7 @@ protected:
 TEST_F(Signals, EndReading)
 {
   const std::string points = pipe("pipe.xyz"), curves = pipe("pipe.obj");
-  // Somebody holds the other ends, so that reading waits for more.
+  // The other ends stay open, so that reading blocks.
   const int first = open(points.c_str(), O_RDWR), second = open(curves.c_str(), O_RDWR);
   expectEndsByBoth({"info", points});
   expectEndsByBoth({"convert", points, path("out.las")});
@@ -221,7 +221,7 @@ TEST_F(Signals, EndScenes)
   expectEndsByBoth({"powerlines", path("scene.las"), path("folder")});
 }
 
-// Nobody takes what is written: no reason to die and leave files.
+// A reader that is gone is no reason to die and leave files.
 TEST_F(Signals, AClosedPipeIsAnErrorOfWriting)
 {
   const std::string cloud = write("in.xyz", "0 0 0\n1 0 0\n2 0 0\n");
@@ -232,7 +232,7 @@ TEST_F(Signals, AClosedPipeIsAnErrorOfWriting)
   EXPECT_TRUE(std::filesystem::exists(path("out.las")));
 }
 
-// As a shell's `ulimit -f` makes it.
+// As `ulimit -f` in a shell.
 TEST_F(Signals, AFileBeyondTheSizeLimitIsOneSentence)
 {
   const std::string cloud = bigCloud();

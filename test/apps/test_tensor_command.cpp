@@ -33,8 +33,8 @@ protected:
     return run("tensor " + arguments);
   }
 
-  /** \brief A wire over ground in UTM coordinates, each point with a class and a size.
-   */
+  /** \brief A wire over ground in UTM coordinates, each point with a class and a
+   * size. */
   void
   writeScene(const std::string& file) const
   {
@@ -179,7 +179,7 @@ TEST_F(TensorCommand, ChoosesARadiusAndTellsAboutIt)
   EXPECT_EQ(summary["weight"], "fermi-dirac-1");
   EXPECT_GE(summary["seconds"]["tensor"], 0);
 
-  // Too small a radius leaves points alone, so a better one is named.
+  // Too small a radius isolates points, so a better one is suggested.
   run = tensor(input + " " + output + " --radius 0.001 --json " + path("summary.json"));
   ASSERT_EQ(run.code, 0) << run.error;
   summary = json(path("summary.json"));

@@ -66,7 +66,7 @@ TEST_F(Usage, EveryCommandExplainsItsOptionsAndDefaults)
   }
   const std::string curves = runWell("curves --help").out;
   EXPECT_THAT(curves, HasSubstr("--preset NAME=refined"));
-  // What one preset alone reads stands under its name, behind the options of all.
+  // Options used by one preset only are listed under its name, after the general ones.
   EXPECT_LT(curves.find("--distance-cutoff X=0"), curves.find("\npublished:\n"));
   EXPECT_GT(curves.find("--branch-angle X=70"), curves.find("\npublished:\n"));
 }
@@ -95,11 +95,11 @@ TEST_F(Usage, MisuseExitsWithTwo)
 TEST_F(Usage, ASlipOfTheKeyboardIsUnderstood)
 {
   EXPECT_THAT(run("curvse in.xyz out.obj").error, HasSubstr("did you mean curves?"));
-  // The value behind it is no file.
+  // The value after it is not taken for a file.
   EXPECT_THAT(run("curves --distance-cutof 3 in.xyz out.obj").error,
               StartsWith("linelet curves: there is no option --distance-cutof, did you "
                          "mean --distance-cutoff?;"));
-  // Nor does an argument that is missing hide it.
+  // A missing argument does not hide it either.
   EXPECT_THAT(run("curves --hlep").error, HasSubstr("did you mean --help?"));
   EXPECT_THAT(run("tensor in.xyz out.xyz --radus=3").error,
               HasSubstr("did you mean --radius?"));
@@ -131,7 +131,7 @@ TEST_F(Usage, EverySummarySaysTimesAndWarnings)
   const auto summary = json(path("out.json"));
   EXPECT_GE(summary["seconds"]["read"], 0);
   EXPECT_GE(summary["seconds"]["write"], 0);
-  ASSERT_EQ(summary["warnings"].size(), 1u); // the attribute that OBJ has no place for
+  ASSERT_EQ(summary["warnings"].size(), 1u); // the attribute that OBJ cannot hold
   EXPECT_THAT(summary["warnings"][0].get<std::string>(), HasSubstr("1 attribute"));
   runWell("devices --json " + path("out.json"));
   EXPECT_TRUE(json(path("out.json"))["warnings"].is_array());
@@ -140,7 +140,7 @@ TEST_F(Usage, EverySummarySaysTimesAndWarnings)
 TEST_F(Usage, AnEndedRunLeavesNoFiles)
 {
   runWell("generate helix " + path("helix.xyz") + " --points 3000");
-  // Through a pipe, which tells when the tool is there to hear the signal.
+  // Through a pipe, which shows when the tool is ready for the signal.
   const std::string pipe = path("pipe.xyz"), error = path("ended");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const char* signal : {"INT", "TERM"}) {
@@ -186,7 +186,7 @@ TEST_F(Usage, OptionsCanBePrintedBeforeThereAreFiles)
     SCOPED_TRACE(command);
     EXPECT_THAT(runWell(command + " --print-config").out, HasSubstr("threads=0\n"));
   }
-  // And serve any file afterwards.
+  // The option file then works for any input.
   write("options.ini", runWell("generate --points 33 --print-config").out);
   EXPECT_THAT(runWell("generate circle " + path("circle.xyz") + " --config " +
                       path("options.ini"))
@@ -204,7 +204,7 @@ TEST_F(Usage, OptionsOfAnotherPresetAreNotIgnoredInSilence)
   EXPECT_THAT(ignored.error, HasSubstr("--centroid has no effect"));
   EXPECT_EQ(lines(ignored.error), 2) << ignored.error;
   EXPECT_EQ(runWell(call + " --step 0.4 --preset published").error, "");
-  // An option file with every default ignores nothing that was asked for.
+  // An option file with every default ignores nothing that was requested.
   write("options.ini", runWell(call + " --print-config").out);
   EXPECT_EQ(runWell(call + " --config " + path("options.ini")).error, "");
 }
@@ -241,7 +241,7 @@ TEST_F(Usage, OptionsOfAFileAreObeyedAndMisspeltOnesRefused)
   const std::string file = write("options.ini", "points=99\nseed=4\n");
   const std::string generate = "generate circle " + path("c.xyz") + " --config ";
   EXPECT_THAT(runWell(generate + file).out, HasSubstr(" 99 points"));
-  // The command line has the last word.
+  // The command line overrides the file.
   EXPECT_THAT(runWell(generate + file + " --points 50").out, HasSubstr(" 50 points"));
 
   std::filesystem::remove(path("c.xyz"));

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// --bounds, --bounds-3d and --resolution of every command that reads points, against
-// the same command on a file of nothing but the points there; virtual point clouds as
-// GDAL reads them.
+// --bounds, --bounds-3d and --resolution of every command that reads points, compared
+// with the same command on a file of just those points; virtual point clouds as GDAL
+// reads them.
 
 #include <cstdint>
 #include <cstdio>
@@ -50,7 +50,7 @@ protected:
     cloud_.set({"classification", classes, ""});
   }
 
-  /** \brief The points within, one more the border itself. */
+  /** \brief The points inside, border included. */
   std::size_t
   countIn(double from_x, double to_x, double from_z = -1e9, double to_z = 1e9) const
   {
@@ -126,7 +126,8 @@ TEST_F(WindowsOfCommands, AreThoseOfAFileOfThePointsInThem)
     runWell(command + " " + path("part.laz") + to + " --json " + path("part.json"));
     const auto window = json(path("window.json")), part = json(path("part.json"));
     EXPECT_EQ(window["points"], countIn(10, 40, 5));
-    // What cannot depend on the origin of the coordinates, which is that of the file.
+    // Only what does not depend on the origin of the coordinates, which is that of the
+    // file.
     for (const char* key :
          {"points", "bounds", "attributes", "classes", "curves", "wires", "spans"})
       EXPECT_EQ(window.value(key, nlohmann::json()), part.value(key, nlohmann::json()))
@@ -204,7 +205,7 @@ TEST_F(WindowsOfCommands, GdalReadsTheFeaturesOfAVirtualPointCloud)
                                "id (String) = a",
                                "id (String) = b"})
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n" << text;
-  // Near 48.99 degrees north, 9.16 east: the place in the reference system given.
+  // Near 48.99 degrees north, 9.16 east: the location in the given reference system.
   const std::size_t at = text.find("Extent: (");
   ASSERT_NE(at, std::string::npos) << text;
   double west = 0, south = 0, east = 0, north = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Points flagged as withheld take no part in any analysis, and are in the written LAS
-// file as they were.
+// Points flagged as withheld take no part in any analysis, but stay in the written LAS
+// file unchanged.
 
 #include <cmath>
 #include <cstdint>
@@ -32,9 +32,9 @@ protected:
   const std::string scan_ = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
 
   struct Layout {
-    std::size_t points, record; ///< place of the first record, length of each
+    std::size_t points, record; ///< offset of the first record, length of each
     std::size_t count;
-    bool old; ///< format 0 to 5: flags beside the class
+    bool old; ///< formats 0 to 5: flags share the class byte
   };
 
   static Layout
@@ -49,8 +49,8 @@ protected:
     return {points, record, count, old};
   }
 
-  /** \brief A copy of the sample scan in which every point that \a chosen picks by its
-   * place and class is flagged, as the LAS specification has the bits. */
+  /** \brief A copy of the sample scan in which every point that \a chosen picks by
+   * index and class is flagged, in the bits of the LAS specification. */
   template <class Chosen>
   std::string
   flagged(const std::string& name, Chosen&& chosen) const
@@ -66,7 +66,7 @@ protected:
     return write(name, bytes);
   }
 
-  /** \brief The part of a record that its point format describes, extra bytes apart. */
+  /** \brief The part of a record that its point format defines, without extra bytes. */
   static std::string
   record(const std::string& bytes, std::size_t i, std::size_t length)
   {
@@ -104,7 +104,7 @@ TEST_F(WithheldPoints, AreCountedByInfoAsOtherReadersCountThem)
     EXPECT_EQ(flags["synthetic"], e.synthetic);
     EXPECT_EQ(flags["key_point"], e.key_point);
   }
-  // The formats before 6 have no flag of overlap; most of these points are synthetic.
+  // Formats below 6 have no overlap flag; most of these points are synthetic.
   const Outcome old =
       runWell("info " + dataPath("readers/las/pdal_warsaw_small.las").string() +
               " --json " + path("info.json"));
@@ -168,7 +168,7 @@ TEST_F(WithheldPoints, ChangeNothingForTheOthers)
       EXPECT_EQ(different, 0u) << name;
     }
   };
-  // Noise is left out where a file has classes, which the rest has not.
+  // Noise is left out of files with classes; the other file has none.
   compare("tensor --ignore-classes none --radius 1.5",
           ".las",
           {"linearity", "neighbors", "lambda1"});

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /** \brief A test on a corridor as one file and as tiles. */
 class TilesTest : public ToolTest {
 protected:
-  /** A simulated corridor of some 80,000 points, as one file, and as four tiles. */
+  /** A simulated corridor of some 80,000 points, as one file and as four tiles. */
   void
   SetUp() override
   {
@@ -38,7 +38,8 @@ protected:
                  y0 = bounds["minimum"][1], y1 = bounds["maximum"][1];
     fs::create_directories(path("tiles"));
     for (int i = 0; i < 4; ++i) {
-      // Borders between the millimeters of the points, so that each is in one tile.
+      // Borders between the millimeters of the points, so that each point is in one
+      // tile.
       const double side = (x1 - x0) / 4;
       const double from = std::floor((x0 + side * i) * 100) / 100 + 0.00031,
                    to = std::floor((x0 + side * (i + 1)) * 100) / 100 + 0.00031;
@@ -100,7 +101,7 @@ protected:
     return status;
   }
 
-  /** Fragments, inputs and outputs that are done of the run for \a result. */
+  /** Number of fragments, inputs and outputs done in the run for \a result. */
   static std::size_t
   doneOf(const std::string& result)
   {
@@ -125,7 +126,8 @@ protected:
   }
 
   /** Waits until \a child has cut the tiles and computed a fragment of the run for
-   * \a result, or has ended: a busy machine takes any time to start a program. */
+   * \a result, or has ended; on a busy machine, starting a program alone may take
+   * long. */
   static void
   waitForWork(pid_t child, const std::string& result)
   {
@@ -133,7 +135,7 @@ protected:
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
-  /** How often a run is killed: some times, or as the environment asks. */
+  /** How often a run is killed: a few times, or as often as the environment says. */
   static int
   kills()
   {
@@ -141,10 +143,10 @@ protected:
     return asked != nullptr ? std::max(1, std::atoi(asked)) : 8;
   }
 
-  /** Starts \a arguments until they were killed so many times, each but the first with
-   * --resume. They are killed a moment after up to five things more were done than
-   * before, whatever the time that takes; where all was done by then, \a result is
-   * removed and all begins anew. */
+  /** Starts \a arguments until they have been killed that many times, each run but the
+   * first with --resume. Each is killed a moment after up to five more things are done,
+   * however long that takes; once all is done, \a result is removed and everything
+   * starts over. */
   static void
   killAgainAndAgain(std::vector<std::string> arguments,
                     const std::string& result,

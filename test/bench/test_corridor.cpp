@@ -212,7 +212,8 @@ TEST(Corridor, PointsOfWiresLieWithinBeamAndNoiseOfTheTruth)
     ++points[w];
     EXPECT_LT(tree.nearestOn(w, scan.points[i]).squared_distance, reach * reach);
   }
-  // Without gaps every wire is hit all along: pulses of the strip that it covers.
+  // Without gaps every wire is hit along its whole length by pulses of the covering
+  // strip.
   const double most = s.density * 2 * (scan.beam_radius + 0.02);
   for (std::size_t w = 0; w < points.size(); ++w) {
     const double length = arcLength(scan.wires[w].points);
@@ -244,7 +245,7 @@ TEST(Corridor, GapsTakeReturnsAway)
   CorridorSettings s = smallScene(9);
   s.gaps = 0;
   const double full = static_cast<double>(classCounts(simulateCorridor(s))[14]);
-  s.gaps = 40; // of 6.5 m on average: a quarter of the wires
+  s.gaps = 40; // 6.5 m on average: a quarter of the wires
   const double torn = static_cast<double>(classCounts(simulateCorridor(s))[14]);
   EXPECT_LT(torn, 0.88 * full);
   EXPECT_GT(torn, 0.6 * full);
@@ -283,8 +284,8 @@ TEST(Corridor, NothingIsSeenThroughRoofs)
   s.houses = 8;
   s.outliers = 0;
   const CorridorScan scan = simulateCorridor(s);
-  // Building points all around, in each of eight directions: that is inside of a house,
-  // beyond what a slanting beam can see below the eaves. No ground return lies there.
+  // Building points in all eight directions mean inside a house, farther in than a
+  // slanting beam can see below the eaves. No ground return lies there.
   std::size_t inside = 0, covered = 0;
   Points roof;
   for (std::size_t i = 0; i < scan.points.size(); ++i)

@@ -20,7 +20,8 @@ constexpr std::uint8_t ground_class = 2;
 
 TEST(CurvesOfScenes, RoofsOfATownAreNone)
 {
-  // Ridges, eaves and gable ends, rows of pulses on roofs: a surface lies beside them.
+  // Ridges, eaves and gable ends, and rows of pulses on roofs: a surface lies beside
+  // them.
   double wrong = 0;
   for (const std::uint32_t seed : {4, 5}) {
     SceneSettings settings;
@@ -33,7 +34,7 @@ TEST(CurvesOfScenes, RoofsOfATownAreNone)
         points.push_back(scan.points[i]);
     wrong += scoreSceneCurves(reconstructCurves(points), scan).falseLength();
   }
-  EXPECT_LT(wrong, 300); // meters, of kilometers of edges
+  EXPECT_LT(wrong, 300); // meters, out of kilometers of edges
 }
 
 } // namespace

@@ -118,8 +118,8 @@ TEST(Sampling, JitterDisplacesByExactlyItsAmplitude)
 
 TEST(Sampling, FollowsTheRandomNumbersThatTheStandardFixes)
 {
-  // The C++ standard fixes the sequence of mt19937_64; the arc position of a single
-  // sample with S_D = 1 is its first number over 2^64.
+  // The C++ standard fixes the sequence of mt19937_64; with S_D = 1, the arc position
+  // of a single sample is its first number over 2^64.
   SamplingSettings settings;
   settings.points = 1;
   settings.distribution = 1;
@@ -236,7 +236,7 @@ TEST(BenchmarkGrid, SampleIsBalancedOverEveryNoise)
   for (const auto& entry : strata)
     EXPECT_EQ(entry.second, 2);
   for (const auto& entry : distributions)
-    EXPECT_NEAR(entry.second, 60, 3); // runs drawn twice move on
+    EXPECT_NEAR(entry.second, 60, 3); // runs drawn twice move on to the next one
   EXPECT_EQ(sample, grid.stratifiedSample(660, 3));
   EXPECT_NE(sample, grid.stratifiedSample(660, 4));
   EXPECT_EQ(grid.stratifiedSample(0, 1).size(), grid.size());

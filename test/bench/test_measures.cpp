@@ -125,7 +125,7 @@ TEST(Measures, OnlyEdgesNearOneCurveOfTheTruthCover)
   EXPECT_NEAR(measure({{polyline({{0, -0.499, 0}, {10, -0.499, 0}})}, {}}, truth).e_com,
               0.5,
               1e-9);
-  // One vertex on either curve: covers nothing.
+  // A single vertex on either curve covers nothing.
   EXPECT_EQ(measure({{polyline({{0, 0, 0}, {10, 2, 0}})}, {}}, truth).e_com, 0);
 }
 

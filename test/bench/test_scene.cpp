@@ -38,7 +38,7 @@ lengthOf(const SceneWire& wire)
   return sum;
 }
 
-/** Places of the points of class 14 that know their wire. */
+/** Places of the points of class 14 whose wire is known. */
 std::vector<std::size_t>
 pointsOnWires(const SceneScan& scan)
 {
@@ -50,7 +50,7 @@ pointsOnWires(const SceneScan& scan)
 }
 
 /** Distance of a point from a wire and its straight continuation, by brute force: where
- * a wire leaves the scan aslant, noise carries points beyond its end. */
+ * a wire leaves the scan at an angle, noise carries points beyond its end. */
 double
 distanceToWire(const Point& p, const SceneWire& wire)
 {
@@ -105,13 +105,13 @@ TEST_P(AllScenes, SizeClassesAndTruth)
   }
 }
 
-/** Points of a wire lie where its truth says: on its bundle, but for noise. */
+/** Points of a wire lie where the truth says, up to noise. */
 TEST_P(AllScenes, WirePointsLieOnTheirWire)
 {
   const SceneScan scan = make(GetParam(), 6);
   for (const std::size_t i : pointsOnWires(scan)) {
     const SceneWire& wire = scan.wires[static_cast<std::size_t>(scan.wire[i])];
-    // Six standard deviations; straight pieces of 2 m and millimeters of the file.
+    // Six standard deviations; straight pieces of 2 m; millimeters in the file.
     ASSERT_LT(distanceToWire(scan.points[i], wire),
               wire.bundle_radius + scan.aside + 6 * wire.noise + 0.01);
   }
@@ -143,7 +143,7 @@ TEST(Scene, TheSameSeedIsTheSameScene)
   EXPECT_NE(one.shift, other.shift);
 }
 
-/** Density, points per meter and noise are what was asked for. */
+/** Density, points per meter and noise are as requested. */
 TEST(Scene, SamplingAsAsked)
 {
   SceneSettings settings;
@@ -181,7 +181,7 @@ TEST(Scene, SamplingAsAsked)
   EXPECT_NEAR(static_cast<double>(first) / (170 * 32), 40, 3);
 }
 
-/** All points of a quad bundle together, spread over its width. */
+/** All points of a quad bundle fill its width. */
 TEST(Scene, QuadBundles)
 {
   const SceneScan scan = make(SceneKind::Quad, 9);
@@ -221,7 +221,7 @@ TEST(Scene, WaterReturnsNothing)
     }
 }
 
-/** A good part of the wires of the cutting is hidden: meters of wire with no point. */
+/** A reader that is gone is no reason to die and leave files. */
 TEST(Scene, TheForestHidesWires)
 {
   double hidden = 0, all = 0;
@@ -246,7 +246,7 @@ TEST(Scene, TheForestHidesWires)
   EXPECT_LT(hidden / all, 0.5);
 }
 
-/** Slopes as promised: the ground rises by 30 to 40 degrees. */
+/** Slopes are as documented: the ground rises at 30 to 40 degrees. */
 TEST(Scene, MountainsAreSteep)
 {
   const SceneScan scan = make(SceneKind::MountainEmpty, 3, 1);

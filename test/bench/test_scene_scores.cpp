@@ -46,7 +46,7 @@ lines(std::vector<Curve> curves)
   return network;
 }
 
-/** A vector along all of a wire at y = 0, at another place across and up. */
+/** A vector along all of a wire at y = 0, offset sideways and upward. */
 CurveNetwork
 beside(double y, double dz = 0)
 {
@@ -80,7 +80,7 @@ TEST(SceneScores, NothingFoundAndNothingThere)
   const SceneScores none = scoreSceneWires({}, sceneOf({trueWire(0)}));
   EXPECT_DOUBLE_EQ(none.recall(), 0);
   EXPECT_TRUE(std::isnan(none.precision()));
-  // Where there is no line, all that is found is false, and recall has no meaning.
+  // Without any line, everything found is false, and recall is undefined.
   const SceneScores empty = scoreSceneWires(beside(0), sceneOf({}));
   EXPECT_TRUE(std::isnan(empty.recall()));
   EXPECT_DOUBLE_EQ(empty.precision(), 0);
@@ -90,8 +90,8 @@ TEST(SceneScores, NothingFoundAndNothingThere)
   EXPECT_EQ(nothing.found_length, 0);
 }
 
-/** The three tolerances of a wire: 10 cm, three times its noise, its bundle and 10 cm.
- */
+/** The three tolerances of a wire: 10 cm, three times its noise, its bundle plus 10
+ * cm. */
 TEST(SceneScores, HowFarAWireMayBe)
 {
   const auto wires = [](double off, const SceneWire& wire) {
@@ -112,7 +112,7 @@ TEST(SceneScores, HowFarAWireMayBe)
   EXPECT_EQ(curves(0.421, trueWire(0, 0.32, 0.1)), 0);
 }
 
-/** Every wire is asked for with its own tolerance, though they lie side by side. */
+/** Each wire has its own tolerance, even side by side with another. */
 TEST(SceneScores, EveryWireForItself)
 {
   // The vector lies 0.3 m from both: within the bundle's tolerance, not the wire's.
@@ -130,7 +130,7 @@ TEST(SceneScores, PartsCountByTheirLength)
   const SceneScores s = scoreSceneWires(found, sceneOf({trueWire(0)}));
   EXPECT_NEAR(s.covered_length, 40, 0.51);
   EXPECT_NEAR(s.found_length, 100, 1e-9);
-  EXPECT_NEAR(s.falseLength(), 30 - 0.5 + 30, 0.51); // half a meter beyond is forgiven
+  EXPECT_NEAR(s.falseLength(), 30 - 0.5 + 30, 0.51); // half a meter is tolerated
 }
 
 /** A vector twice over the same wire covers it once. */
@@ -143,7 +143,7 @@ TEST(SceneScores, CoverIsNoSum)
   EXPECT_NEAR(s.found_length, 200, 1e-9);
 }
 
-/** What is a curve is not yet a wire; a jumper loop is both. */
+/** Not every curve is a wire; a jumper loop counts as both. */
 TEST(SceneScores, WhatElseIsLongAndThin)
 {
   const Point from(0, 20, 5), to(100, 20, 5);
@@ -162,7 +162,8 @@ TEST(SceneScores, WhatElseIsLongAndThin)
   EXPECT_DOUBLE_EQ(scoreSceneWires(found, jumper).precision(), 1);
 }
 
-/** A pipe is right on its surface, a thin thing near its axis, each for itself. */
+/** A pipe is matched on its surface, a thin thing near its axis, each by its own
+ * size. */
 TEST(SceneScores, ThicknessOfThings)
 {
   const Point axis_from(0, 0, 5), axis_to(100, 0, 5);
@@ -198,7 +199,7 @@ TEST(SceneScores, CurvesWithoutLength)
   EXPECT_EQ(s.covered_length, 0.5); // the sample where the vertex lies
 }
 
-/** Turned and moved together, truth and result score the same. */
+/** Scores do not change when truth and result are turned and moved together. */
 TEST(SceneScores, Invariance)
 {
   Random random(11);
@@ -217,7 +218,7 @@ TEST(SceneScores, Invariance)
     found.curves.push_back(line(from, to));
   }
   SceneScoreSettings settings;
-  settings.step = 0.37; // no wire's length is a multiple: rounding adds no sample
+  settings.step = 0.37; // no length is a multiple: rounding adds no sample
   const SceneScores wires = scoreSceneWires(found, truth, settings);
   const SceneScores curves = scoreSceneCurves(found, truth, settings);
   ASSERT_GT(wires.covered_length, 10);
@@ -246,7 +247,7 @@ TEST(SceneScores, Invariance)
   EXPECT_NEAR(moved_curves.right_length, curves.right_length, 1e-6);
 }
 
-/** The truth itself, whatever the scene, is the perfect answer. */
+/** The truth itself scores perfectly in every scene. */
 TEST(SceneScores, TheTruthOfAScene)
 {
   SceneSettings settings;
@@ -287,7 +288,7 @@ TEST(Calibration, WiresBySaidConfidence)
   const SceneScan truth = sceneOf({trueWire(0)});
   const Curve right = beside(0).curves[0], wrong = beside(8).curves[0];
   std::vector<CalibrationBin> bins = halves();
-  // 0.5 is the upper bin's, and 1 belongs to the last one.
+  // 0.5 falls into the upper bin, and 1 into the last one.
   calibrate(lines({right, wrong, right, wrong}), {1, 0.5, 0.75, 0.25}, truth, bins);
   EXPECT_EQ(bins[0].wires, 1U);
   EXPECT_EQ(bins[0].right, 0U);
@@ -295,7 +296,7 @@ TEST(Calibration, WiresBySaidConfidence)
   EXPECT_EQ(bins[1].wires, 3U);
   EXPECT_EQ(bins[1].right, 2U);
   EXPECT_DOUBLE_EQ(bins[1].confidence_sum, 2.25);
-  // More is added to what is there.
+  // A second call adds to the bins.
   calibrate(lines({wrong}), {0.1}, truth, bins);
   EXPECT_EQ(bins[0].wires, 2U);
 }

@@ -67,13 +67,14 @@ TEST(WireScores, NothingFound)
 
 TEST(WireScores, WhatIsBesideAndWhatIsAstray)
 {
-  // 0.2 m beside: the span is found, no length is covered to 0.1 m, nothing is false.
+  // 0.2 m to the side: the span is found, nothing is covered within 0.1 m, nothing is
+  // false.
   const WireScores beside =
       scoreWires(lines({{Point(0, 0.2, 10), Point(100, 0.2, 10)}}), {trueWire(0, 1)});
   EXPECT_EQ(beside.spans_found, 1U);
   EXPECT_EQ(beside.covered_length, 0);
   EXPECT_EQ(beside.false_length, 0);
-  // 3 m too long at its end, of which half a meter is still near the wire's end.
+  // 3 m too long, half a meter of which is still near the wire's end.
   const WireScores beyond =
       scoreWires(lines({{Point(0, 0, 10), Point(103, 0, 10)}}), {trueWire(0, 1)});
   EXPECT_NEAR(beyond.false_length, 2.5, 0.26);
@@ -97,7 +98,7 @@ TEST(WireScores, OneVectorInTheMiddleOfATwinBundle)
   EXPECT_NEAR(s.covered_length, 200, 1e-9);
   EXPECT_EQ(s.spans_found, 2U);
   EXPECT_NEAR(s.end_errors.back(), 0, 1e-9);
-  // Two wires of different numbers are no bundle.
+  // Two wires with different numbers are not a bundle.
   const WireScores apart = scoreWires(middle, {trueWire(-0.2, 1), trueWire(0.2, 2)});
   EXPECT_EQ(apart.covered_length, 0);
 }

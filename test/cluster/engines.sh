@@ -33,7 +33,7 @@ compare() {
 }
 
 if command -v parallel > /dev/null; then
-  # Stands in for ssh: host "dying" refuses everything after its second job.
+  # Stands in for ssh: the host "dying" refuses everything after its second job.
   cat > bin/fakessh << 'END'
 #!/bin/bash
 while [ "${1#-}" != "$1" ]; do shift; done

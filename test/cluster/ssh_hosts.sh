@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# ssh_hosts.sh COMMAND...: runs COMMAND while this machine is two hosts, "dying" and
-# "alive", of an ssh with the settings in $SSH_CONFIG. Host "dying" is killed, with what
-# runs there, once it has ended two jobs of $JOBLOG. Needs root and openssh-server. Uses
-# keys of its own and listens on the loopback device only.
+# ssh_hosts.sh COMMAND...: runs COMMAND while this machine acts as two hosts, "dying"
+# and "alive", reached by ssh with the settings in $SSH_CONFIG. The host "dying" is
+# killed, with everything running on it, after two jobs of $JOBLOG have ended. Needs
+# root and openssh-server. Uses its own keys and listens on the loopback device only.
 set -euo pipefail
 room=$(mktemp -d)
 pids=()

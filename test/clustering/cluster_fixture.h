@@ -36,7 +36,7 @@ house(std::size_t count, unsigned seed, double noise = 0.02)
   return points;
 }
 
-/** \brief Members of every representative. */
+/** \brief The members of every representative. */
 inline std::vector<Indices>
 membersOf(const Clusters& clusters)
 {
@@ -47,7 +47,7 @@ membersOf(const Clusters& clusters)
   return members;
 }
 
-/** \brief Cells of boxes, worked out anew. */
+/** \brief The boxes of the cells, computed independently. */
 inline std::vector<CellKey>
 homes(const Points& points, const Point& low, const Point& size, const CellKey& cells)
 {

@@ -29,8 +29,8 @@ areaVector(const Face& face)
   return sum;
 }
 
-/** \brief Points of the plane through the middle of a cube of edge \a n with that
- * normal, dense enough to be in every cell that it cuts by more than a corner. */
+/** \brief Points of the plane with that normal through the middle of a cube of edge
+ * \a n, dense enough to be in every cell that it cuts by more than a corner. */
 Points
 planeInCube(double n, const Point& normal)
 {
@@ -66,7 +66,7 @@ TEST(CellFaces, AreNotMadeUnlessAskedFor)
 
 TEST(CellFaces, QuadsCoverAPlaneOnceWhateverItsDirection)
 {
-  // All cuts of the cells together are the cut of the cube: of these its area is known.
+  // The cuts of all cells together are the cut of the cube, whose area is known.
   constexpr double n = 4, pi = M_PI;
   const std::pair<Point, double> planes[] = {
       {Point(0.3, 0, 1).normalized(), n * n * std::hypot(1, 0.3)},
@@ -85,7 +85,7 @@ TEST(CellFaces, QuadsCoverAPlaneOnceWhateverItsDirection)
       EXPECT_LE(face.corners.size(), 6u);
       sum += areaVector(face).norm();
     }
-    // Slivers at corners of cells hold no points, or too few.
+    // Slivers at corners of cells hold no or too few points.
     EXPECT_NEAR(sum / area, 1, 0.01) << normal.transpose();
     EXPECT_LT(sum / area, 1 + 1e-6) << normal.transpose();
   }
@@ -163,8 +163,8 @@ TEST(CellFaces, FlatCloudsHaveOneLayerOfQuads)
   EXPECT_NEAR(sum, points.back().x() * points.back().y(), 1e-9);
 }
 
-/** \brief Boxes close up around cells: every edge between two corners has as many sides
- * in one direction as in the other, and the volume within is that of the cells. */
+/** \brief Boxes are closed: every edge between two corners has as many sides in one
+ * direction as in the other, and the volume inside is that of the cells. */
 void
 expectClosed(const Clusters& clusters, double volume)
 {
@@ -199,7 +199,7 @@ TEST(CellFaces, BoxesAreAClosedSurfaceAroundTheCells)
                static_cast<double>(clusters.representatives.size()) * std::pow(0.8, 3));
   // A lone cell has six sides.
   EXPECT_EQ(clusterPoints({Point(1, 1, 1)}, settings).faces.size(), 6u);
-  // A row of three, fourteen.
+  // A row of three has fourteen.
   EXPECT_EQ(clusterPoints({Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0)}, settings)
                 .faces.size(),
             14u);
@@ -215,7 +215,7 @@ TEST(CellFaces, InTheViewOfACameraBoxesArePiecesOfIt)
   settings.camera = camera;
   const Clusters clusters = clusterPoints(house(20000, 7), settings);
   ASSERT_GT(clusters.representatives.size(), 20u);
-  // A frustum between depths a and b: its sides grow with the depth.
+  // A frustum between depths a and b, whose sides grow with depth.
   const double tangent = std::tan(30 * M_PI / 180);
   double volume = 0;
   for (const Representative& one : clusters.representatives) {

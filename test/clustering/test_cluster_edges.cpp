@@ -60,7 +60,7 @@ TEST(ClusterEdges, NanAndInfinityAreLeftOut)
 TEST(ClusterEdges, AsManyCellsAsWishedChangeNothingButTheirSize)
 {
   const Points points = house(5000, 2);
-  // From one cell over more than memory could hold one by one.
+  // More cells than memory could hold one by one.
   std::size_t before = 0;
   for (const double n : {1., 10., 100., 1000., 4000.}) {
     ClusterSettings settings;

@@ -54,7 +54,7 @@ TEST_P(Moves, GoNoFartherThanOneCellAndLoseNoPoint)
       ASSERT_LE(steps, 1);
       gone += steps == 1 ? 1 : 0;
     }
-    EXPECT_GT(gone, before); // every further pass finds something to mend here
+    EXPECT_GT(gone, before); // every further pass still improves this cloud
     before = gone / 2;
   }
 }
@@ -88,7 +88,7 @@ TEST(MovesByPopulation, NeverRaiseTheSumOfSquaredPopulations)
   for (const unsigned seed : {1U, 2U, 3U}) {
     SCOPED_TRACE(seed);
     Points points = house(15000, seed);
-    for (Point& p : points) // denser towards one side
+    for (Point& p : points) // denser toward one side
       p.x() *= p.x() / 20;
     double before = 1e300, at_first = 0;
     for (unsigned moves = 0; moves < 12; ++moves) {
@@ -107,8 +107,8 @@ TEST(MovesByPopulation, NeverRaiseTheSumOfSquaredPopulations)
 
 TEST(MovesByPopulation, TakeThePointsNearestToTheBorder)
 {
-  // 96 points along the first cell, 6 along the second: a pass lets 15 through, that is
-  // the points of two of the eight steps of 1/16, six each.
+  // 96 points along the first cell, 6 along the second: a pass lets 15 move, the points
+  // of two of the eight steps of 1/16, six each.
   Points points;
   for (int i = 0; i < 96; ++i)
     points.emplace_back((i + 0.5) / 96, 0, 0);
@@ -140,7 +140,7 @@ TEST(MovesByField, NeverLowerTheMeanOfACell)
     for (std::size_t k = 0; k < means.size(); ++k) {
       double& mean =
           before.try_emplace(clusters.representatives[k].cell, means[k]).first->second;
-      // The field is told by integers, 2^30 over its range.
+      // The field is stored as integers, 2^30 over its range.
       EXPECT_GE(means[k], mean - 1e-8) << moves;
       mean = means[k];
     }

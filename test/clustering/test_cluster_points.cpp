@@ -17,7 +17,7 @@ using namespace linelet::test;
 namespace {
 
 /** \brief Count, mean and covariance of every representative are those of its members,
- * summed up in long double. */
+ * summed in long double. */
 void
 expectMomentsOfMembers(const Points& points, const Clusters& clusters, double cell)
 {
@@ -65,8 +65,8 @@ TEST(ClusterPoints, WithoutMovesAreTheBoxesOfTheGrid)
   expectMomentsOfMembers(points, clusters, leaf);
 }
 
-/** \brief Large clouds are summed up on vectors, run by run of points in one cell: runs
- * of every length, across blocks, with points between them that are left out. */
+/** \brief Large clouds are summed with SIMD, run by run of points in one cell: runs of
+ * every length, across blocks, interrupted by points that are left out. */
 TEST(ClusterPoints, MomentsHoldForLongAndShortRuns)
 {
   constexpr unsigned seed = 12;
@@ -123,7 +123,7 @@ TEST(ClusterPoints, AreTheSameBitsForAnyThreadsAndAnyOrder)
   for (const std::size_t i : order)
     shuffled.push_back(points[i]);
   for (const MoveRule rule : {MoveRule::Plane, MoveRule::Population})
-    for (const double leaf : {0.05, 0.7}) { // with cells as many as points, and few
+    for (const double leaf : {0.05, 0.7}) { // as many cells as points, and few
       ClusterSettings settings = settingsOf(leaf, 2, rule);
       settings.threads = 1;
       const Clusters one = clusterPoints(points, settings);
@@ -211,8 +211,9 @@ TEST(ClusterPoints, HaveMeansAndModesOfTheirMembersValues)
   EXPECT_EQ(clusterModes(clusters, {2, 6, 6, 9, 2}), (std::vector<double>{6, 2}));
 }
 
-// Where a ball ends is known: normals by empty cells point out of it. Cells are half a
-// unit wide and seen two cells far, so a few degrees are what their coarseness costs.
+// The outside of a ball is known, and normals by empty cells point there. Cells are
+// half a unit wide and looked at two cells far, so a few degrees are lost to their
+// coarseness.
 TEST(ClusterPoints, NormalsTowardsEmptyCellsPointOutOfABall)
 {
   constexpr unsigned seed = 8;
@@ -248,7 +249,7 @@ TEST(ClusterPoints, NormalsTowardsEmptyCellsPointOutOfABall)
   EXPECT_LT(sum / static_cast<double>(surface), 8);
 }
 
-// A wall of one point a cell has no covariance to speak of, and still a normal.
+// A wall with one point per cell has hardly any covariance, but still a normal.
 TEST(ClusterPoints, NormalsTowardsEmptyCellsNeedOnePointACell)
 {
   Points wall;

@@ -25,7 +25,7 @@ Cloud::Ptr
 houseCloud()
 {
   auto cloud = pcl::make_shared<Cloud>();
-  // The grids of both begin at the origin.
+  // Both grids begin at the origin.
   cloud->push_back(pcl::PointXYZI(0, 0, -0.25F, 1));
   for (const Point& p : house(20000, 9))
     cloud->push_back({static_cast<float>(p.x()),
@@ -39,7 +39,7 @@ houseCloud()
 TEST(CurvilinearGridClustering, WithoutMovesIsVoxelGrid)
 {
   const Cloud::Ptr cloud = houseCloud();
-  constexpr float leaf = 0.25F; // a power of two: both compute the same cells
+  constexpr float leaf = 0.25F; // a power of two, so that both compute the same cells
   Cloud expected, result;
   pcl::VoxelGrid<pcl::PointXYZI> voxels;
   voxels.setInputCloud(cloud);

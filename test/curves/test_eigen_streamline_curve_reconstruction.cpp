@@ -62,7 +62,7 @@ TEST_P(CurveReconstructionInPcl, MeshAndVerticesAreTheCurves)
   ASSERT_EQ(curves.curves.size(), 1u);
   ASSERT_TRUE(curves.curves[0].closed);
 
-  // Through the base class, as PCL code would.
+  // Through the base class, as PCL code would do.
   pcl::SurfaceReconstruction<pcl::PointXYZ>& base = reconstruction;
   pcl::PolygonMesh mesh;
   mesh.polygons.resize(7); // leftovers of the caller

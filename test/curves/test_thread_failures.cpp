@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What fails in one of several threads (memory, a search or a progress monitor of the
-// caller) reaches the caller; without a guard the program would end.
+// A failure in one of several threads (memory, the caller's search or progress monitor)
+// reaches the caller; without a guard the program would end.
 
 #include <atomic>
 #include <cmath>
@@ -33,7 +33,7 @@ public:
   }
 };
 
-/** Fails after some questions. */
+/** Fails after a number of calls. */
 class FailingSearch : public NeighborSearch {
 public:
   FailingSearch(const Points& points, int questions) : tree_(points), left_(questions)
@@ -112,7 +112,7 @@ TEST(ThreadFailures, OfASearchLeaveTheScaleUnit)
   EXPECT_THROW(scaleUnit(search, points, 1024, 1, 4), Failure);
 }
 
-// Wherever it happens: in the features, the starts, or while line-lets grow.
+// Wherever it happens: in the features, the starts, or the growth of line-lets.
 TEST(ThreadFailures, OfASearchLeaveTheReconstruction)
 {
   const Points points = circle();

@@ -62,7 +62,7 @@ depthImage()
   return cloud;
 }
 
-/** \brief Multiples of 1/32, which float still holds at 5e5. */
+/** \brief Multiples of 1/32, which float still represents at 5e5. */
 inline Cloud::Ptr
 scattered(std::size_t count, unsigned seed, float offset = 0)
 {
@@ -120,7 +120,7 @@ expectSame(const RecordCloud& a, const RecordCloud& b, float tolerance = 0)
   }
 }
 
-/** \brief What the core gives for the points of a cloud. */
+/** \brief The result of the core for the points of a cloud. */
 inline RecordCloud
 reference(const Cloud& surface, const Cloud& queries, const TensorSettings& settings)
 {
@@ -139,7 +139,7 @@ protected:
   void
   SetUp() override
   {
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // refusals are wanted here
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are provoked
   }
 };
 

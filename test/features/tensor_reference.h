@@ -54,7 +54,7 @@ withRadius(double radius,
   return settings;
 }
 
-/** \brief The fixed point of Weiszfeld's iteration from the mean by patience alone. */
+/** \brief The fixed point of Weiszfeld's iteration from the mean, by brute force. */
 inline Point
 patientMedian(const Points& points, double radius, const Weighting& weighting)
 {
@@ -85,7 +85,7 @@ struct Expected {
   Eigen::Vector3d shape = Eigen::Vector3d::Constant(not_known);
 };
 
-/** \brief The definition, word for word. */
+/** \brief The definition, literally. */
 inline Expected
 bruteForce(const Points& surface, const Point& p, const TensorSettings& s)
 {

@@ -28,7 +28,7 @@ namespace {
 
 using Records = pcl::PointCloud<MultiScaleShape>;
 
-/** \brief A wire with noise beside a few scattered points. */
+/** \brief A noisy wire beside a few scattered points. */
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
 wire()
@@ -63,7 +63,7 @@ same(const MultiScaleShape& a, const MultiScaleShape& b)
          a.scale == b.scale;
 }
 
-/** \brief No messages of PCL while errors are provoked. */
+/** \brief Silences PCL while errors are provoked. */
 class MultiScaleShapeFeatureTest : public testing::Test {
 protected:
   void
@@ -121,7 +121,7 @@ TEST_F(MultiScaleShapeFeatureTest, IndicesChooseQueriesTheSurfaceTheNeighbors)
   for (std::size_t i = 0; i < some.size(); ++i)
     EXPECT_TRUE(same(some[i], all[static_cast<std::size_t>((*indices)[i])]));
 
-  // The same queries as a cloud of their own, neighbors from the whole.
+  // The same queries as a cloud of their own, with neighbors from the whole.
   const auto queries =
       pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*cloud, *indices);
   MultiScaleShapeFeature<pcl::PointXYZ> other;

@@ -34,7 +34,7 @@ TEST_F(PdtEstimation, GivesTheSameWithEverySearch)
         estimation.setCentroid(centroid);
         const RecordCloud records = compute(estimation);
         // The same neighbors in the same order give the same bits; the built-in grid
-        // may add them up in another one.
+        // may sum them in another order.
         expectSame(records, expected, search ? 0 : 1e-5f);
         EXPECT_EQ(records.width, 56u);
         EXPECT_EQ(records.height, 42u);
@@ -47,7 +47,7 @@ TEST_F(PdtEstimation, GivesTheSameWithEverySearchFarFromTheOrigin)
 {
   const Cloud::Ptr here = scattered(1500, 1), there = scattered(1500, 1, 5e5f);
   TensorSettings settings;
-  settings.radius = 0.75; // many points lie at exactly this distance
+  settings.radius = 0.75; // many points lie exactly at this distance
   settings.engine = Engine::Tree;
   const RecordCloud expected = reference(*here, *here, settings);
   for (const auto& [name, search] : searches(false)) {
@@ -62,7 +62,7 @@ TEST_F(PdtEstimation, GivesTheSameWithEverySearchFarFromTheOrigin)
 
 TEST_F(PdtEstimation, KeepsTheSmallEigenvaluesOfAWire)
 {
-  // In float the two small eigenvalues of a 1 cm wire would be off by more than 100 %.
+  // In float, the two small eigenvalues of a 1 cm wire would be off by more than 100 %.
   boost::random::mt19937 random(3);
   boost::random::normal_distribution<float> normal;
   auto cloud = pcl::make_shared<Cloud>();

@@ -44,7 +44,7 @@ TEST_F(PdtEstimation, MarksWhatCannotBeKnown)
     EXPECT_EQ(records[20].neighbors, 5u);
     EXPECT_EQ(records[20].linearity, 1);
 
-    // A query that is not finite, in a cloud that claims to be dense.
+    // A non-finite query in a cloud that claims to be dense.
     auto query = pcl::make_shared<Cloud>();
     query->emplace_back(0.0f, not_known, 0.0f);
     Estimation other;
@@ -63,7 +63,7 @@ TEST_F(PdtEstimation, MarksWhatCannotBeKnown)
 TEST_F(PdtEstimation, IsDenseWhereEverythingIsKnown)
 {
   const Cloud::Ptr cloud = scattered(500, 8);
-  cloud->is_dense = false; // that of the input says nothing of the output
+  cloud->is_dense = false; // the input's flag says nothing about the output
   cloud->header.frame_id = "lidar";
   cloud->header.stamp = 77;
   Estimation estimation;
@@ -195,7 +195,7 @@ TEST_F(PdtEstimation, SettingsAtOnceAreThoseOneByOne)
   settings.centroid = Centroid::Mean;
   Estimation estimation;
   estimation.setInputCloud(cloud);
-  estimation.setKSearch(9); // which the radius takes the place of
+  estimation.setKSearch(9); // replaced by the radius
   estimation.setSettings(settings);
   EXPECT_EQ(estimation.getSettings().radius, 0.6);
   EXPECT_EQ(estimation.getSettings().k, 0u);
@@ -220,7 +220,7 @@ TEST_F(PdtEstimation, IsCanceledByItsMonitorAndWorksAgain)
   estimation.setProgressMonitor(&monitor);
   RecordCloud records;
   EXPECT_THROW(estimation.compute(records), Canceled);
-  // Neither the stop nor the cloud of before stays.
+  // Neither the stop nor the previous cloud remains.
   monitor.stop = false;
   const Cloud::Ptr other = scattered(100, 7);
   estimation.setInputCloud(other);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A point type that is not one of the prebuilt ones: PCL's own templates (the kd-tree
-// of every pcl::Feature) have to be instantiated for it as well.
+// A point type that is not prebuilt: PCL's own templates (the kd-tree of every
+// pcl::Feature) have to be instantiated for it as well.
 #define PCL_NO_PRECOMPILE
 #include <linelet/features/point_distribution_tensor.h>
 

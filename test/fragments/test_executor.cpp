@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each fragment is computed once and settled once, whatever device it falls to and
+// Each fragment is computed once and settled once, whichever device it goes to and
 // whatever fails.
 
 #include <algorithm>
@@ -30,7 +30,7 @@ fragmentOf(std::size_t number)
   return fragment;
 }
 
-/** What became of fragments. */
+/** What became of the fragments. */
 class Record {
 public:
   FragmentWork
@@ -44,7 +44,7 @@ public:
               ++by_device[device];
             },
             [this](std::size_t number, const std::string& reason) {
-              // No lock: one at a time is promised.
+              // No lock: calls are promised to come one at a time.
               EXPECT_TRUE(settled.emplace(number, reason).second) << number;
             }};
   }
@@ -104,8 +104,8 @@ INSTANTIATE_TEST_SUITE_P(Heuristics,
                            return name;
                          });
 
-// While a fragment is computed, the next one of its device is loaded: here, none is
-// computed to the end before the next one was asked for.
+// While a device computes a fragment, it loads the next one: here, none finishes before
+// the next one has been requested.
 TEST(Executor, LoadsTheNextFragmentMeanwhile)
 {
   constexpr std::size_t count = 20;
@@ -183,7 +183,8 @@ TEST(Executor, WhatFailsIsTriedOnceMoreOnTheFirstDevice)
   }
 }
 
-// One alone: what fails at first is computed next, not the fragment loaded meanwhile.
+// On a single device, a failed fragment is retried next, before the one loaded
+// meanwhile.
 TEST(Executor, AFailureDoesNotShiftTheOthers)
 {
   Record record;

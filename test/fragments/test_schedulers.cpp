@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Truth: tables worked by hand, the optimum by trying everything, and the published
-// table of Grasso et al. 2015 in simulation.
+// Expected values: tables worked by hand, the optimum by trying everything, and a
+// simulation of the published table of Grasso et al. 2015.
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ const Heuristic all[] = {Heuristic::MinMin,
                          Heuristic::SimpleH,
                          Heuristic::SimpleHS};
 
-/** Every fragment once, for as long as the table says, one after the other. */
+/** Every fragment once, for as long as the table says, in sequence. */
 void
 expectWhole(const Schedule& schedule, const ExpectedTimes& times)
 {
@@ -143,7 +143,7 @@ TEST(Schedulers, SimpleHSStopsTheSlowDeviceInTime)
   EXPECT_EQ(makespan(simulate(Heuristic::SimpleHS, times, points)), 14);
 }
 
-// What SimpleHS predicts with is an exact quadratic where the times are one.
+// SimpleHS predicts with a quadratic, which is exact where the times are one.
 TEST(Schedulers, PredictionIsTheQuadraticOfTheTimes)
 {
   TimePrediction predicted;
@@ -159,7 +159,8 @@ TEST(Schedulers, PredictionIsTheQuadraticOfTheTimes)
   EXPECT_GE(exact(-1e9), 0);
 }
 
-// Up to 8 fragments on 3 devices: never below the optimum, never above the theorem.
+// Up to 8 fragments on 3 devices: never below the optimum, never above the theorem's
+// bound.
 TEST(Schedulers, WithinTheBoundOfTheOptimum)
 {
   const unsigned seed = test::randomSeed();
@@ -190,14 +191,14 @@ TEST(Schedulers, WithinTheBoundOfTheOptimum)
       excess[h] += end / best / runs;
     }
   }
-  // In the mean much closer (1.05 to 1.3 where this was written).
+  // Much closer on average (1.05 to 1.3 when this was written).
   EXPECT_LT(excess[1], 1.15) << "Max-Min";
   EXPECT_LT(excess[2], 1.15) << "Sufferage";
 }
 
 namespace {
 
-/** 65 fragments of 1 thousand to 3.5 million points, 58 million together. */
+/** 65 fragments of 1 thousand to 3.5 million points, 58 million in all. */
 std::vector<double>
 lidarFragments(std::mt19937& random)
 {
@@ -209,7 +210,8 @@ lidarFragments(std::mt19937& random)
   return points;
 }
 
-/** The shares of Sufferage that a heuristic reaches in 4,000 simulations, sorted. */
+/** The shares of Sufferage's speed that a heuristic reaches in 4,000 simulations,
+ * sorted. */
 std::vector<double>
 sharesOfSufferage(Heuristic heuristic, double slow, double fast, unsigned seed)
 {
@@ -232,8 +234,8 @@ sharesOfSufferage(Heuristic heuristic, double slow, double fast, unsigned seed)
 } // namespace
 
 // Table 2 of the paper: a CPU and two GPUs 12 times as fast (mc1), and 4.5 beside 23.8
-// (mc2). The paper has one set of 65 fragments, of which it prints number and range:
-// what it prints lies, to 1.5 %, within what 96 of 100 such sets give.
+// (mc2). The paper gives only number and range of its one set of 65 fragments: its
+// figures lie, to 1.5 %, within those of 96 of 100 such sets.
 TEST(Schedulers, PublishedTable)
 {
   const unsigned seed = test::randomSeed();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every place is owned once, by the box that says so; truth is the definition of a
-// half- open box, worked out over all boxes.
+// Every place is owned once, by the box that claims it; expected values follow from the
+// definition of a half-open box, over all boxes.
 
 #include <cmath>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace linelet::fragments {
 
 namespace {
 
-/** The boxes as the cuts make them. */
+/** The boxes as cut. */
 void
 areasOf(const Tiling& tiling, int node, Area area, std::vector<Area>& areas)
 {
@@ -80,7 +80,7 @@ TEST(Tiling, OfNothingIsOneBox)
   }
 }
 
-// A file whose points all lie in one place cannot be cut.
+// A file whose points all coincide cannot be cut.
 TEST(Tiling, OnePlaceIsOneBox)
 {
   const Tiling tiling({{{{5, 5}, {5, 5}}, 1e9}}, {0, 0, 10});
@@ -139,7 +139,7 @@ TEST(Tiling, EveryPlaceIsOwnedOnceAndNearWhereItShouldBe)
   }
 }
 
-// A crowded tile among empty ones is cut, they are not.
+// A crowded tile among empty ones is cut, the others are not.
 TEST(Tiling, CrowdedBoxesAreCutFurther)
 {
   std::vector<Extent> extents;
@@ -156,8 +156,8 @@ TEST(Tiling, CrowdedBoxesAreCutFurther)
   EXPECT_LE(tiling.boxes() - crowded, 6u);
 }
 
-// A corridor is cut into as few boxes as hold their points and those of their ghost
-// zones: halves of halves may be half empty.
+// A corridor is cut into as few boxes as can hold their points and those of their ghost
+// zones; repeated halving may leave boxes half empty.
 TEST(Tiling, BoxesAreAsFullAsTheyMayBe)
 {
   constexpr double ghost = 300, tile = 140, most = 12e6;
@@ -178,7 +178,7 @@ TEST(Tiling, BoxesAreAsFullAsTheyMayBe)
   }
 }
 
-// Plans of a country: 10,000 tiles of 100 million points.
+// Plans of country size: 10,000 tiles of 100 million points.
 TEST(Tiling, ManyTilesAreQuick)
 {
   std::vector<Extent> extents;

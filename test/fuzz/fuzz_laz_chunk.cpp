@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // libFuzzer harness of a LAZ chunk. The first four bytes choose point format, number of
-// extra bytes, versions of the items and number of points; the rest is the chunk. It is
-// decoded or refused, and what was decoded comes back from the encoder and the decoder.
+// extra bytes, item versions and number of points; the rest is the chunk. It is either
+// refused, or decoded, encoded again and decoded to the same points.
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// libFuzzer harness of one reader, LINELET_READER, and, where it is defined, the writer
-// LINELET_WRITER that gets what was read; with LINELET_WINDOW a part is read, of COPC
-// by its index. Whatever the bytes are, the reader makes a cloud whose parts fit
-// together or throws FileError.
+// libFuzzer harness of one reader, LINELET_READER, and, if defined, of the writer
+// LINELET_WRITER that gets its result; with LINELET_WINDOW only a part is read, for
+// COPC by its index. Whatever the bytes, the reader returns a consistent cloud or
+// throws FileError.
 
 #include <cstdint>
 #include <cstdlib>
@@ -40,14 +40,14 @@ check(const Cloud& cloud)
     std::abort();
 }
 
-/** False where the bytes are refused. */
+/** False if the bytes are refused. */
 bool
 tryReading(std::string_view bytes, bool lenient)
 {
   std::vector<std::string> warnings;
   Source source{{"input", &warnings, nullptr}, bytes, {lenient}};
 #ifdef LINELET_WINDOW
-  // What a COPC file has in the western half of the world, level by level.
+  // The western half of a COPC file, level by level.
   source.options.bounds = {-1e7, -1e7, 5e5, 1e7};
   source.options.resolution = 1;
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What one format holds and another can hold survives the way there and back.
+// Whatever two formats can both hold survives the round trip.
 
 #include <cmath>
 #include <filesystem>
@@ -33,8 +33,8 @@ expectSamePlaces(const Cloud& a, const Cloud& b, double tolerance)
     ASSERT_LE((world(a, i) - world(b, i)).cwiseAbs().maxCoeff(), tolerance) << i;
 }
 
-/** Every value of every column of \a a is in \a b, exactly, NaN for NaN. Text says
- * floats with as many digits as tell them from their neighbors. */
+/** Every value of every column of \a a is in \a b, exactly, with NaN for NaN. Text has
+ * as many digits as distinguish a float from its neighbors. */
 void
 expectSameValues(const Cloud& a, const Cloud& b)
 {
@@ -113,7 +113,7 @@ TEST_P(RoundTrip, KeepsPlacesAndValues)
   Cloud expected = before;
   if (std::string(GetParam()) == "las")
     for (const char* name : {"red", "green", "blue"}) {
-      // LAS asks for 16 bit colors.
+      // LAS requires 16 bit colors.
       std::vector<std::uint16_t> wide;
       for (std::size_t i = 0; i < before.points.size(); ++i)
         wide.push_back(
@@ -138,7 +138,7 @@ TEST_P(RoundTrip, KeepsAllAttributesOfLas)
     writeCloud(file, before);
     writeCloud(folder.file("back.las"), readCloud(file));
     const Cloud after = readCloud(folder.file("back.las"));
-    // A grid of 1.16e-6 is not found again; the next one has steps of 1e-6.
+    // A grid of 1.16e-6 is not recognized; the next one has steps of 1e-6.
     const bool odd = std::string(name) == "laspy_1_4_w_evlr.las";
     expectSamePlaces(before, after, odd ? 5.1e-7 : 5e-9);
     expectSameValues(before, after);
@@ -194,7 +194,7 @@ TEST(Conversion, AShiftedFileIsReadByPclAndKeepsItsPlace)
     EXPECT_EQ(bytesOf(file + ".shift"), "689000.125 5527000.0625 0.1\n");
     expectSamePlaces(cloud, readCloud(file), 0);
 
-    // Of no use to what is written over it.
+    // Useless for the file that replaces it.
     writeCloud(file, cloud);
     EXPECT_FALSE(std::filesystem::exists(file + ".shift")) << name;
     expectSamePlaces(cloud, readCloud(file), 0);
@@ -208,7 +208,7 @@ TEST(Conversion, AShiftedFileIsReadByPclAndKeepsItsPlace)
   }
 }
 
-// As CloudCompare writes scalar fields, and calls them once it has read them.
+// As CloudCompare writes scalar fields, and names them after reading them.
 TEST(Conversion, NamesOfAttributesInPlyAreThoseOfScalarFields)
 {
   const Folder folder;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Counts that lie, text that is none: refused without allocating by them.
+// False counts and broken text are refused without allocating by them.
 
 #include <functional>
 #include <map>
@@ -86,9 +86,9 @@ TEST(HostilePcd, CountsAreCheckedAgainstTheBytes)
   expectRefusal(readPcd, pcd_front + "POINTS x\nDATA ascii\n", "line 4");
 }
 
-// Streams of LZF by hand: a byte n below 32 precedes n + 1 literal bytes; a larger one
-// copies (n >> 5) + 2 bytes, 7 << 5 says that a further byte adds to them, from as many
-// bytes back as its lower five bits and the last byte say, less one.
+// LZF streams by hand: a byte n below 32 precedes n + 1 literal bytes; a larger one
+// copies (n >> 5) + 2 bytes (7 << 5: a further byte is added to that count) from as
+// many bytes back as its lower five bits and the last byte say, less one.
 TEST(HostilePcd, CompressedBytesStayWithinTheirBounds)
 {
   const auto file = [](const std::string& packed, int points) {

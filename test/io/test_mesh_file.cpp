@@ -23,7 +23,7 @@ namespace {
 TEST(MeshFile, FacesAndTheirCornersAreWhatVtkReads)
 {
   const Folder folder;
-  // Two triangles with an edge in common, and a pentagon by itself.
+  // Two triangles that share an edge, and a separate pentagon.
   std::vector<Face> faces(3);
   faces[0].corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}};
   faces[1].corners = {{1, 0, 0}, {1, 1, 1}, {0, 1, 0.5}};

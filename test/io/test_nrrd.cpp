@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Volumes written byte by byte, as teem's page defines the format; one also as VTK
-// reads it.
+// Volumes written byte by byte, following teem's definition of the format; one is also
+// read with VTK.
 
 #include <cmath>
 #include <cstdint>
@@ -143,7 +143,7 @@ TEST_F(Nrrd, BothByteOrdersTextAndEveryPlaceOfTheTensorAxisAreTheSame)
     text += std::to_string(static_cast<int>(number)) + (text.size() % 3 ? " " : "\n");
   expectSame(read(front + first + "type: int\r\nencoding: ascii\r\n\r\n" + text),
              "text");
-  // The tensor axis last: all xx, then all xy, ...
+  // With the tensor axis last: all xx, then all xy, ...
   std::vector<double> last;
   const std::vector<double> numbers = sixNumbers();
   for (std::size_t c = 0; c < 6; ++c)
@@ -235,7 +235,7 @@ TEST_F(Nrrd, RefusesWhatItCannotKnow)
                 "space directions");
   expectRefusal(six_header + "space origin: (1,2)\n\n" + data, "space origin");
   expectRefusal(six_header + "sizes: 6 2 0 2\n\n" + data, "size");
-  // More than the file can hold, or anything.
+  // More than the file can hold, or nonsense.
   expectRefusal(six_header + "sizes: 6 2000 3000 2000\n\n" + data, "size");
   expectRefusal(six_header + "sizes: 6 200 300 200\n\n" + data, "ends after");
   expectRefusal(six_header + "encoding: gzip\nsizes: 6 200 300 200\n\n" + data,
@@ -264,7 +264,7 @@ TEST_F(Nrrd, VtkReadsTheSame)
     EXPECT_LT((Point(image->GetPoint(n)) - cloud.shift - cloud.points[i]).norm(), 1e-9);
     if (tensors->GetNumberOfComponents() == 6)
       EXPECT_EQ(tensors->GetComponent(n, 4), value(cloud, "yz", i));
-    else // VTK unfolds symmetric tensors
+    else // VTK expands symmetric tensors
       EXPECT_EQ(tensors->GetComponent(n, 5), value(cloud, "yz", i));
   }
 }

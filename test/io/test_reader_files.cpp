@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every file of the reference data is read whole or refused with one line.
+// Every file of the reference data is read completely or refused in one line.
 
 #include <algorithm>
 #include <map>
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** The message of the refusal, after checks that any must pass; "" where it is read. */
+/** The error message, checked for what every message must have; "" if the file is
+ * read. */
 std::string
 refusal(const fs::path& path, bool lenient = false)
 {
@@ -38,7 +39,7 @@ refusal(const fs::path& path, bool lenient = false)
   }
 }
 
-/** Number of points read leniently, and that a loss is told. */
+/** Number of points read leniently; a loss must be reported. */
 std::size_t
 lenientPoints(const fs::path& path)
 {
@@ -53,7 +54,7 @@ lenientPoints(const fs::path& path)
   return count;
 }
 
-/** Lines with three numbers or more, counted without the library. */
+/** Lines with at least three numbers, counted without the library. */
 std::size_t
 countRows(const std::string& text)
 {
@@ -68,7 +69,7 @@ countRows(const std::string& text)
   return count;
 }
 
-/** The number behind \a key in a header. */
+/** The number after \a key in a header. */
 std::size_t
 statedCount(const std::string& bytes, const std::string& key)
 {
@@ -169,7 +170,7 @@ TEST(ReaderFiles, CompressedPcdUnpacksToPlacesInItsRegion)
   const Cloud cloud =
       readCloud(dataPath("readers/other/pcldata_terrain_samp11-utm.pcd"));
   ASSERT_EQ(cloud.points.size(), 38010U);
-  // Neighbors in the file are neighbors on the ground, if fields are in order.
+  // Neighbors in the file are neighbors on the ground if the fields are in order.
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
     ASSERT_LT((cloud.points[i] - cloud.points[0]).norm(), 2000);
 }

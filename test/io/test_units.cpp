@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// In which units a file counts, by its text (WKT) and by its GeoTIFF keys.
+// The units of a file, from its text (WKT) and from its GeoTIFF keys.
 
 #include <cmath>
 #include <cstdint>
@@ -27,7 +27,7 @@ raw(T value)
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/** The units that the reader understands from a LAS 1.2 file with GeoTIFF keys. */
+/** The units that the reader finds in a LAS 1.2 file with GeoTIFF keys. */
 Units
 unitsByKeys(const std::vector<std::pair<int, int>>& keys)
 {
@@ -118,13 +118,13 @@ TEST(Units, ThatKeysNameCountMoreThanThoseOfTheSystem)
   expectUnits(unitsByKeys({{projected, 2263}, {vertical, 5703}, {vertical_unit, 9003}}),
               survey_foot,
               survey_foot);
-  // 5103, the datum itself, is what older files name; PROJ knows no such system.
+  // Older files name 5103, the datum itself; PROJ has no such system.
   expectUnits(unitsByKeys({{projected, 2263}, {vertical, 5103}, {vertical_unit, 9001}}),
               survey_foot,
               1);
 }
 
-// A projection of the user's own, as many counties have: its base is geographic, its
+// A user-defined projection, as many counties have: its base is geographic, its
 // coordinates are not.
 TEST(Units, AreKnownOfASystemThatIsNot)
 {

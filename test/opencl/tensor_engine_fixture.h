@@ -61,7 +61,7 @@ expectEqual(const std::vector<PointDistributionTensor>& a,
   }
 }
 
-/** \brief An engine on the first device, and the reference that it must agree with. */
+/** \brief An engine on the first device, and the reference it must agree with. */
 class OpenCL : public ::testing::Test {
 protected:
   void

@@ -16,7 +16,7 @@ using namespace linelet::test;
 
 namespace {
 
-/** \brief Every bit of both. */
+/** \brief Expects both to agree in every bit. */
 void
 expectSame(const Clusters& a, const Clusters& b)
 {
@@ -61,7 +61,7 @@ TEST(OpenCLClusters, AreThoseOfTheProcessorBitForBit)
   settings = {};
   settings.count = 500;
   expectSame(engine.cluster(points, settings), clusterPoints(points, settings));
-  // So many that the processor sums them up on vectors.
+  // So many that the processor sums them with SIMD.
   const Points many = house(150001, 32);
   expectSame(engine.cluster(many, settingsOf(0.4, 2)),
              clusterPoints(many, settingsOf(0.4, 2)));

@@ -19,7 +19,7 @@ constexpr EngineWork much = {20000000, 20000000, 5000, false};
 
 TEST(DeviceCost, TheDeviceIsTakenWhereItPays)
 {
-  // A small cloud is done before the kernels are built.
+  // A small cloud is finished before the kernels are built.
   EXPECT_FALSE(isCheapest(gpu, {200000, 200000, 50, false}, TensorSettings()));
   EXPECT_TRUE(isCheapest(gpu, much, TensorSettings()));
   EXPECT_EQ(cheapestEngine(much), Engine::Grid);

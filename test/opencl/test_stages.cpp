@@ -16,14 +16,14 @@
 #include "error_names.h"
 #include "tensor_stages.h"
 
-// Each kernel alone against the same thing done on the host.
+// Each kernel alone, compared with the same computation on the host.
 
 using namespace linelet;
 using namespace linelet::opencl;
 
 namespace {
 
-/** \brief With the lanes that the device prefers, and with the one of GPUs. */
+/** \brief With the lanes that the device prefers, and with the single lane of GPUs. */
 class Stages : public ::testing::TestWithParam<unsigned> {
 protected:
   void
@@ -78,7 +78,7 @@ allOf(const Points& points)
   return all;
 }
 
-/** \brief All points, each a query too. */
+/** \brief All points, each also a query. */
 Slab
 slabOf(Context& context, const Points& points, double radius)
 {
@@ -106,7 +106,7 @@ TEST_P(Stages, SortOrdersKeysOfAnyNumberOfBlocks)
        {1u, 2u, 3u, 4u, 5u, 7u, 8u, 13u, 16u, 31u, 45u, 64u}) {
     SCOPED_TRACE(blocks);
     const std::size_t count = blocks * sort_block;
-    // All of them, few different ones, ascending, descending.
+    // All, few different ones, ascending, descending.
     for (const std::uint64_t range : {~std::uint64_t{0}, std::uint64_t{5}}) {
       boost::random::uniform_int_distribution<std::uint64_t> key(0, range);
       std::vector<cl_ulong> keys(count);
@@ -257,8 +257,8 @@ TEST_P(Stages, NearestSquaresAreThoseOfSortedDistances)
 
 TEST_P(Stages, ShapesAreThoseOfTheEigenAnalysisInDouble)
 {
-  // Wires, sheets and balls in any direction and of any size, with what can be exactly
-  // 0 or equal among them.
+  // Wires, sheets and balls in any direction and of any size, including exact zeros and
+  // equal eigenvalues.
   boost::random::uniform_real_distribution<double> unit(-1, 1);
   std::vector<SymmetricTensor> given;
   for (int i = 0; i < 2000; ++i) {
@@ -287,7 +287,7 @@ TEST_P(Stages, ShapesAreThoseOfTheEigenAnalysisInDouble)
     const double entries[] = {t.xx, t.xy, t.xz, t.yy, t.yz, t.zz};
     for (std::size_t k = 0; k < 6; ++k)
       components[k * tensors.stride + i] = static_cast<float>(entries[k]);
-    keys.push_back(count - 1 - i); // records go to the index, not to the place
+    keys.push_back(count - 1 - i); // records are stored by index, not by position
   }
   tensors.radii = upload(std::vector<float>(count, 1.0F));
   tensors.components = upload(components);
@@ -310,8 +310,8 @@ TEST_P(Stages, ShapesAreThoseOfTheEigenAnalysisInDouble)
     ASSERT_NEAR(r.lambda1, e.lambda1, 2e-6 * e.lambda3);
     ASSERT_NEAR(r.lambda2, e.lambda2, 2e-6 * e.lambda3);
     ASSERT_NEAR(r.lambda3, e.lambda3, 2e-6 * e.lambda3);
-    // Directions, where there is but one: their sign is part of what is promised,
-    // except where two components are about as large.
+    // Directions, where there is only one: their sign is part of the contract, except
+    // where two components are about equal.
     const auto expectAlong = [&](Eigen::Vector3f a, Eigen::Vector3f b, double gap) {
       EXPECT_NEAR(a.norm(), 1, 1e-5);
       EXPECT_GE(a.maxCoeff(), -a.minCoeff());
@@ -357,7 +357,7 @@ TEST_P(Stages, WeightsAreThoseOfWeighting)
     double worst = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const double expected = weighting(double{x[i]});
-      // Of an unbounded kernel the relative error counts.
+      // For unbounded kernels the relative error counts.
       worst = std::max(worst,
                        std::abs(expected - double{w[i]}) /
                            (isUnbounded(entry.first) ? std::max(1.0, expected) : 1));

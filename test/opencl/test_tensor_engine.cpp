@@ -14,7 +14,7 @@
 using namespace linelet;
 using namespace linelet::test;
 
-// A program is built for every pair of centroid and weighting, so not every pair is
+// Each pair of centroid and weighting needs its own program, so not every pair is
 // tried; Stages.WeightsAreThoseOfWeighting covers each weighting by itself.
 TEST_F(OpenCL, EveryCentroidGivesWhatTheReferenceGives)
 {
@@ -39,7 +39,7 @@ TEST_F(OpenCL, WeightingsOfEveryKindGiveWhatTheReferenceGives)
   }
 }
 
-// By radius and by number, as these are different programs.
+// By radius and by number, which are different programs.
 TEST_F(OpenCL, TensorsDividedByTheCountAreThoseOfTheReference)
 {
   const Points points = box(400, Point(4, 3, 2), 5);
@@ -218,7 +218,7 @@ TEST_F(OpenCL, FeatureFollowsTheRulesOfPcl)
   EXPECT_EQ(computed.header.frame_id, "frame");
   expectEqual({expected.begin(), expected.end()}, {computed.begin(), computed.end()});
 
-  ocl.setRadiusSearch(0); // no size of neighborhood at all
+  ocl.setRadiusSearch(0); // no size of neighborhood given
   ocl.compute(computed);
   EXPECT_TRUE(computed.empty());
 }

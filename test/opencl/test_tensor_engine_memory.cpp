@@ -40,7 +40,7 @@ TEST_F(OpenCL, CellsTooManyForAKeyOnlyMeanMoreSlabs)
 
 TEST_F(OpenCL, TheTableOfCellsCountsAsMemory)
 {
-  // One point per cell: 117 places in the table for every point, many times the rest.
+  // One point per cell: 117 table entries per point, many times the rest.
   const Points points = box(3000, Point(900, 900, 900), 13);
   const TensorSettings settings = withRadius(10);
   engine->setMemoryLimit(1000000);

@@ -21,8 +21,8 @@ TEST_F(OpenCL, RadiiPointByPoint)
   check(points, points, settings, sizes);
 }
 
-// Where the weight ends in a step, that of a point on the ball must not be left to the
-// rounding of its coordinates.
+// Where the weight ends in a step, rounding of the coordinates must not decide the
+// weight of a point on the ball.
 TEST_F(OpenCL, PointsOnTheBallAreWeighedAsTheReferenceDoes)
 {
   const Points points = box(800, Point(5, 2, 0.5), 10);
@@ -38,7 +38,7 @@ TEST_F(OpenCL, PointsOnTheBallAreWeighedAsTheReferenceDoes)
 
 TEST_F(OpenCL, RadiiOfAllMagnitudesCountExactly)
 {
-  // A fine lattice inside of a coarse one: pairs exactly at the radius everywhere.
+  // A fine lattice inside a coarse one: pairs exactly at the radius everywhere.
   Points points;
   NeighborhoodSizes sizes;
   for (const double step : {1.0, 0.001})
@@ -61,7 +61,7 @@ TEST_F(OpenCL, NearestPointsAreThoseOfTheReference)
     settings.k = k;
     check(points, queries, settings);
     if (k == 1)
-      continue; // every point is its own nearest, and no ball is that small
+      continue; // every point is its own nearest neighbor, and no ball is that small
     EXPECT_LT(engine->queriesOnHost(), queries.size() / 20);
     EXPECT_GT(engine->stageTimes().nearest, 0);
   }

@@ -4,7 +4,7 @@
 #
 # exports.sh LIBRARY.a... OBJECT.o...
 #
-# No file needs a symbol that a library of others hides: shared libraries would not link.
+# No file may need a symbol that another library hides: shared libraries would not link.
 for file; do
   readelf -sW "$file" | awk -v file="$file" '
     NF < 8 || $5 == "LOCAL" { next }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The sources are as clang-format 14 would have them. Another version may differ in
-# places, and is passed over.
+# The sources are formatted by clang-format 14. Other versions differ in places, so the
+# test is skipped with them.
 execute_process(COMMAND ${CLANG_FORMAT} --version OUTPUT_VARIABLE version)
 if(NOT version MATCHES "version 14\\.")
   message(STATUS "SKIPPED: wants clang-format 14, not ${version}")

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Links of the pages lead somewhere, and the chain that doc/pcl.md shows is the program
-# that is built.
+# Links between pages resolve, and the pipeline shown in doc/pcl.md is the program that
+# is built.
 file(GLOB pages ${SOURCE_DIR}/*.md ${SOURCE_DIR}/doc/*.md)
 set(dead)
 foreach(page IN LISTS pages)

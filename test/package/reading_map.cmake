@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Every header that doc/reading.md names is there.
+# Every header named in doc/reading.md exists.
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/include/linelet/*.h
   ${SOURCE_DIR}/src/*.h ${SOURCE_DIR}/apps/*.h ${SOURCE_DIR}/bench/*.h)
 string(REPLACE ";" " " headers ";${headers};")

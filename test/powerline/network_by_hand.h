@@ -12,9 +12,9 @@
 
 namespace linelet::test {
 
-/** \brief A line of two spans over flat ground at z = 0, three pylons 20 m high at x =
- * 0, 100 and 200; two wires in the first span (y = -3, 3), one in the second. The
- * second wire comes within 3 m of a tree and is in doubt. */
+/** \brief Two spans over flat ground at z = 0 with three pylons 20 m high at x = 0, 100
+ * and 200; two wires in the first span (y = -3, 3), one in the second. The second wire
+ * comes within 3 m of a tree and is in doubt. */
 inline powerline::PowerLineNetwork
 networkByHand()
 {
@@ -88,7 +88,7 @@ networkByHand()
 }
 
 /** \brief Points of that line far from the origin, with attributes: 12 on the wires,
- * one of pylon 1, two of the tree, 40 of the ground; labels go into \a network. */
+ * one on pylon 1, two on the tree, 40 on the ground; labels go into \a network. */
 inline io::Cloud
 cloudByHand(powerline::PowerLineNetwork& network)
 {

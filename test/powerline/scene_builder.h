@@ -33,15 +33,15 @@ public:
     return deviation * boost::random::normal_distribution<double>()(random_);
   }
 
-  /** \brief Ground at height 0 between two corners, \a density points a square meter.
-   */
+  /** \brief Ground at height 0 between two corners, \a density points per square
+   * meter. */
   void
   ground(double x0, double y0, double x1, double y1, double density)
   {
     box({x0, y0, -0.02}, {x1, y1, 0.02}, density * (x1 - x0) * (y1 - y0));
   }
 
-  /** \brief \a count points evenly in a box. */
+  /** \brief \a count points spread evenly in a box. */
   void
   box(const Point& low, const Point& high, double count)
   {
@@ -53,7 +53,7 @@ public:
 
   /** \brief A wire from \a from to \a to with catenary parameter \a a, hanging straight
    * down, \a per_meter points with \a noise across it; nothing between \a gap_from and
-   * \a gap_to (meters from its start). Places come from the closed form. */
+   * \a gap_to (meters from its start). Positions follow the closed form. */
   void
   wire(const Point& from,
        const Point& to,
@@ -74,7 +74,7 @@ public:
     }
   }
 
-  /** \brief The place \a s meters (in plan) from the start of a hanging wire. */
+  /** \brief The point \a s meters (in plan) from the start of a hanging wire. */
   static Point
   onWire(const Point& from, const Point& to, double a, double s)
   {
@@ -89,7 +89,7 @@ public:
     return {p.x(), p.y(), z};
   }
 
-  /** \brief A lattice pylon of height \a height: four legs that lean inwards. */
+  /** \brief A lattice pylon of height \a height: four legs that lean inward. */
   void
   pylon(const Point& base, double height, double per_meter = 12)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where wires hang close together, each ends at its own attachment point.
+// Where wires are close together, each ends at its own attachment point.
 
 #include <algorithm>
 #include <vector>

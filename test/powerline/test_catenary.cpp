@@ -15,7 +15,7 @@ namespace {
 
 using test::SceneBuilder;
 
-/** A model that is only roughly right, as growth leaves it. */
+/** A rough model, as it comes from growth. */
 SpanModel
 roughModel(const Points& points)
 {
@@ -141,7 +141,7 @@ TEST(FitCatenary, IgnoresPointsOffTheWire)
   SceneBuilder scene(7);
   scene.wire(from, to, 500, 4, 0.04);
   const std::size_t of_wire = scene.points.size();
-  scene.box({20, -1, 12}, {60, 1, 13.2}, 100); // a tree top below, a quarter of it all
+  scene.box({20, -1, 12}, {60, 1, 13.2}, 100); // a tree top, a quarter of all points
   Points sorted = {SceneBuilder::onWire(from, to, 500, 0)};
   sorted.insert(sorted.end(),
                 scene.points.begin(),

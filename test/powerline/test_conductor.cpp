@@ -26,11 +26,11 @@ levelSag(double tension, double load, double span)
   return tension / load * (std::cosh(load * span / (2 * tension)) - 1);
 }
 
-// A textbook's exercise with its answer (Determination of the erection sag of an ACSR
+// A textbook exercise with its answer (Determination of the erection sag of an ACSR
 // line, exercise 15.3 at bartleby.com/questions-and-answers, "Ans: 20.76 m; 541.9 kg"):
 // span 300 m, 240 mm2, 20 mm, 1 kg/m, 8000 kg / 2, 9320 kg/mm2; -5 C with 1 cm of ice
 // of 910 kg/m3 and 40 kg/m2 of wind, to 65 C in still air. The coefficient of expansion
-// is taken as it is printed, 18.44e-5, from which the printed answer follows.
+// is used as printed, 18.44e-5, since the printed answer follows from it.
 TEST(StateChange, AgreesWithATextbooksExercise)
 {
   const Conductor conductor{"exercise", 240, 20, 1000, 9320 * gravity / 1000, 184.4};
@@ -42,7 +42,7 @@ TEST(StateChange, AgreesWithATextbooksExercise)
   EXPECT_NEAR(levelSag(tension, gravity, 300), 20.76, 0.21);
 }
 
-/** Ends of a cable of unstretched length \a length that begins with the forces H and V0
+/** Ends of a cable of unstretched length \a length that starts with the forces H and V0
  * and stretches by Hooke's law: brute force, step by step (midpoint rule). */
 struct Cable {
   double x = 0, z = 0;
@@ -67,7 +67,7 @@ bisect(double low, double high, const std::function<bool(double)>& is_above)
   return 0.5 * (low + high);
 }
 
-/** Vertical force at the start that lets the cable rise by \a rise. */
+/** Vertical force at the start for which the cable rises by \a rise. */
 double
 startForce(double h, double load, double stiffness, double length, double rise)
 {
@@ -94,7 +94,7 @@ TEST(StateChange, AgreesWithAnElasticCableSolvedByBruteForce)
     const double load = loadOf(drake, {}).vertical;
     const ConductorLoad next = loadOf(drake, state);
     const double swing = std::atan2(next.horizontal, next.vertical);
-    // In the plane of the load, where that is tilted (level spans only).
+    // In the tilted plane of the load (level spans only).
     const double warming = state.temperature - 15;
     const double after = tensionAfter({{c.span, c.rise}},
                                       {{c.span, c.rise / std::cos(swing)}},
@@ -110,7 +110,7 @@ TEST(StateChange, AgreesWithAnElasticCableSolvedByBruteForce)
     const double length = bisect(c.span, 1.5 * c.span, [&](double l) {
       return reach(c.tension, load, l) > c.span;
     });
-    // The weight belongs to the metal: warming lengthens it, but makes it no heavier.
+    // The weight belongs to the metal: warming lengthens it but makes it no heavier.
     const double grown = 1 + drake.expansion * 1e-6 * warming;
     const double truth = bisect(1000, 200000, [&](double h) {
       return reach(h, next.resultant() / grown, length * grown) > c.span;
@@ -119,7 +119,7 @@ TEST(StateChange, AgreesWithAnElasticCableSolvedByBruteForce)
   }
 }
 
-// The equation of the ruling span (CIGRE TB 324, 2007, 5.2), solved on its own.
+// The equation of the ruling span (CIGRE TB 324, 2007, 5.2), solved independently.
 TEST(StateChange, OfLevelSpansIsThatOfTheRulingSpan)
 {
   const Conductor hawk = readConductor("Hawk");
@@ -177,7 +177,7 @@ TEST(CatenaryBetween, MeetsBothEndsInASwungPlane)
     EXPECT_LT((curve.at(curve.to) - back).norm(), 1e-8);
     EXPECT_EQ(curve.a, a);
   }
-  // From south to north the right is east: there the ends are from the vertex.
+  // From south to north, right is east: there the ends are, relative to the vertex.
   const Catenary blown = catenaryBetween(Point(0, 0, 0), Point(0, 100, 0), 500, 30);
   EXPECT_LT(blown.at(0).x(), -0.5);
 }
@@ -234,13 +234,13 @@ TEST(MoveToState, SectionsEndWhereConductorsAreDeadEnded)
   };
   const Points straight = {{0, 0, 30}, {250, 0, 30}, {500, 0, 30}, {750, 0, 30}};
   EXPECT_EQ(sections(lineOf(straight, {1000, 1005, 995})), 1U);
-  // 40 % more tension is no scatter of points.
+  // 40 % more tension is not scatter.
   EXPECT_EQ(sections(lineOf(straight, {1000, 1005, 1400})), 2U);
   const Points bent = {{0, 0, 30}, {250, 0, 30}, {450, 150, 30}, {650, 300, 30}};
   EXPECT_EQ(sections(lineOf(bent, {1000, 1000, 1000})), 2U);
   settings.dead_ends = {2, 3};
   EXPECT_EQ(sections(lineOf(straight, {1000, 1005, 995})), 3U);
-  // A wire that hangs the other way round in its own direction is still one section.
+  // A wire stored in the opposite direction still belongs to the same section.
   settings.dead_ends.clear();
   PowerLineNetwork turned = lineOf(straight, {1000, 1000, 1000});
   Wire& middle = turned.wires[1];
@@ -306,7 +306,8 @@ TEST(ConductorState, IsReadOrRefusedWithASentence)
     }
 }
 
-// A digit lost in the table shows in what metal weighs and how round wires pack.
+// A wrong digit in the table shows in the density of the metal and in how tightly the
+// strands pack.
 TEST(KnownConductors, WeighAsMuchAsAluminumAndSteel)
 {
   for (const Conductor& c : knownConductors()) {

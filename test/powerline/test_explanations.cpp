@@ -15,7 +15,7 @@ namespace {
 
 using test::SceneBuilder;
 
-/** Wires along x, and pieces of those of their points between two y. */
+/** Wires along x, and pieces of those of their points that lie between two y. */
 class Explanations : public ::testing::Test {
 protected:
   void

@@ -180,8 +180,8 @@ TEST(ExtractPowerLines, MeasuresClearances)
   EXPECT_LT((nearest.other - middle).head<2>().norm(), 3);
 }
 
-// Where a scan ends, a stub of a twin strand is left that is too short for a wire: no
-// tree at half a meter.
+// Where a scan ends, a stub of a twin strand remains that is too short for a wire; it
+// must not become a tree at half a meter.
 TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
 {
   TwoSpans line;
@@ -195,7 +195,7 @@ TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
     }
 }
 
-// Four conductors 0.45 m apart with one point a meter each look like no line anywhere.
+// Four conductors 0.45 m apart with one point per meter each look like a line nowhere.
 TEST(ExtractPowerLines, FollowsThinBundlesOfFour)
 {
   SceneBuilder scene(41);

@@ -22,7 +22,7 @@ field(std::uint32_t seed)
   return scene;
 }
 
-/** Points along a straight bar, 2 cm of noise. */
+/** Points along a straight bar, with 2 cm of noise. */
 void
 bar(SceneBuilder& scene, const Point& from, const Point& to, double per_meter)
 {
@@ -33,7 +33,7 @@ bar(SceneBuilder& scene, const Point& from, const Point& to, double per_meter)
         Point(scene.normal(0.02), scene.normal(0.02), scene.normal(0.02)));
 }
 
-// A bar has no sag, a wire between the same points has: that alone tells them apart.
+// A bar has no sag, a wire between the same points does: only that tells them apart.
 TEST(FalsePositives, AStraightBarIsNoWireButASaggingOneIs)
 {
   const Point from(20, 30, 14), to(110, 32, 14.5);
@@ -46,8 +46,8 @@ TEST(FalsePositives, AStraightBarIsNoWireButASaggingOneIs)
   EXPECT_NEAR(n.wires[0].length, 90, 2);
 }
 
-// Guys hang between a mast and the ground, and two of them may meet at the mast as the
-// wires of two spans do.
+// Guys run from a mast to the ground, and two of them may meet at the mast like the
+// wires of two spans.
 TEST(FalsePositives, TheGuysOfAMastAreNoWires)
 {
   SceneBuilder scene = field(5);
@@ -58,7 +58,7 @@ TEST(FalsePositives, TheGuysOfAMastAreNoWires)
   EXPECT_TRUE(extractPowerLines(scene.points).wires.empty());
 }
 
-// Pipes are cut at their posts, and the pieces meet as wires do at supports.
+// Pipes are cut at their posts, and the pieces meet like wires at supports.
 TEST(FalsePositives, APipeBridgeIsNoLineThoughTheDataCutItOff)
 {
   for (const std::uint32_t seed : {1, 2, 3}) {
@@ -74,7 +74,7 @@ TEST(FalsePositives, APipeBridgeIsNoLineThoughTheDataCutItOff)
   }
 }
 
-// Even where the data end beyond it, which excuses a lot.
+// Even where the data end beyond it, which excuses much.
 TEST(FalsePositives, TheChordsOfAJibAreNoWires)
 {
   SceneBuilder scene = field(2);
@@ -88,7 +88,7 @@ TEST(FalsePositives, TheChordsOfAJibAreNoWires)
   EXPECT_TRUE(extractPowerLines(scene.points).wires.empty());
 }
 
-// The rails sag with the terrain, but the fence below fills the height to the ground.
+// The rails sag with the terrain, but the fence fills the space down to the ground.
 TEST(FalsePositives, ATallFenceIsNoLineButOneAboveItIs)
 {
   SceneBuilder scene = field(3);
@@ -131,8 +131,8 @@ TEST(FalsePositives, ABranchLineAtAPoleIsNoCrossarm)
   EXPECT_EQ(along_y, 2U);
 }
 
-// Two conductors of 0.8 points per meter, 3 m apart, make no line around their points:
-// it is the shape of the wire beside them that finds them.
+// Two conductors of 0.8 points per meter, 3 m apart, do not look linear around their
+// points: they are found by the shape of the wire beside them.
 TEST(ParallelWires, OfAThinScanAreFoundByTheirNeighbor)
 {
   SceneBuilder scene(6);

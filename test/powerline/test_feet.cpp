@@ -23,7 +23,7 @@ namespace {
 
 constexpr double survey_foot = 1200.0 / 3937;
 
-/** A cloud in survey feet, its heights in meters or in feet as well. */
+/** A cloud in survey feet, with heights in meters or in feet. */
 io::Cloud
 inFeet(io::Cloud cloud, bool metric_heights)
 {
@@ -107,7 +107,8 @@ TEST_P(Feet, GiveTheLinesOfTheSameScanInMeters)
   const io::Cloud scan = read();
   for (const bool metric_heights : {false, true}) {
     const io::Cloud feet = inFeet(scan, metric_heights);
-    // To the last digit what the feet are in meters: rounding alone moves points in and
+    // Exactly the conversion to meters: rounding alone moves points in and out of the
+    // tubes of wires.
     // out of the tubes of wires.
     io::Cloud meters = scan;
     const MetricFrame frame(feet);

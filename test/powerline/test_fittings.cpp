@@ -15,8 +15,8 @@ namespace {
 
 using test::SceneBuilder;
 
-/** A tension pylon at the origin, as a drone sees it, with two conductors that end on
- * its arm in strings of 2.5 m on both sides, and, if wanted, loops between these. */
+/** A tension pylon at the origin, as a drone sees it, with two conductors that end at
+ * its arm in strings of 2.5 m on both sides, and loops between these if wanted. */
 struct TensionPylon {
   static constexpr double string = 2.5, arm = 0.4, height = 25, sag = 2.4, noise = 0.02;
   SceneBuilder scene{7};
@@ -93,7 +93,7 @@ TEST(Fittings, LoopsAndStringsOfATensionPylonAreFound)
   for (const Jumper& jumper : n.jumpers) {
     EXPECT_EQ(jumper.id, &jumper - n.jumpers.data() + 1);
     EXPECT_EQ(jumper.support, 1);
-    // It connects the two wires of its side.
+    // It connects the two wires on its side.
     const double y = jumper.course.front().y() < 0 ? -5.8 : 5.8;
     for (const int id : {jumper.from_wire, jumper.to_wire}) {
       ASSERT_GT(id, 0);
@@ -102,7 +102,7 @@ TEST(Fittings, LoopsAndStringsOfATensionPylonAreFound)
     EXPECT_NE(jumper.from_wire, jumper.to_wire);
     EXPECT_NEAR(jumper.sag, TensionPylon::sag, 0.4);
     EXPECT_LT(jumper.rms, 0.1);
-    // Every place of the loop that hangs clear of the strings has a vector near it.
+    // Every point of the loop that is clear of the strings has a vector near it.
     for (double x = -2.2; x <= 2.2; x += 0.2) {
       double nearest = 9;
       for (std::size_t v = 1; v < jumper.course.size(); ++v)

@@ -137,8 +137,8 @@ TEST(FindGround, KeepsRidgesOfMountains)
 
 TEST(FindGround, KeepsTheUpperEndOfASteepStrip)
 {
-  // Nothing was seen beside and beyond a strip that climbs along its length: to the
-  // rasters, it ends in a summit.
+  // Nothing is scanned on either side of a strip that climbs along its length: to the
+  // rasters, its upper end looks like a summit.
   for (const double heading : {0.0, 0.6, 1.0, 2.5}) {
     SCOPED_TRACE(heading);
     SceneBuilder scene(9);
@@ -181,7 +181,7 @@ TEST(FindGround, CopesWithNothingAndWithStrayPoints)
   const Ground one = findGround({{5, 5, 7}}, {}, false);
   EXPECT_NEAR(one.heightAt(5, 5), 7, 1e-6);
   EXPECT_NEAR(one.heightAt(-100, 900), 7, 1e-6);
-  // One point a thousand kilometers away must not exhaust the memory.
+  // One point a thousand kilometers away must not exhaust memory.
   SceneBuilder scene(23);
   scene.ground(0, 0, 20, 20, 5);
   scene.points.emplace_back(1e6, 1e6, 3);

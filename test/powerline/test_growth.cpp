@@ -26,7 +26,7 @@ everyIndex(const Points& points)
   return all;
 }
 
-/** Wires grown in a scene, before bundles and supports are sorted out. */
+/** Wires grown in a scene, before bundles and supports are resolved. */
 std::vector<Piece>
 grown(const Points& points, const PowerLineSettings& settings = {})
 {
@@ -72,7 +72,7 @@ TEST(Fit, SurvivesAThirdOfOutliers)
 
 TEST(Collect, FindsTheMiddleOfABundleFromOneOfItsConductors)
 {
-  // Two level conductors 0.4 m apart, seen in footprints of 0.28 m.
+  // Two level conductors 0.4 m apart, seen with footprints of 0.28 m.
   SceneBuilder scene(35);
   scene.ground(-5, -10, 105, 10, 4);
   for (const double y : {-0.2, 0.2})
@@ -142,7 +142,7 @@ TEST(Growth, TellsCloseWiresApart)
   }
 }
 
-/** A wire of a parabola in the plane y = 0 turned about z by \a angle degrees. */
+/** A parabolic wire in the plane y = 0 rotated about z by \a angle degrees. */
 WireWithEnds
 wireWithEnds(const Point& support, double angle, double slope, double length)
 {
@@ -160,7 +160,7 @@ wireWithEnds(const Point& support, double angle, double slope, double length)
 
 TEST(Meet, IsWhereTheCurvesCross)
 {
-  // Both run through the support, at an angle in plan, or with a kink alone.
+  // Both run through the support, with an angle in plan or just a kink.
   const Point support(50, 20, 30);
   for (const double angle : {0.0, 5.0, 30.0}) {
     const WireWithEnds a = wireWithEnds(support, 0, -0.1, 150);

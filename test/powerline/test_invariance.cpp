@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where a scan lies, how it is turned, in which order and unit its points come says
-// nothing of its wires; fewer points show fewer of them, but no others.
+// Position, heading, order of points and unit of a scan do not change its wires; with
+// fewer points fewer are found, but no false ones.
 
 #include <algorithm>
 #include <cmath>
@@ -59,12 +59,11 @@ struct Bounds {
   double invented;   ///< meters
 };
 
-/** Standard, seeds 1 to 3, all changes: recall changes by .0003 at most, .9997 are
- * kept, .9999 the same. Street, seeds 1 to 4, six changes each: not invariant. Recall
- * changes by -.032 to +.007, .868 to 1 are kept, .868 to 1 the same. It is not only
- * that a voxel's seed is its first point: with the point nearest to the mean it is no
- * better.
- */
+/** Standard, seeds 1 to 3, all changes: recall changes by at most .0003, .9997 are
+ * kept, .9999 the same. Street, seeds 1 to 4, six changes each, is not invariant:
+ * recall changes by -.032 to +.007, .868 to 1 are kept, .868 to 1 the same. A voxel's
+ * seed being its first point is not the only reason: with the point nearest to the mean
+ * it is no better. */
 Bounds
 sameLines(SceneKind kind)
 {
@@ -73,8 +72,8 @@ sameLines(SceneKind kind)
   return {0.001, 0.999, 0.999, 0.5};
 }
 
-/** Two drawings for each of seeds 1 to 3: one point in two loses up to .003 of the
- * recall, one in four up to .0099. */
+/** Two drawings for each of seeds 1 to 3: one point in two loses up to .003 of recall,
+ * one in four up to .0099. */
 Bounds
 fewerPoints(unsigned one_in)
 {
@@ -82,7 +81,7 @@ fewerPoints(unsigned one_in)
                      : Bounds{0.012, 0.983, 0.993, 0.5};
 }
 
-/** A scan, its truth and the wires that are found in it as it is. */
+/** A scan, its truth and the wires found in the original. */
 struct Found {
   SceneScan scan;
   CurveNetwork wires;
@@ -99,7 +98,7 @@ struct Found {
   }
 };
 
-/** Found once for all tests of a process. */
+/** Computed once for all tests of a process. */
 const Found&
 foundIn(SceneKind kind)
 {
@@ -113,7 +112,7 @@ protected:
   const CurveNetwork& wires_ = foundIn(GetParam()).wires;
   const SceneScores& scores_ = foundIn(GetParam()).scores;
 
-  /** Wires of the scan with every point moved by \a there, brought back. */
+  /** Wires of the scan with every point moved by \a there, then moved back. */
   CurveNetwork
   found(const std::function<Point(const Point&)>& there,
         const std::function<Point(const Point&)>& back) const
@@ -149,7 +148,7 @@ TEST_P(Invariance, ThereAreWiresToCompare)
 
 TEST_P(Invariance, OfThePlaceOfTheScan)
 {
-  // The second is what a reader that forgets its shift hands on (UTM).
+  // The second is what a reader that forgets its shift passes on (UTM).
   for (const Point& d :
        {Point(123.4567, -2345.678, 57.31), Point(402123.37, 5654321.13, 312.7)}) {
     SCOPED_TRACE(testing::Message() << "moved by " << d.transpose());

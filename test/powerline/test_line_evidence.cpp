@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Poles that only the wires tell of, all of a line together; and clouds of which
-// nothing but the line was kept.
+// Poles that only the wires reveal, all those of a line together; and clouds that hold
+// nothing but the line.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 using test::SceneBuilder;
 
 /** Four wires over three poles, the middle one lower by \a drop: the slope changes
- * there by 2 drop / span - span / a. Nothing of the poles is seen. */
+ * there by 2 drop / span - span / a. The poles are not scanned. */
 SceneBuilder
 lineWithoutPoles(std::uint32_t seed, double drop, double noise)
 {
@@ -51,7 +51,7 @@ TEST(KinkOfALine, IsSeenInAllWiresTogether)
 
 TEST(KinkOfALine, TellsOfAllWiresTogetherWhereThePoleStands)
 {
-  // The slope changes by 0.036: enough to cut each wire, too little to place the cut.
+  // The slope changes by 0.036: enough to cut each wire, too little to locate the cut.
   std::vector<double> off;
   for (const std::uint32_t seed : {1, 2, 3, 4, 5, 6})
     for (const Wire& wire :
@@ -74,8 +74,8 @@ TEST(KinkOfALine, IsNotInventedInOneSpan)
   }
 }
 
-/** A pylon line of two spans: its lowest wires are what lies lowest nearly everywhere.
- */
+/** A pylon line of two spans: its lowest wires are the lowest points nearly
+ * everywhere. */
 SceneBuilder
 pylonLine(bool with_ground)
 {
@@ -102,7 +102,7 @@ TEST(OnlyTheLine, GivesTheSameWiresAsWithItsSurroundings)
 TEST(OnlyTheLine, HasUnknownClearancesAndHeights)
 {
   SceneBuilder scene = pylonLine(false);
-  scene.box({40, 5.2, 18.4}, {42, 6.8, 19}, 20); // spacers, say: no vegetation
+  scene.box({40, 5.2, 18.4}, {42, 6.8, 19}, 20); // spacers, for example: not vegetation
   const PowerLineNetwork network = extractPowerLines(scene.points);
   ASSERT_FALSE(network.wires.empty());
   EXPECT_TRUE(network.ground.heights.empty());

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Power lines of overlapping parts are those of the whole cloud, however it was cut.
+// Power lines merged from overlapping parts are those of the whole cloud, however it
+// was cut.
 
 #include <cmath>
 #include <random>
@@ -143,7 +144,7 @@ protected:
 };
 
 // Boxes of any origin, much narrower than a span (219 m), that overlap by the longest
-// and what hangs at its ends.
+// span plus its fittings.
 TEST_F(MergeParts, OfRandomTilingsAreTheWhole)
 {
   std::mt19937 random(test::randomSeed());
@@ -163,7 +164,7 @@ TEST_F(MergeParts, OfRandomTilingsAreTheWhole)
   }
 }
 
-// One part is the whole: nothing is lost on the way, to the bit.
+// A single part is the whole: nothing is lost on the way, to the bit.
 TEST_F(MergeParts, OfOneIsTheSame)
 {
   const Merged merged = inParts(cloud_.points, {-1e5, -1e5, 1e6}, 0);
@@ -174,7 +175,7 @@ TEST_F(MergeParts, OfOneIsTheSame)
     EXPECT_EQ(merged.network.unexplained[k].length, whole_.unexplained[k].length);
 }
 
-// A line without explanation that a border cuts is one line again.
+// An unexplained line cut by a border is joined again.
 TEST(PartsOfLines, AreJoinedAtBorders)
 {
   UnexplainedLine line;

@@ -18,7 +18,7 @@ protected:
     row(0, 10);
   }
 
-  // Points beside the wire, as a scan line makes them.
+  // Points beside the wire, as in a scan line.
   void
   row(double y, double z)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Lines on poles along streets: racks, whose wires hang closer together than they kink,
-// and roofs beside them.
+// Pole lines along streets: racks whose wires are closer together than their kinks are
+// deep, and roofs beside them.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr double a = 450; // catenary parameter, meters
 
-/** Slopes along spans of 40 m between level supports, two places a meter. */
+/** Slopes along spans of 40 m between level supports, two samples per meter. */
 std::vector<Tangents::Sample>
 slopes(double from, double to, test::SceneBuilder& random)
 {
@@ -52,8 +52,8 @@ TEST(FindKinks, IsWhereSlopesBreakDownwards)
 
 TEST(FindKinks, IsNotWhereStripsDoNotFit)
 {
-  // One strip ends, and the next one lies .1 m lower: neighborhoods of 4 m across that
-  // dip, and the slope is behind by as much as the bend makes up for in some meters.
+  // One strip ends and the next lies .1 m lower: neighborhoods of 4 m dip across that
+  // step, and the slope lags by as much as the bend contributes in a few meters.
   for (const std::uint32_t seed : {1, 2, 3}) {
     test::SceneBuilder random(seed);
     std::vector<Tangents::Sample> samples;
@@ -82,15 +82,16 @@ scoresOf(bench::SceneKind kind, std::uint32_t seed)
   return scoreSceneWires(found, scan);
 }
 
-// Four wires .35 m apart with a point a meter: .815 before directions told of the
+// Four wires .35 m apart with one point per meter: .815 before directions revealed the
 // poles.
 TEST(Rack, IsFollowedFromPoleToPole)
 {
   EXPECT_GT(scoresOf(bench::SceneKind::Town, 7).recall(), 0.86);
 }
 
-// Where wires sag as far as they hang apart, straight lines lead from the middle of one
-// to the ends of the next: they took the points of both, and then fell as too straight.
+// Where wires sag as much as they are apart, straight lines lead from the middle of one
+// to the ends of the next: they took the points of both and were then rejected as too
+// straight.
 TEST(Rack, HasNoStraightWires)
 {
   constexpr double span = 40, apart = 0.35;
@@ -168,14 +169,14 @@ TEST(Chords, OfARackGoAndThoseAloneStay)
   EXPECT_EQ(pieces.size(), 1U);
 }
 
-// 276 m of rows on roofs at the border of the data beside a line, which vouched for
-// them.
+// 276 m of rows on roofs at the border of the data, which the line beside them used to
+// support as evidence.
 TEST(Roofs, BesideALineAreNoWires)
 {
   EXPECT_LT(scoresOf(bench::SceneKind::Town, 8).falseLength(), 15);
 }
 
-// Five parallel pipes that the border of the data cuts off, 118 m in all.
+// Five parallel pipes cut off by the border of the data, 118 m in all.
 TEST(Pipes, AtTheBorderAreNoWires)
 {
   EXPECT_LT(scoresOf(bench::SceneKind::ClutterEmpty, 6).falseLength(), 15);

@@ -21,7 +21,7 @@ struct Tile {
   std::vector<std::uint8_t> truth;
 };
 
-/** Reads a tile, every \a thin-th point on average. */
+/** Reads a tile, on average every \a thin-th point. */
 Tile
 read(const std::string& name, unsigned thin = 1)
 {
@@ -43,7 +43,7 @@ f1(double hit, double extra, double missed)
   return 2 * hit / (2 * hit + extra + missed);
 }
 
-/** Scores of one class; places where \a skip says so do not count. */
+/** Scores of one class; indices for which \a skip is true do not count. */
 template <class Skip>
 double
 score(const Tile& tile, const PowerLineNetwork& n, int wanted, Skip&& skip)
@@ -60,8 +60,8 @@ score(const Tile& tile, const PowerLineNetwork& n, int wanted, Skip&& skip)
   return f1(hit, extra, missed);
 }
 
-/** Whether a place lies within 6 m (plan) of a point of class 15, by a raster of 6 m.
- */
+/** Whether a place lies within 6 m (plan) of a point of class 15, by a raster of 6
+ * m. */
 class NearPylon {
 public:
   explicit NearPylon(const Tile& tile)
@@ -100,7 +100,7 @@ everywhere(const Point&)
   return false;
 }
 
-/** How many vectors' points are mostly of another class than wire and pylon. */
+/** Number of vectors most of whose points are neither wire nor pylon. */
 int
 falseWires(const Tile& tile, const PowerLineNetwork& n)
 {
@@ -139,7 +139,7 @@ TEST_P(HighVoltage, IsFoundAsWellAsPeopleLabelIt)
     for (const int id : span.wires) {
       const Wire& wire = n.wires[static_cast<std::size_t>(id - 1)];
       EXPECT_NEAR(wire.span_length, span.length, std::max(2.0, 0.1 * span.length));
-      // Short ones hold fittings and jumpers of the pylon.
+      // Short ones contain fittings and jumpers of the pylon.
       if (wire.length > 100) {
         EXPECT_LE(wire.rms, 0.11);
       }
@@ -164,7 +164,7 @@ TEST(ThinnedTile, IsFoundInAQuarterOfThePoints)
   EXPECT_EQ(falseWires(tile, n), 0);
 }
 
-// This line has an earth wire of one point in two meters before thinning.
+// The earth wire of this line has one point per two meters before thinning.
 TEST(ThinnedTile, OfASparseLineGivesNoFalseWire)
 {
   const char* name = "lidar/ahn4_12AN2_20_thin8.las";
@@ -180,8 +180,8 @@ INSTANTIATE_TEST_SUITE_P(Tiles,
                          ::testing::Values("lidar/ahn4_12BZ1_21_thin8.las",
                                            "lidar/ahn4_12AN2_20_thin8.las"));
 
-// Pylons as a drone sees them, without any ground. What is labeled wire holds jumper
-// loops and insulator strings too, a fifth to a half of it.
+// Pylons as a drone sees them, without any ground. Points labeled wire include jumper
+// loops and insulator strings, a fifth to a half of them.
 class DronePylon : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(DronePylon, ShowsItsConductorsAndNoWiresOfItsLattice)
@@ -204,8 +204,8 @@ TEST_P(DronePylon, ShowsItsConductorsAndNoWiresOfItsLattice)
   EXPECT_LE(lattice, 0.10 * wires);
 }
 
-// With insulators, which the people who labeled them call wires too: nine tenths, but
-// for two pylons whose strings are hardly told from their crossarms.
+// Including insulators, which are labeled wire, too: nine tenths, except for two pylons
+// whose strings are hard to tell from their crossarms.
 struct LabeledPylon {
   const char* number;
   double least_recall = 0.90;

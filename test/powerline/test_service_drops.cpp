@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Short wires from a pole to a house: seen only where neither hides them.
+// Short wires from a pole to a house, visible only where neither hides them.
 
 #include <algorithm>
 #include <iterator>
@@ -36,7 +36,7 @@ lineAndHouse(std::uint32_t seed)
   return scene;
 }
 
-/** Wires that are not of the line. */
+/** Wires that do not belong to the line. */
 std::vector<Wire>
 besideTheLine(const PowerLineNetwork& network)
 {
@@ -52,7 +52,7 @@ TEST(ServiceDrop, IsFoundByTheStretchThatPoleAndHouseLeave)
 {
   for (const std::uint32_t seed : {1, 2, 3, 4, 5}) {
     SceneBuilder scene = lineAndHouse(seed);
-    // Seen from 2 to 9 m.
+    // Visible from 2 to 9 m.
     for (int i = 0; i < 20; ++i)
       scene.points.push_back(
           SceneBuilder::onWire(pole, house, drop_sag, scene.uniform(2, 9)) +
@@ -63,7 +63,7 @@ TEST(ServiceDrop, IsFoundByTheStretchThatPoleAndHouseLeave)
       EXPECT_LT(found[0].curve.distance(SceneBuilder::onWire(pole, house, drop_sag, s)),
                 0.1)
           << "seed " << seed << " at " << s;
-    // Carried on to both that it hangs from.
+    // Extended to both of its supports.
     for (const Point& attachment : {pole, house})
       EXPECT_LT(std::min((found[0].front - attachment).head<2>().norm(),
                          (found[0].back - attachment).head<2>().norm()),

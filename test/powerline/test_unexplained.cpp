@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What looks like a line and is no wire is told, and nothing else is.
+// Whatever looks like a line but is not a wire is reported, and nothing else.
 
 #include <algorithm>
 #include <cstddef>
@@ -38,7 +38,7 @@ TEST(Unexplained, NothingIsWhereEveryLineIsAWire)
   EXPECT_FALSE(muchIsUnexplained(network));
 }
 
-// A pipe has no sag: it is no wire, but nobody should have to find it by eye.
+// A pipe has no sag and is not a wire, but nobody should have to find it by eye.
 TEST(Unexplained, AStraightPipeIsTold)
 {
   SceneBuilder scene = lineOverField();

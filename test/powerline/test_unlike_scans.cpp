@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Scans that are unlike a well-kept tile: what they lack or have too much must not hide
-// the wires.
+// Scans unlike a well-kept tile: what they lack or have too much of must not hide the
+// wires.
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,8 @@ struct Line : SceneBuilder {
   }
 };
 
-/** How many of \a line's wires lie within \a reach of one vector for \a part of them.
- */
+/** How many of \a line's wires lie within \a reach of a single vector for a share
+ * \a part of their length. */
 std::size_t
 countFound(const PowerLineNetwork& n, const Line& line, double reach, double part = 0.9)
 {
@@ -71,7 +71,7 @@ countFound(const PowerLineNetwork& n, const Line& line, double reach, double par
       }));
 }
 
-// What a noisy scan scatters farther than a wire reaches is no wire beside it.
+// Noise that scatters farther than the tube of a wire is not a wire beside it.
 TEST(UnlikeScan, OfMuchNoiseShowsEachWireOnce)
 {
   for (const std::uint32_t seed : {1U, 2U, 3U})
@@ -86,8 +86,8 @@ TEST(UnlikeScan, OfMuchNoiseShowsEachWireOnce)
     }
 }
 
-// Below and beside the lowest wire over water lies nothing but other wires, of its
-// bundle and of the arm above: no roof.
+// Below and beside the lowest wire over water there are only other wires, of its bundle
+// and of the arm above, and no roof.
 TEST(UnlikeScan, OfARiverThatReturnsNothing)
 {
   constexpr double span = 500, a = 2000;
@@ -154,7 +154,7 @@ TEST(UnlikeScan, WithNoiseFarBelowAndAboveIsAsWithout)
   EXPECT_EQ(countFound(n, line, 0.1), 4U);
 }
 
-// One stray point must not make one cell of the whole scene.
+// One stray point must not turn the whole scene into one cell.
 TEST(UnlikeScan, WithPointsInAnotherCountryIsAsWithout)
 {
   Line line(4);
@@ -175,7 +175,7 @@ TEST(UnlikeScan, WithEveryPointTwiceIsAsOnce)
   EXPECT_EQ(countFound(extractPowerLines(line.points), line, 0.1), 4U);
 }
 
-// Flight lines that do not fit show every wire twice, too near to be told apart.
+// Misaligned strips show every wire twice, too close together to be told apart.
 TEST(UnlikeScan, OfStripsThatDoNotFitHasItsWiresBetweenThem)
 {
   for (const double apart : {0.1, 0.2}) {
@@ -205,8 +205,8 @@ TEST(UnlikeScan, WithTreesGrownIntoTheWiresStillShowsThem)
   EXPECT_EQ(countFound(extractPowerLines(line.points), line, 0.1, 0.8), 4U);
 }
 
-// An earth wire is thinner and hangs flatter: a thin scan hits it once in ten meters,
-// which makes no line around any of its points.
+// An earth wire is thinner and sags less: a sparse scan hits it once in ten meters,
+// which is not linear around any of its points.
 TEST(UnlikeScan, WithFewPointsOnTheEarthWireFindsItByItsLine)
 {
   Line line(9, 1.5);
@@ -229,8 +229,8 @@ TEST(UnlikeScan, WithFewPointsOnTheEarthWireFindsItByItsLine)
   EXPECT_GT(found->length, 220);
 }
 
-// Two conductors half a meter apart, each seen on its half of the span only: where one
-// ends and the other begins no pylon stands, since the rest of the line runs past.
+// Two conductors half a meter apart, each seen on one half of the span only: no pylon
+// stands where one ends and the other begins, since the rest of the line runs past.
 TEST(UnlikeScan, WithAWireBrokenInTheMiddleHasNoPylonThere)
 {
   Line line(10);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What few points, or points that run into each other, still tell: poles and bundles.
-
+// What can still be inferred from few points or points that merge: poles and bundles.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,8 +19,8 @@ namespace {
 
 using test::SceneBuilder;
 
-/** A low line of four wires over a pole in a dip. The wires have no kink there: both
- * spans follow one parabola, so that nothing but the pole itself tells of it. */
+/** A low line of four wires over a pole in a dip. The wires have no kink there: one
+ * parabola fits both spans, so that only the pole itself reveals it. */
 class PoleInADip : public testing::Test {
 protected:
   static constexpr double reach = 35, top = 10, rise = 3;
@@ -36,7 +35,7 @@ protected:
         scene_.wire({x, y, top + rise}, {0, y, top}, a, 8, 0.02);
   }
 
-  /** \brief The wires that hang from a support near the place of the pole. */
+  /** \brief The wires attached to a support near the pole. */
   static std::size_t
   endsAtPole(const PowerLineNetwork& network)
   {
@@ -116,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(OfEveryWidth,
                          BlurredBundle,
                          testing::Values(0.08, 0.12, 0.14, 0.16, 0.18, 0.2));
 
-/** A line in the open, then through crowns that are as dense as its wires. */
+/** A line in the open, then through crowns as dense as its wires. */
 SceneBuilder
 forestLine(std::uint32_t seed, bool goes_on)
 {
@@ -148,7 +147,7 @@ isFoundAt(const PowerLineNetwork& network, const Point& p)
 
 TEST(NextSpan, IsFoundInCrowns)
 {
-  // Half of what lies within 0.4 m of a wire there is its crowns, and nothing is
+  // Half of the points within 0.4 m of a wire there belong to crowns, and nothing is
   // linear.
   double found = 0, all = 0;
   for (const std::uint32_t seed : {1, 2, 3, 4}) {
@@ -171,7 +170,7 @@ TEST(NextSpan, IsNotInventedInCrowns)
 }
 
 /** A line of three spans of 60 m and three wires; crowns around the middle span, whose
- * wires show where \a shown says, with a point per meter. */
+ * wires are visible where \a shown says, with one point per meter. */
 SceneBuilder
 throughCrowns(std::uint32_t seed, const std::vector<std::pair<double, double>>& shown)
 {
@@ -191,7 +190,7 @@ throughCrowns(std::uint32_t seed, const std::vector<std::pair<double, double>>& 
   return scene;
 }
 
-// Both ends are known: three quarters of a thin wire in between are enough.
+// Both ends are known, so three quarters of a sparse wire between them suffice.
 TEST(SpanBetween, IsFoundInCrowns)
 {
   double found = 0, all = 0;

@@ -16,7 +16,7 @@
 
 namespace linelet::test {
 
-/** What is wrong with the nesting of tags, scripts left out; empty where nothing is. */
+/** What is wrong with the nesting of tags, scripts aside; empty if nothing is. */
 inline std::string
 nestingError(std::string page)
 {

@@ -147,7 +147,7 @@ TEST_F(OutputFiles, ClassesOfAnEarlierRunAreReplacedNotRepeated)
 
 TEST_F(OutputFiles, LasToLasKeepsIntegersBitForBit)
 {
-  // The bundled scene, as a user would have it: through the reader.
+  // The bundled scene through the reader, as a user would run it.
   const std::string path = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
   cloud_ = io::readCloud(path);
   PowerLineNetwork empty;
@@ -208,11 +208,11 @@ TEST_F(OutputFiles, LayersOpenInGdalWithGeometryAttributesAndReference)
   }
   const auto drawing = open("wires.dxf");
   ASSERT_NE(drawing, nullptr);
-  EXPECT_EQ(drawing->GetLayer(0)->GetFeatureCount(), 12); // with a text each
+  EXPECT_EQ(drawing->GetLayer(0)->GetFeatureCount(), 12); // each with a text
 }
 
-// The scan ends a few meters beyond two poles of the bundled scene: what is left of the
-// wires there is short, but as well covered as the rest.
+// The scan ends a few meters beyond two poles of the bundled scene: the rest of the
+// wires there is short, but as densely covered as elsewhere.
 TEST(BundledScene, ShortWiresAtTheBorderAreJudgedByTheirPoints)
 {
   const io::Cloud cloud =
@@ -346,7 +346,7 @@ TEST_F(OutputFiles, NoWiresGiveValidEmptyFiles)
   ASSERT_NE(file, nullptr);
   ASSERT_NE(file->GetLayerByName("wires"), nullptr);
   EXPECT_EQ(file->GetLayerByName("wires")->GetFeatureCount(), 0);
-  // A style or a script that names a column finds it also where there is no wire.
+  // A style or script that names a column finds it even in a file without wires.
   const auto columnOf = [&](const char* layer, const char* column) {
     return file->GetLayerByName(layer)->GetLayerDefn()->GetFieldIndex(column);
   };

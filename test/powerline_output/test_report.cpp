@@ -21,7 +21,7 @@ TEST_F(Report, IsWellFormedAndStandsAlone)
 {
   const std::string text = page();
   EXPECT_EQ(nestingError(text), "");
-  // Nothing is fetched from anywhere: links go to places of the page, pictures are
+  // Nothing is fetched from anywhere: links go to places in the page, pictures are
   // data.
   EXPECT_EQ(text.find("http"), std::string::npos);
   EXPECT_EQ(text.find("<script src"), std::string::npos); // none from elsewhere
@@ -81,7 +81,7 @@ TEST_F(Report, DoesNotCallClearWhatItDidNotFind)
   EXPECT_NE(text.find("400 m above ground look like lines"), std::string::npos);
 }
 
-// A scan of the line alone shows no hazards, and is no proof that there are none.
+// A scan of the line alone shows no hazards, which does not prove there are none.
 TEST_F(Report, DoesNotCallClearWhatCannotBeKnown)
 {
   const std::string known = page();
@@ -100,7 +100,7 @@ TEST_F(Report, DoesNotCallClearWhatCannotBeKnown)
   EXPECT_NE(text.find("Clearances are unknown"), std::string::npos);
 }
 
-/** What base64 text says. */
+/** Decodes base64 text. */
 std::vector<std::uint8_t>
 decoded(const std::string& text)
 {
@@ -123,8 +123,8 @@ decoded(const std::string& text)
   return bytes;
 }
 
-// What the view in space draws: every point of this small cloud, every wire, and each
-// hazard under the number that the table links to.
+// The 3D view draws every point of this small cloud, every wire, and each hazard under
+// the number that the table links to.
 TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
 {
   const std::string text = page();
@@ -144,7 +144,7 @@ TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
   const auto coordinate = [&](std::size_t i, std::size_t axis) {
     return step * (places[6 * i + 2 * axis] + 256 * places[6 * i + 2 * axis + 1]);
   };
-  // The points off the lines come first, in order; ground begins at x = 0.
+  // Points off the lines come first, in order; ground begins at x = 0.
   double low = 1e9;
   for (const Point& p : cloud_.points)
     low = std::min(low, p.y());
@@ -160,12 +160,12 @@ TEST_F(Report, ViewInSpaceHoldsCloudWiresAndHazards)
   EXPECT_EQ(occurrences(text, "id=\"space-1\""), 1U);
   EXPECT_NE(data["hazards"][0]["text"].get<std::string>().find("3.00 m to object"),
             std::string::npos);
-  // And without WebGL 2, a picture.
+  // Without WebGL 2, a picture.
   EXPECT_EQ(occurrences(text, "<svg class=\"still\""), 1U);
 }
 
-// A jumper is a line of its own kind in space and beside its support in both profiles;
-// points of insulators have their own color.
+// A jumper is a line of its own kind in the 3D view and beside its support in both
+// profiles; points of insulators have their own color.
 TEST_F(Report, JumpersAndInsulatorsAreDrawn)
 {
   const std::string before = page();
@@ -210,7 +210,7 @@ TEST_F(Report, EscapesNames)
   EXPECT_NE(text.find("a&lt;b&gt;&amp;&quot;c&quot;.las"), std::string::npos);
 }
 
-// Nobody can get the same results again from a page that does not say how.
+// Nobody can reproduce the results of a page that does not give the settings.
 TEST_F(Report, SaysWithWhatItWasMade)
 {
   EXPECT_EQ(page().find("id=\"settings\""), std::string::npos);

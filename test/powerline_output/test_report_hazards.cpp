@@ -16,7 +16,7 @@ using namespace powerline;
 
 namespace {
 
-/** Two stretches, a tree and a crossing along the line made by hand. */
+/** Two stretches, a tree and a crossing along the hand-made line. */
 std::vector<Hazards>
 hazardsByHand(const PowerLineNetwork& network)
 {
@@ -62,7 +62,7 @@ hazardsByHand(const PowerLineNetwork& network)
   return {hazards};
 }
 
-// Every hazard has a row that the plan and the profile lead to, and the first lines of
+// Every hazard has a row that the plan and the profile link to, and the first lines of
 // the page say what is severe and where.
 TEST_F(Report, HazardsAreToldListedAndMarked)
 {
@@ -101,7 +101,7 @@ TEST_F(Report, OtherStatesHaveTheirOwnRows)
     EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 
-// The plan shows what looks like a line and was not explained, with the hazards too.
+// The plan shows unexplained lines, and the hazards.
 TEST_F(Report, WhatWasNotExplainedIsInThePlan)
 {
   options_.hazards = hazardsByHand(network_);

@@ -43,7 +43,7 @@ protected:
   std::string path;
 };
 
-// Nothing said: nothing may change, not even a number.
+// An empty review changes nothing, not even a number.
 TEST_F(ReviewTest, SilenceChangesNothing)
 {
   PowerLineNetwork again = network;
@@ -60,7 +60,7 @@ TEST_F(ReviewTest, SilenceChangesNothing)
   EXPECT_EQ(again.circuits.front().spans, network.circuits.front().spans);
 }
 
-// What was said comes back from the file word by word.
+// Reviews are read back from the file word for word.
 TEST_F(ReviewTest, FileKeepsEveryWord)
 {
   network.wires[0].review = {Verdict::Accepted, 13, "earth wire, \"seen\" on site; ü"};
@@ -75,8 +75,8 @@ TEST_F(ReviewTest, FileKeepsEveryWord)
   EXPECT_NEAR((read[0].vertices.front() - network.wires[0].front).norm(), 0, 1e-6);
 }
 
-// A rejected wire leaves points, span and numbering behind in order; its neighbors keep
-// their own.
+// Rejecting a wire leaves points, span and numbering consistent; its neighbors keep
+// theirs.
 TEST_F(ReviewTest, RejectedWireLeavesNothing)
 {
   network.wires[0].review.verdict = Verdict::Rejected;
@@ -95,7 +95,7 @@ TEST_F(ReviewTest, RejectedWireLeavesNothing)
   }
 }
 
-// The only wire of a span: the span goes, and a support that no point shows.
+// The only wire of a span: the span disappears, and so does a support without points.
 TEST_F(ReviewTest, EmptySpansGo)
 {
   network.wires[2].review.verdict = Verdict::Rejected;
@@ -108,7 +108,7 @@ TEST_F(ReviewTest, EmptySpansGo)
   EXPECT_EQ(after.supports.size(), 2u);
 }
 
-// Every wire rejected: an empty network, as of a cloud without wires.
+// With every wire rejected, the network is that of a cloud without wires.
 TEST_F(ReviewTest, AllRejected)
 {
   for (Wire& wire : network.wires)
@@ -132,7 +132,7 @@ TEST_F(ReviewTest, AcceptedWireIsCertain)
   EXPECT_EQ(after.wires[1].review.note, "checked");
 }
 
-// Other settings find other ids and ends: it is the place that tells which wire it is.
+// Other settings give other ids and ends: a wire is identified by its place.
 TEST_F(ReviewTest, WiresAreKnownByTheirPlace)
 {
   network.wires[0].review.note = "left";
@@ -144,7 +144,7 @@ TEST_F(ReviewTest, WiresAreKnownByTheirPlace)
   other.wires[0].length -= 20;
   EXPECT_EQ(matchReviewed(other, reviewed)[0], 1);
   EXPECT_EQ(matchReviewed(other, reviewed)[1], 0);
-  // The next conductor of a bundle, 0.4 m beside, is another wire.
+  // The next conductor of a bundle, 0.4 m away, is another wire.
   other.wires[0].curve.lowest += Point(0, 0.4, 0);
   EXPECT_EQ(matchReviewed(other, reviewed)[0], -1);
 }

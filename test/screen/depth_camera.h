@@ -14,7 +14,8 @@
 
 namespace linelet::test {
 
-/** \brief What a ray from the origin meets: how far along, and the normal there. */
+/** \brief Where a ray from the origin hits something: the distance along it, and the
+ * normal. */
 struct Hit {
   double distance = std::numeric_limits<double>::quiet_NaN();
   Point normal = Point::Zero();
@@ -51,7 +52,7 @@ cylinder(const Point& ray, double depth, double radius)
 }
 
 /** \brief A picture of a surface by a camera at the origin that looks along z, with
- * noise along the rays, and the true normals turned to the camera. */
+ * noise along the rays, and the true normals facing the camera. */
 struct DepthPicture {
   SampleLayers samples;
   Points truth; // of every pixel; NaN where nothing is seen

@@ -75,7 +75,7 @@ TEST(ScreenNormals, UnderNoiseAreBestByDiagonalsAndTensorAndWorstByDerivatives)
       {"plane", tilted}, {"sphere", ball}, {"cylinder", column}, {"roof", roof}};
   for (const auto& scene : scenes)
     for (const int layers : {1, 8}) {
-      // As large as a third of the distance between pixels.
+      // A third of the distance between pixels.
       const DepthPicture picture(160, 120, layers, scene.surface, 0.01, seed);
       const auto error = [&](Method method) {
         return picture.meanError(
@@ -87,8 +87,8 @@ TEST(ScreenNormals, UnderNoiseAreBestByDiagonalsAndTensorAndWorstByDerivatives)
       SCOPED_TRACE(std::string(scene.name) + ", " + std::to_string(layers) +
                    " layers: " + std::to_string(ld) + " " + std::to_string(pc) + " " +
                    std::to_string(pd) + " " + std::to_string(ti));
-      // What a simulation apart from this code gives: the diagonals are the
-      // least-squares slope, of which the tensor counts near samples more.
+      // The figure of an independent simulation: the diagonals are the least-squares
+      // slope, while the tensor gives near samples more weight.
       EXPECT_GT(ld, 2 * pc);
       EXPECT_GT(ld, 2 * ti);
       EXPECT_GT(pc, ti);
@@ -98,7 +98,7 @@ TEST(ScreenNormals, UnderNoiseAreBestByDiagonalsAndTensorAndWorstByDerivatives)
 
 TEST(ScreenNormals, WithADistanceLimitRankAsInThePublication)
 {
-  // Two planes of points with noise, seen at a slant, as in its Fig. 6.
+  // Two noisy planes of points, seen at a slant, as in its Fig. 6.
   constexpr unsigned seed = 9;
   SCOPED_TRACE(seed);
   boost::random::mt19937 random(seed);
@@ -144,8 +144,8 @@ TEST(ScreenNormals, WithADistanceLimitRankAsInThePublication)
 
 TEST(ScreenNormals, OfTensorsFollowTheFormula)
 {
-  // The smallest eigenvector of sum d (x) d / |d| over the 8 samples of the pixels
-  // around, d from the mean of the pixel's own.
+  // The smallest eigenvector of sum d (x) d / |d| over the 8 samples of the surrounding
+  // pixels, with d from the mean of the pixel's own samples.
   constexpr unsigned seed = 8;
   SCOPED_TRACE(seed);
   constexpr int layers = 8;

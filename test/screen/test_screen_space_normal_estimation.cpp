@@ -40,7 +40,7 @@ TEST(ScreenSpaceNormalEstimation, GivesNormalsTowardsTheSensor)
   estimation.compute(normals);
   ASSERT_EQ(normals.width, 40u);
   ASSERT_EQ(normals.height, 30u);
-  // All but the corners, which have diagonals to one side alone.
+  // All except the corners, which have diagonals on one side only.
   EXPECT_FALSE(normals.is_dense);
   const auto corner = [&](std::size_t k) {
     return (k % 40 == 0 || k % 40 == 39) && (k < 40 || k >= 29 * 40);
@@ -53,7 +53,7 @@ TEST(ScreenSpaceNormalEstimation, GivesNormalsTowardsTheSensor)
     }
     EXPECT_GT(normals[k].getNormalVector3fMap().dot(truth), 0.9999F);
   }
-  // Seen from behind they look there.
+  // Seen from behind, they face that way.
   cloud->sensor_origin_ = Eigen::Vector4f(0, 0, 100, 0);
   estimation.compute(normals);
   for (std::size_t k = 0; k < normals.size(); ++k)

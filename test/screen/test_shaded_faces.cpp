@@ -33,7 +33,7 @@ cameraOf(bool perspective)
   return camera;
 }
 
-/** \brief A triangle with its normal, of the part that its number says. */
+/** \brief A triangle with its normal, belonging to the part with its number. */
 Face
 triangle(const Point& a, const Point& b, const Point& c, std::size_t number)
 {
@@ -44,7 +44,7 @@ triangle(const Point& a, const Point& b, const Point& c, std::size_t number)
   return face;
 }
 
-/** \brief Where the ray of a pixel meets a face first, by the barycentric coordinates
+/** \brief Where the ray of a pixel first meets a face, by the barycentric coordinates
  * of the place: number of the face, or none. */
 std::size_t
 hitBy(const std::vector<Face>& faces, const Camera& camera, double x, double y)

@@ -39,7 +39,7 @@ protected:
     return v.normalized();
   }
 
-  /** \brief A tensor of the eigenvalues given, turned at random. */
+  /** \brief A tensor with the given eigenvalues and a random rotation. */
   TensorGlyph
   glyph(const Point& center, double l1, double l2, double l3, double size)
   {
@@ -113,7 +113,7 @@ TEST_F(Splats, InsideOfAFilledCuboidNothingIsSeen)
 
 TEST_F(Splats, StripesRunAlongTheProjectionOfTheMajorDirection)
 {
-  // Large, so that the pixels' own directions do not count.
+  // Large, so that the pixels' own directions do not matter.
   const Camera view = camera(800, 800);
   for (int i = 0; i < 50; ++i) {
     // A line with noise around it.
@@ -122,7 +122,7 @@ TEST_F(Splats, StripesRunAlongTheProjectionOfTheMajorDirection)
     const Point to = view.project(one.axes.col(2) * 0.01);
     const Eigen::Vector2d wanted = (to - from).head<2>();
     if (wanted.norm() < 0.02 * 0.01 * view.focalLength())
-      continue; // it looks at the eye
+      continue; // facing the eye
     const GlyphImage image = drawSplats({one}, view);
     Eigen::Matrix2d structure = Eigen::Matrix2d::Zero();
     for (int y = 1; y < image.height - 1; ++y)
@@ -208,7 +208,7 @@ TEST_F(Splats, EllipsoidsAreAsLargeAsTheyAre)
   view.field_of_view = 0;
   view.view_height = 10;
   view.width = 200;
-  view.height = 200; // 20 pixels a unit
+  view.height = 200; // 20 pixels per unit
   view.eye = Point(0, 0, -10);
   TensorGlyph one;
   one.half_lengths = Eigen::Vector3d(1, 2, 3);
@@ -218,7 +218,7 @@ TEST_F(Splats, EllipsoidsAreAsLargeAsTheyAre)
   for (const auto& pixel : image.pixels)
     area += static_cast<double>(pixel[3]);
   EXPECT_NEAR(area, M_PI * 20 * 40, 40);
-  // A disc behind it shows around it, one through its middle cuts it.
+  // A disc behind it is visible around it; one through its middle cuts it.
   TensorGlyph behind = one;
   behind.half_lengths = Eigen::Vector3d(3, 3, 0);
   behind.color = {1, 0, 0};

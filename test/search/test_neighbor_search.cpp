@@ -27,8 +27,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Random = boost::random::mt19937;
 
-/** \brief Points on a coarse lattice: many equal distances, many points in one place.
- */
+/** \brief Points on a coarse lattice: many equal distances, many coincident points. */
 Points
 lattice(std::size_t count, unsigned seed)
 {
@@ -93,7 +92,7 @@ expectSameAsBruteForce(const Points& points, const Points& queries)
     for (const Point& query : queries) {
       const auto sorted = byDistance(points, query);
       Indices found;
-      // Radii that are distances of the set, so that points lie on the sphere itself.
+      // Radii that are distances in the set, so that points lie on the sphere itself.
       for (const double radius :
            {0.0, 0.1, 0.2, std::sqrt(sorted[9].first), 0.7, 20.0, infinite}) {
         search->within(query, radius, found);

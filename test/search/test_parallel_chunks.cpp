@@ -54,7 +54,7 @@ TEST(ParallelChunks, ThrowsWhatOneOfThemThrows)
     });
   };
   EXPECT_THROW(fails(), std::out_of_range);
-  // Inside a parallel region the one that called it throws, and no other.
+  // Inside a parallel region only the calling thread throws.
   std::vector<char> thrown(4, 0);
   forEachChunk(thrown.size(), 1, 4, [&](std::size_t k, std::size_t) {
     try {

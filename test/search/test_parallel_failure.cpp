@@ -35,7 +35,7 @@ TEST(ParallelFailure, CarriesAnExceptionOutOfAParallelRegion)
     });
   EXPECT_TRUE(failure.failed());
   EXPECT_THROW(failure.rethrow(), std::runtime_error);
-  // What comes after a failure is not begun any more.
+  // After a failure, nothing further starts.
   bool begun = false;
   failure.guard([&] { begun = true; });
   EXPECT_FALSE(begun);

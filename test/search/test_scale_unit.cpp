@@ -91,7 +91,7 @@ TEST(ScaleUnit, OfFewCoincidentOrUnknownPoints)
   EXPECT_TRUE(std::isnan(scaleUnit({Point(1, 2, 3)})));
   EXPECT_TRUE(std::isnan(scaleUnit({Point(1, 2, 3), Point(nan, 0, 0)})));
   EXPECT_EQ(scaleUnit({Point(0, 0, 0), Point(3, 4, 0)}), 5);
-  // Farthest others are 3, 2 and 3 away.
+  // The farthest others are 3, 2 and 3 away.
   EXPECT_EQ(scaleUnit({Point(0, 0, 0), Point(1, 0, 0), Point(3, 0, 0)}), 3);
   EXPECT_EQ(scaleUnit(Points(100, Point(5e5, 5e6, 1))), 0);
   Points points = box(300, 2);

@@ -12,7 +12,7 @@
 
 using namespace linelet;
 
-// Few and many, close together and over all the range, with equals among them.
+// Few and many, clustered and over the whole range, with equal values among them.
 TEST(SortIndices, SortsAsComparingDoes)
 {
   boost::random::mt19937 random(5);

@@ -76,7 +76,7 @@ TEST(UniformGrid, RunsInACylinderHoldAllOfIt)
     for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
       const Point from = ends[k] - Point::Constant(1);
       Point to = ends[k + 1] - Point::Constant(1);
-      for (int axis = 0; axis < 3; ++axis) // along an axis, or a single place
+      for (int axis = 0; axis < 3; ++axis) // along an axis, or in a single place
         if (seed % 7 == 0 || seed % 5 == static_cast<unsigned>(axis))
           to[axis] = from[axis];
       for (const double radius : {0.0, 0.3, 2.0, 30.0}) {
@@ -126,7 +126,7 @@ TEST(UniformGrid, SurvivesDegenerateSets)
             2u);
 }
 
-// Would one far point make the rows of all others wide, queries would visit them all.
+// If one far point made the rows of all others wide, queries would visit them all.
 TEST(UniformGrid, FindsWhatBruteForceFindsBesideFarPoints)
 {
   Points points = randomPoints(3000, Point(10, 10, 10), 3);
@@ -143,8 +143,8 @@ TEST(UniformGrid, FindsWhatBruteForceFindsBesideFarPoints)
   EXPECT_EQ(grid.nearest(Point(9e6, -9e6, 9e6)), 3000u);
 }
 
-// Rows are left out by their distance: none may be that holds the nearest point, nor
-// one as near with a lower index.
+// Rows are skipped by their distance: never one that holds the nearest point, or an
+// equally near one with a lower index.
 TEST(UniformGrid, FindsTheNearestPoint)
 {
   for (unsigned seed = 1; seed <= 60; ++seed) {

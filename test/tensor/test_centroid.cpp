@@ -35,8 +35,8 @@ sumOfDistances(const Points& points, const Point& x)
   return sum;
 }
 
-/** \brief Largest extent of points from the origin, the smallest radius that holds all.
- */
+/** \brief Largest distance of points from the origin, the smallest radius that holds
+ * all. */
 double
 reach(const Points& points)
 {
@@ -78,7 +78,7 @@ TEST(Centroid, QueryPointAndMeans)
   expectNear(centroid(Centroid::WeightedMean, points, query, 5, Kernel::Linear),
              (0.8 * points[0] + 0.8 * points[1] + w * points[2]) / (1.6 + w),
              1e-15);
-  // Nothing left to weigh with.
+  // No weight is left.
   expectNear(centroid(Centroid::WeightedMean, points, query, 5, Weighting::step(0.1)),
              Point(2, 4, 0) / 3,
              1e-15);
@@ -104,14 +104,14 @@ TEST(Centroid, MedianOfAllButOneInOnePlaceIsThatPlace)
 
 TEST(Centroid, MedianOfATriangleIsItsFermatPoint)
 {
-  // All sides are seen under 120 degrees from the Fermat point (here the origin).
+  // From the Fermat point (here the origin), each side is seen under 120 degrees.
   Points points;
   for (int i = 0; i < 3; ++i)
     points.emplace_back((1 + i) * std::cos(2.0943951023931953 * i),
                         (1 + i) * std::sin(2.0943951023931953 * i),
                         0);
   expectNear(median(points), Point::Zero(), 1e-8);
-  // With an angle above 120 degrees the blunt corner is the median.
+  // With an angle above 120 degrees, the obtuse corner is the median.
   expectNear(median({{-5, 1, 0}, {0, 0, 0}, {5, 1, 0}}), Point::Zero(), 0);
 }
 
@@ -148,10 +148,10 @@ TEST(Centroid, NoPlaceHasASmallerSumOfDistancesThanTheMedian)
 
 TEST(Centroid, TheSumOfUnitVectorsVanishesAtTheMedian)
 {
-  // Closed form of what the iteration should converge to, so it must have converged.
+  // A closed form of the limit, so the iteration must have converged.
   for (unsigned seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    // Wires as well, from thick to hardly any thickness, where plain iteration creeps.
+    // Wires as well, from thick to vanishingly thin, where plain iteration creeps.
     Points points = cluster(5 + seed % 40, seed);
     for (Point& point : points)
       point = Point(point.x(),

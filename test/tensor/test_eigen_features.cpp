@@ -20,7 +20,7 @@ const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 TEST(EigenFeatures, OfBallDiscAndLineAreTheExtremes)
 {
-  for (const double scale : {1e-6, 1.0, 1e6}) { // no unit, no size
+  for (const double scale : {1e-6, 1.0, 1e6}) { // free of units and size
     SCOPED_TRACE(scale);
     const EigenFeatures ball = eigenFeatures(scale * Eigen::Vector3d(1, 1, 1), up);
     EXPECT_NEAR(ball.omnivariance, 1.0 / 3, 1e-12);
@@ -64,7 +64,7 @@ TEST(EigenFeatures, VerticalityIsOneOnAWallWhicheverWayItFaces)
       eigenFeatures(values, Eigen::Vector3d(0.8, 0, 0.6)).verticality, 0.4, 1e-12);
 }
 
-// The note on CloudCompare and jakteristics: theirs from ours.
+// The note on CloudCompare and jakteristics: theirs computed from ours.
 TEST(EigenFeatures, TellThoseOfRawEigenvalues)
 {
   const Eigen::Vector3d l(0.02, 0.3, 1.7);

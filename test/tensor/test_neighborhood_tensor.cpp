@@ -50,7 +50,7 @@ TEST(NeighborhoodTensor, IsTheWeightedMeanOfOuterProducts)
   EXPECT_DOUBLE_EQ(t.trace(), 2.75 / 1.25);
 }
 
-// The form of the publications of 2012.
+// The form in the publications of 2012.
 TEST(NeighborhoodTensor, DividedByTheCountIsTheMeanOfWeightedOuterProducts)
 {
   const SymmetricTensor t = neighborhoodTensor(
@@ -84,7 +84,7 @@ TEST(NeighborhoodTensor, IsNotKnownWithoutWeight)
   // Every neighbor on the rim, where a compact kernel is 0.
   EXPECT_TRUE(
       std::isnan(neighborhoodTensor({{1, 0, 0}}, Point::Zero(), 1, Kernel::Linear).yz));
-  // A neighborhood of no extent is one place, whose tensor is 0.
+  // A neighborhood of zero extent is a single place, whose tensor is 0.
   EXPECT_EQ(
       neighborhoodTensor(Points(3, Point(1, 2, 3)), Point(1, 2, 3), 0, Kernel::Linear)
           .trace(),
@@ -93,7 +93,7 @@ TEST(NeighborhoodTensor, IsNotKnownWithoutWeight)
 
 TEST(EigenAnalysis, FindsKnownEigenvaluesOfWireLikeTensors)
 {
-  // The closed form in double errs by 3e-9 here, float by more than the value itself.
+  // The closed form in double is off by 3e-9 here, float by more than the value itself.
   boost::random::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d values(1e-5, 3e-5, 8e-2);
@@ -113,7 +113,7 @@ TEST(EigenAnalysis, VectorsAreOrthonormalWithTheLargestComponentPositive)
   boost::random::normal_distribution<double> normal;
   for (int i = 0; i < 2000; ++i) {
     SymmetricTensor tensor;
-    // From rank 1 to 3, and of every size.
+    // From rank 1 to 3, of all sizes.
     for (int k = 0; k <= i % 4; ++k)
       tensor.add(std::pow(10.0, i % 60 - 30),
                  Point(normal(random), normal(random), normal(random)));
@@ -170,7 +170,7 @@ TEST(ShapeFactors, AreNotKnownForOnePlace)
     EXPECT_TRUE(std::isnan(shapeFactors(values).planarity));
     EXPECT_TRUE(std::isnan(shapeFactors(values).sphericity));
   }
-  // What rounding leaves of coincident points 100 m away is no shape, a millimeter is.
+  // The rounding of coincident points 100 m away is not a shape; a millimeter is.
   EXPECT_TRUE(std::isnan(shapeFactors({0, 0, 1e-28}, 100).linearity));
   EXPECT_EQ(shapeFactors({0, 0, 1e-6}, 100).linearity, 1);
 }

@@ -31,15 +31,15 @@ rising(double x) // a parabola of equal height for each of four bounces
   return 10.8 * x * x - 20.52 * x + 10.72;
 }
 
-/** \brief Bernstein-free restatement of a B-spline by truncated powers. */
+/** \brief A B-spline restated with truncated powers. */
 double
 plus(double x, int exponent)
 {
   return x > 0 ? pow(x, exponent) : 0;
 }
 
-/** \brief The kernels of the definition in [0, 1], written anew without any clamping.
- */
+/** \brief The kernels by their definition in [0, 1], written independently, without
+ * clamping. */
 const std::map<std::string, Formula>&
 formulas()
 {
@@ -215,7 +215,7 @@ TEST(Weighting, IsNeverNegativeAndCompactKernelsStayZeroBeyondTheRadius)
       }
     }
   }
-  // What an overshoot would otherwise be: -2^(9-20x) at sin = -1.
+  // What an overshoot would give: -2^(9-20x) at sin = -1.
   EXPECT_EQ(Weighting("ease-elastic")(7.5 / 13), 0);
 }
 

@@ -60,7 +60,7 @@ protected:
     return path("wire.las");
   }
 
-  /** \brief Opens \a name; the test fails with what is wrong. */
+  /** \brief Opens \a name; the test fails with the reason if it cannot. */
   void
   open(const std::string& name, const std::string& truth = {})
   {

@@ -41,7 +41,7 @@ protected:
 constexpr Analysis all[] = {
     Analysis::Tensor, Analysis::MultiScale, Analysis::Curves, Analysis::PowerLines};
 
-// Every option has a meaning, and its default is what it is at first.
+// Every option has a meaning, and starts at its default.
 TEST_F(AnalysisSettingsTest, EveryParameterIsDescribed)
 {
   for (const Analysis analysis : all)
@@ -57,8 +57,8 @@ TEST_F(AnalysisSettingsTest, EveryParameterIsDescribed)
   EXPECT_EQ(find(curves, "preset").choices.size(), 3u);
 }
 
-// All digits of a number, lists, kernels with parameters, flags: what goes into a file
-// comes out of it.
+// All digits of a number, lists, kernels with parameters, flags: what is written to a
+// file is read back unchanged.
 TEST_F(AnalysisSettingsTest, FilesKeepEverything)
 {
   AnalysisSettings settings;
@@ -90,7 +90,7 @@ TEST_F(AnalysisSettingsTest, EveryAnalysisSurvivesAFile)
   }
 }
 
-// A list can be emptied again, a flag turned off again.
+// A list can be emptied, and a flag turned off.
 TEST_F(AnalysisSettingsTest, ValuesCanBeTakenBack)
 {
   AnalysisSettings settings;
@@ -102,7 +102,7 @@ TEST_F(AnalysisSettingsTest, ValuesCanBeTakenBack)
   EXPECT_FALSE(settings.wires.use_classes);
 }
 
-// What is wrong is said and changes nothing.
+// An error is reported and changes nothing.
 TEST_F(AnalysisSettingsTest, WrongTextsAreRefused)
 {
   AnalysisSettings settings;

@@ -49,7 +49,7 @@ TEST_F(ModelTest, GraphsAreThoseOfAWholeRun)
   }
 }
 
-// On the wire the neighbors agree that it is a line; the deviation is small.
+// On the wire, neighbors agree that it is a line, so the deviation is small.
 TEST_F(ModelTest, SpreadOfNeighborsIsAroundTheirMean)
 {
   open(writeWire());
@@ -86,7 +86,7 @@ TEST_F(ModelTest, EveryAnalysisGivesFields)
   EXPECT_THROW(model.values("no such field"), std::invalid_argument);
 }
 
-// Only what depends on a setting is out of date after it.
+// Only results that depend on a setting are out of date after a change.
 TEST_F(ModelTest, OnlyWhatDependsIsStale)
 {
   open(writeWire());
@@ -102,7 +102,7 @@ TEST_F(ModelTest, OnlyWhatDependsIsStale)
   EXPECT_FALSE(model.stale(Analysis::Tensor));
 }
 
-// On a box the result is that of the box alone, and the rest is unknown.
+// Computed on a box, the result is that of the box alone, and the rest is unknown.
 TEST_F(ModelTest, PreviewWorksOnTheBoxAlone)
 {
   open(writeWire());
@@ -117,7 +117,7 @@ TEST_F(ModelTest, PreviewWorksOnTheBoxAlone)
     if (!box.contains(model.scene().points[i])) {
       EXPECT_TRUE(std::isnan(linearity[i])) << i;
     }
-  // As without the rest, of which nothing is within reach.
+  // The same as without the rest, none of which is within reach.
   const float preview = linearity[60];
   model.setPreview(std::nullopt);
   model.compute(Analysis::Tensor);
@@ -145,7 +145,7 @@ TEST_F(ModelTest, CanceledWorkLeavesTheLastResult)
   EXPECT_FALSE(model.busy());
 }
 
-// Clicks faster than their answers: the last one is answered.
+// Clicks come faster than their answers; the last one is answered.
 TEST_F(ModelTest, TheLastClickCounts)
 {
   open(writeWire());
@@ -190,10 +190,10 @@ TEST_F(ModelTest, TensorAtTheSelectionIsAnEllipsoidAlongTheWire)
   std::size_t sum = 0;
   for (const std::size_t count : distanceHistogram(model.scene(), 300, 1, 10))
     sum += count;
-  EXPECT_EQ(sum + 1, tensor->neighbors); // the point itself is left out
+  EXPECT_EQ(sum + 1, tensor->neighbors); // the point itself does not count
 }
 
-// Whatever the file is: a sentence, or a cloud that every view can bear.
+// Any file gives either an error in one sentence or a cloud that every view can show.
 TEST_F(ModelTest, OddFilesAreToldOrBorne)
 {
   const std::string whole = writeWire();
@@ -247,7 +247,7 @@ TEST_F(ModelTest, NothingOpenIsNoHarm)
   EXPECT_EQ(model.commandLine(Analysis::Tensor), "linelet tensor INPUT tensor.las");
 }
 
-// Curves alone, beside a cloud, and as truth.
+// Curves alone, with a cloud, and as truth.
 TEST_F(ModelTest, CurvesComeWithAndWithoutACloud)
 {
   CurveNetwork network;

@@ -66,14 +66,14 @@ TEST(Picking, FindsWhatALookAtEveryPointFinds)
   EXPECT_GT(hits, 50);
 }
 
-// A wire before a roof: the click means the wire.
+// A wire in front of a roof: the click selects the wire.
 TEST(Picking, TheForemostIsMeant)
 {
   const Points points = {{0.1, 0, 0}, {0, 0, -5}, {0.02, 0, -9}};
   const UniformGrid grid(points, 1);
   const Ray ray = {Point(0, 0, 20), Point(0, 0, -1), 0.2, 0};
   EXPECT_EQ(pick(grid, ray, 40), 0u);
-  // Beside everything.
+  // A click beside everything.
   EXPECT_EQ(pick(grid, {Point(3, 0, 20), Point(0, 0, -1), 0.2, 0}, 40),
             UniformGrid::none);
 }

@@ -34,7 +34,7 @@ protected:
     return text.str();
   }
 
-  /** Lines of the file of graphs that speak of \a point. */
+  /** Lines of the graph file about \a point. */
   static std::vector<std::string>
   rowsOf(const std::string& csv, std::size_t point)
   {
@@ -47,7 +47,7 @@ protected:
     return rows;
   }
 
-  /** The same, of the graphs at the selection. */
+  /** The same for the graphs at the selection. */
   std::vector<std::string>
   rowsOfSelection() const
   {
@@ -94,7 +94,7 @@ TEST_F(ViewAndTool, GraphsAreThoseOfTheToolToTheDigit)
   const std::string wire = writeWire();
   open(wire);
   compareGraphs(wire, "--engine sweep", 97);
-  // Once everything was computed, as that run has it, by whatever engine.
+  // Once everything is computed, values are those of that run, by whatever engine.
   model.compute(Analysis::MultiScale);
   EXPECT_EQ(model.wait().error, "");
   EXPECT_TRUE(model.graphs()->stored);
@@ -117,7 +117,7 @@ TEST_F(ViewAndTool, GraphsOfARealTileToTheDigit)
   compareGraphs(tile.string(), "--max-radius 2", 997);
 }
 
-// What was seen can be run: the tool reads the file, and says the same of itself.
+// What the window shows can be run: the tool reads the file and describes itself alike.
 TEST_F(ViewAndTool, OptionFilesAreTheTools)
 {
   model.settings.set(Analysis::MultiScale, "max-radius", "1.25");
@@ -160,7 +160,7 @@ TEST_F(ViewAndTool, CommandLineComputesTheSame)
   }
 }
 
-// Rejected in the viewer: gone from the tool's next run.
+// A wire rejected in the viewer is missing from the tool's next run.
 TEST_F(ViewAndTool, ReviewReachesTheTool)
 {
   const std::string scene = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
@@ -187,8 +187,8 @@ TEST_F(ViewAndTool, ReviewReachesTheTool)
   EXPECT_GT(guarded, 10u);
 }
 
-// Jumpers and insulators come back from the folder in their place: a course as long as
-// it is said to be, through the cloud, with the ends of a string its length apart.
+// Jumpers and insulators are read back in place: the length of the course is the stated
+// one, it runs through the cloud, and the ends of a string are its length apart.
 TEST_F(ViewAndTool, FittingsOfATowerAreInTheirPlace)
 {
   LINELET_NEEDS_DATA("lidar/uav_towers");

@@ -18,7 +18,7 @@ namespace {
 using namespace linelet;
 using namespace linelet::view;
 
-/** The window on a display of its own, in memory. */
+/** The window on an offscreen display of its own. */
 class ViewWindow : public linelet::test::ModelTest {
 protected:
   void
@@ -55,7 +55,7 @@ protected:
     return text.str();
   }
 
-  /** Runs the viewer; its exit code. What it says goes to said.txt. */
+  /** Runs the viewer, with its output in said.txt. \return the exit code */
   int
   view(const std::string& arguments) const
   {
@@ -71,7 +71,7 @@ protected:
     return nlohmann::json::parse(contents(name));
   }
 
-  /** How many colors the view of the cloud has. */
+  /** The number of colors in the view of the cloud. */
   std::size_t
   colorsOf(const std::string& name, const nlohmann::json& state) const
   {
@@ -108,7 +108,7 @@ TEST_F(ViewWindow, ScriptDoesWhatHandsDo)
   EXPECT_EQ(one["stale"], nlohmann::json::array({"multiscale"}));
   EXPECT_EQ(one["selection"]["point"], 300);
   EXPECT_EQ(one["selection"]["tensor"]["radius"], 0.8);
-  // A click where a point is seen selects it, or one that hides it from there.
+  // A click on a visible point selects it, or the one that hides it from there.
   ASSERT_FALSE(two["selection"].is_null());
   const auto at = two["selection"]["at"];
   EXPECT_NEAR(at[0].get<double>(), one["selection"]["at"][0].get<double>(), 0.2);
@@ -123,7 +123,7 @@ TEST_F(ViewWindow, ScriptDoesWhatHandsDo)
   EXPECT_EQ(one["selection"]["graphs"], expected["selection"]["graphs"]);
   model.settings.loadConfig(Analysis::Tensor, path("tensor.toml"));
   EXPECT_EQ(model.settings.tensor.radius, 0.8);
-  // Something is to be seen.
+  // There is something to see.
   EXPECT_GT(colorsOf("one.png", one), 30u);
 }
 
@@ -160,7 +160,7 @@ TEST_F(ViewWindow, RealClickSelectsThePointInTheMiddle)
     EXPECT_NEAR(before[axis].get<double>(), after[axis].get<double>(), 0.2);
 }
 
-// A sentence, an exit code, no crash.
+// A sentence and an exit code, not a crash.
 TEST_F(ViewWindow, OddFilesAreTold)
 {
   const std::string wire = writeWire();

@@ -26,7 +26,7 @@ protected:
   io::Cloud cloud;
 };
 
-// What the folder's files say is what was found, to the tenth of a millimeter.
+// The folder's files agree with what was found to a tenth of a millimeter.
 TEST_F(WireReviewTest, FolderIsReadBack)
 {
   ASSERT_NE(model.lines(), nullptr);
@@ -54,12 +54,12 @@ TEST_F(WireReviewTest, TheLeastCertainComesFirst)
   EXPECT_EQ(model.wiresByConfidence(), (std::vector<int>{2, 1, 3}));
 }
 
-// Nothing is saved at the end, so that an end without warning loses nothing.
+// Nothing is saved at exit, so that a crash loses nothing.
 TEST_F(WireReviewTest, EveryWordIsSavedAtOnce)
 {
   model.setReview(2, {Verdict::Rejected, -1, "a fence"});
   model.setReview(3, {Verdict::Accepted, 13, ""});
-  Model after; // another program, this one never closed anything
+  Model after; // another program; this one never closed anything
   after.open({path("out")});
   EXPECT_EQ(after.wait().error, "");
   EXPECT_TRUE(after.review(1).empty());
@@ -77,7 +77,7 @@ TEST_F(WireReviewTest, WhatCannotBeSaidIsRefused)
   EXPECT_THROW(model.selectWire(4), std::invalid_argument);
 }
 
-// A broken review beside whole results: told, and the results are there.
+// A broken review next to intact results: the error is reported, the results are shown.
 TEST_F(WireReviewTest, BrokenReviewIsTold)
 {
   write("out/reviewed.gpkg", "no database");

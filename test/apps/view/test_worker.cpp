@@ -27,7 +27,7 @@ finish(Worker& worker)
 TEST(Worker, WorkIsTakenOverOnce)
 {
   Worker worker;
-  int worked = 0, taken = 0; // without a lock: poll orders them
+  int worked = 0, taken = 0; // no lock: poll orders them
   worker.start([&](ProgressMonitor*) { ++worked; }, [&] { ++taken; });
   EXPECT_EQ(finish(worker), "");
   EXPECT_EQ(worked, 1);
@@ -55,7 +55,7 @@ TEST(Worker, CanceledWorkIsNotTakenOver)
   EXPECT_FALSE(taken);
 }
 
-// Work that does not hear of it in time: its result is of no use all the same.
+// Work that is canceled too late: its result is discarded.
 TEST(Worker, LateResultsAreDropped)
 {
   Worker worker;
@@ -95,7 +95,7 @@ TEST(Worker, ProgressIsSeenFromOutside)
   finish(worker);
 }
 
-// A window that is closed amid work.
+// A window closed while work is running.
 TEST(Worker, EndsWithItsOwner)
 {
   std::atomic<bool> stopped{false};

@@ -9,7 +9,7 @@
 
 namespace linelet {
 
-/** \brief Fits \a start to \a points as one bandwidth does.
+/** \brief Fits \a start to \a points with a single bandwidth.
  * \param[in] least_noise in D
  * \param[in] settings what is to differ; lengths are set by D */
 inline EmFit

@@ -16,7 +16,7 @@ using namespace linelet;
 
 namespace {
 
-/** \brief The same system banded and dense: random, made definite by its diagonal. */
+/** \brief The same random system, banded and dense, made definite by its diagonal. */
 struct Both {
   BandedSystem banded;
   Eigen::MatrixXd dense;

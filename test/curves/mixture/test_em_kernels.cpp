@@ -16,7 +16,7 @@ using namespace linelet;
 
 namespace {
 
-constexpr std::size_t count = 21; // no multiple of any vector
+constexpr std::size_t count = 21; // not a multiple of any vector length
 
 /** \brief Random points around the origin, with room for whole vectors. */
 class Cloud {
@@ -42,7 +42,7 @@ private:
   std::array<std::vector<double>, 3> at_;
 };
 
-/** \brief An edge along x from \a from on. */
+/** \brief An edge along x, starting at \a from. */
 EdgeShape
 edgeAlongX(double from, double length, double variance, bool is_short)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves that bend evenly, in noise: what their prior expects of the bends.
+// Evenly curved curves in noise, and the prior on their bends.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ using namespace linelet;
 
 namespace {
 
-/** \brief Points along \a outline, a closed curve, with normal noise in its plane. */
+/** \brief Points along the closed curve \a outline, with normal noise in its plane. */
 Points
 noisyRing(const Points& outline, std::size_t step, double noise, unsigned seed)
 {
@@ -66,8 +66,8 @@ fitRing(const Points& points, const Points& start, bool even_curvature)
   return fitOf(points, curve, 0.1, settings);
 }
 
-/** \brief Root mean square of the distances of the nodes of the only curve from the
- * unit circle. */
+/** \brief Root mean square distance of the nodes of the only curve from the unit
+ * circle. */
 double
 circleError(const ModelCurves& curves)
 {
@@ -78,8 +78,8 @@ circleError(const ModelCurves& curves)
   return std::sqrt(sum / static_cast<double>(curves[0].nodes.size()));
 }
 
-// An arc takes fewer parameters where the prior may expect it to be one, winds less
-// with the noise, and is preferred by the criterion.
+// With the even-curvature prior an arc takes fewer parameters, follows the noise less,
+// and is preferred by the criterion.
 TEST(EvenBends, NoisyCirclesAreRounder)
 {
   double plain = 0, even_curvature = 0;
@@ -96,7 +96,7 @@ TEST(EvenBends, NoisyCirclesAreRounder)
   EXPECT_LT(even_curvature, 0.85 * plain);
 }
 
-// The sides of a square bend nowhere; its corners say nothing of how they bend.
+// The sides of a square are straight; its corners say nothing about how they bend.
 TEST(EvenBends, SidesOfSquaresStayStraight)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -116,7 +116,7 @@ TEST(EvenBends, SidesOfSquaresStayStraight)
   }
 }
 
-// The whole method makes use of it: without, they are .040 off on average.
+// The whole method benefits: without the prior, nodes are .040 off on average.
 TEST(EvenBends, CirclesInNoiseAreReconstructedRound)
 {
   double sum = 0;

@@ -24,7 +24,7 @@ fitOfOneCurve()
 
 TEST(ModelScore, CountsTheParametersOfAnOpenCurve)
 {
-  // Share, being there, two ends, and three of its shape.
+  // Its share, its existence, two ends, and three for its shape.
   EXPECT_DOUBLE_EQ(scoreOf(fitOfOneCurve(), 100), 20 + 7 * std::log(100.0));
 }
 

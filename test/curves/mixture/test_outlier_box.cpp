@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves among uniform outliers: the box that these are thought to fill.
+// Curves among uniform outliers: the box that the outliers are assumed to fill.
 
 #include <cmath>
 
@@ -20,7 +20,7 @@ using namespace linelet;
 
 namespace {
 
-// Principal directions of points that spread alike in all directions are arbitrary; a
+// For points spread equally in all directions the principal directions are arbitrary; a
 // box along them would be up to twice as large as the one that the points fill.
 TEST(OutlierBox, IsThatOfPointsUniformInOne)
 {
@@ -42,7 +42,7 @@ TEST(OutlierBox, IsThatOfPointsUniformInOne)
     }
 }
 
-// A flat cloud that no axis is across keeps the area of its plane.
+// A flat cloud that is aligned with no axis keeps the area of its plane.
 TEST(OutlierBox, OfATiltedPlaneIsAnArea)
 {
   boost::random::mt19937 random(5);
@@ -57,7 +57,7 @@ TEST(OutlierBox, OfATiltedPlaneIsAnArea)
   EXPECT_NEAR(frame.volume, 200, 30);
 }
 
-// Too large a box makes outliers improbable, and curves through them worth their
+// Too large a box makes outliers so improbable that curves through them pay for their
 // parameters: then one in ten of these circles is found.
 TEST(OutlierBox, ThickCirclesAmongMoreOutliersThanPointsAreFound)
 {

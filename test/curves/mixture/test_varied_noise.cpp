@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Noise whose width varies along the curve, against the widths that made it.
+// Noise whose width varies along the curve, compared with the true widths.
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr double line_length = 10;
 
-/** \brief Points along the x axis from 0 to 10, whose noise across it grows \a growth
- * fold from 0.03 on. */
+/** \brief Points along the x axis from 0 to 10, whose noise grows by a factor of
+ * \a growth from 0.03. */
 Points
 noisyLine(double growth, unsigned seed)
 {
@@ -70,8 +70,8 @@ TEST(VariedNoise, WidthsFollowNoiseThatGrowsTenfold)
     }
     EXPECT_LT(std::abs(sum) / static_cast<double>(nodes.size()), std::log(1.15));
     EXPECT_LT(worst, std::log(1.8));
-    // A linear fit of as many parameters as its trace errs, summed over the points in
-    // squared widths of the noise, by no more than that trace on average; the standard
+    // The errors of a linear fit, squared in units of the noise and summed over the
+    // points, are on average at most its degrees of freedom (its trace); the standard
     // deviation of the sum is at most sqrt(2 freedom).
     const double per_node = 400 / static_cast<double>(nodes.size());
     EXPECT_LT(chi_squared * per_node, fit.freedom + 4 * std::sqrt(2 * fit.freedom));
@@ -88,8 +88,8 @@ TEST(VariedNoise, TheCriterionTellsWhetherItVaries)
     constant += scoreOf(fitLine(even, false), 400) < scoreOf(fitLine(even, true), 400);
   }
   EXPECT_EQ(growing, 20);
-  // A point or two far out are outliers to the one and a wide place to the other: now
-  // and then the wide place is likelier.
+  // A point or two far out can be outliers or a place of wide noise; now and then the
+  // latter is likelier.
   EXPECT_GE(constant, 18);
 }
 

@@ -12,7 +12,7 @@ using namespace linelet;
 
 namespace {
 
-/** \brief A straight curve from x = \a from to x = \a to at height \a y, an edge per
+/** \brief A straight curve from x = \a from to x = \a to at height \a y, one edge per
  * half unit. */
 ModelCurve
 stretch(double from, double to, double y)
@@ -33,7 +33,7 @@ TEST(JunctionBridging, GrowingCurveTakesUpPiecesThatAloneAreTooShort)
   ASSERT_EQ(joined.size(), 1u);
   EXPECT_NEAR(length(joined), 79, 1e-9);
   EXPECT_FALSE(joined[0].closed);
-  // Without the long one nothing is joined, nor across gaps beyond the limit given.
+  // Without the long piece nothing is joined, nor across gaps beyond the given limit.
   EXPECT_EQ(bridgeGaps({pieces[0], pieces[1], pieces[3]}, 1, 0, 3).size(), 3u);
   EXPECT_EQ(bridgeGaps(pieces, 1, 4, 3).size(), 4u);
 }
@@ -55,7 +55,7 @@ TEST(JunctionBridging, BridgeExplainsNoPointsThePiecesKeepTheirs)
 
 TEST(JunctionBridging, NeighborsKeepToTheirOwnSide)
 {
-  // Two lines 1 apart with gaps of 4 at the same place.
+  // Two lines 1 apart, with gaps of 4 in the same place.
   const ModelCurves joined = bridgeGaps(
       {stretch(0, 40, 0), stretch(44, 84, 1), stretch(44, 84, 0), stretch(0, 40, 1)},
       0.5,

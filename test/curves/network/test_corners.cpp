@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Sharp corners: a vertex that the bending of a curve does not hold back.
+// Sharp corners: vertices exempt from the bending prior.
 
 #include <algorithm>
 #include <cmath>

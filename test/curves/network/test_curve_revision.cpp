@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the search for the best model changes what it has found: curves joined anew,
-// curves doubled, fixed-radius noise.
+// How the model search revises its curves: reconnecting, doubling, fixed-radius noise.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +30,7 @@ polyline(const Points& corners, double spacing)
   return resampled(curve, spacing);
 }
 
-/** \brief Largest angle between the first edge and another one, in degrees. */
+/** \brief Largest angle between the first edge and any other, in degrees. */
 double
 turn(const ModelCurve& curve)
 {
@@ -60,7 +59,7 @@ TEST(CurveRevision, CrossingLinesThatSwappedTheirHalvesAreStraightAgain)
 
 TEST(CurveRevision, AtOnePlaceTheOthersStayAsTheyAre)
 {
-  // Two crossings, far apart, at each of which two lines have swapped their halves.
+  // Two crossings, far apart; at each, two lines have swapped their halves.
   ModelCurves swapped;
   for (const double x : {0.0, 20.0}) {
     swapped.push_back(polyline({{x - 5, 0, 0.1}, {x, 0, 0.1}, {x, 5, 0.1}}, 0.25));
@@ -126,7 +125,7 @@ TEST(CurveRevision, CurveBetweenTwoArcsIsDoubled)
   EXPECT_TRUE(doubled({middle}, one, UniformGrid(one, 1), 2, 2).empty());
 }
 
-/** \brief A straight line of 20, whose points are displaced by \a displace. */
+/** \brief A straight line of length 20 whose points are moved by \a displace. */
 template <class Displace>
 Points
 line(Displace&& displace)
@@ -169,7 +168,7 @@ TEST(NoiseOfOneLength, IsToldFromNormalNoiseAndGivesTheFinerCurve)
 {
   boost::random::mt19937 random(9);
   boost::random::normal_distribution<double> normal;
-  const auto vector = [&] { // one draw a statement: the order is part of the result
+  const auto vector = [&] { // one draw per statement: their order is part of the result
     const double x = normal(random);
     const double y = normal(random);
     const double z = normal(random);

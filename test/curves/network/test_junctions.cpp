@@ -11,7 +11,7 @@ using namespace linelet;
 
 namespace {
 
-/** \brief A straight curve from \a from to \a to, vertices at most 0.1 apart. */
+/** \brief A straight curve from \a from to \a to, with vertices at most 0.1 apart. */
 Curve
 straight(const Point& from, const Point& to)
 {
@@ -35,7 +35,7 @@ connect(CurveNetwork& network)
 
 TEST(JunctionNetwork, EndInsideAnotherCurveIsAJunctionOnIt)
 {
-  // The second stops 0.3 short of the first, the third 0.2 past it: both at one place.
+  // The second stops 0.3 before the first, the third 0.2 after it: both at one place.
   CurveNetwork network{{straight({0, 0, 0}, {10, 0, 0}),
                         straight({4, 5, 0}, {4, 0.3, 0}),
                         straight({4.1, 0.2, 0}, {4.1, -5, 0})},
@@ -54,7 +54,7 @@ TEST(JunctionNetwork, EndInsideAnotherCurveIsAJunctionOnIt)
   EXPECT_EQ(network.curves[2].points.front(), at);
   EXPECT_EQ(network.curves[0].back.kind, EndKind::Support);
   EXPECT_EQ(length(network.curves[0]), 10);
-  // No part of the third is left on the far side.
+  // Nothing of the third remains on the far side.
   for (const Point& p : network.curves[2].points)
     EXPECT_LE(p.y(), 1e-12);
   for (const Curve& curve : network.curves)
@@ -63,8 +63,8 @@ TEST(JunctionNetwork, EndInsideAnotherCurveIsAJunctionOnIt)
 
 TEST(JunctionNetwork, TheWayToAJunctionHasVerticesLikeTheRest)
 {
-  // What is led 0.45 to the junction would otherwise be one edge, which belongs to
-  // neither curve for whoever goes by vertices.
+  // Led 0.45 to the junction, it would otherwise be a single edge, which belongs to
+  // neither curve if one goes by vertices.
   CurveNetwork network{
       {straight({0, 0, 0}, {10, 0, 0}), straight({4, 5, 0}, {4, 0.45, 0})}, {}};
   connect(network);
@@ -114,10 +114,10 @@ TEST(JunctionNetwork, SideBySideIsNoMeeting)
 TEST(JunctionNetwork, OwnEndsCloseACurveAndOneOnItsOwnInsideIsAJunction)
 {
   Curve ring;
-  for (int i = 0; i <= 98; ++i) // nearly around
+  for (int i = 0; i <= 98; ++i) // almost a full turn
     ring.points.emplace_back(
         2 * std::cos(2 * M_PI * i / 100), 2 * std::sin(2 * M_PI * i / 100), 0);
-  // A six: a stem that turns back on itself.
+  // A six: a stem whose loop returns to itself.
   Curve six = straight({10, 10, 0}, {10, 2, 0});
   for (int i = 1; i <= 95; ++i)
     six.points.emplace_back(10 - 2 + 2 * std::cos(2 * M_PI * i / 100),

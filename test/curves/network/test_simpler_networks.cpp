@@ -33,7 +33,7 @@ TEST(SimplerNetworks, NothingIsSimplerThanOneCurveWithoutEndsOrWithFarOnes)
 
 TEST(SimplerNetworks, ARingWithEndsLedAstrayIsClosedWithoutThem)
 {
-  // Three quarters of a turn and more, then a spur outwards at either end.
+  // Three quarters of a turn and more, with an outward spur at either end.
   ModelCurve ring;
   for (int k = 2; k <= 58; ++k)
     ring.nodes.emplace_back(
@@ -51,13 +51,13 @@ TEST(SimplerNetworks, ARingWithEndsLedAstrayIsClosedWithoutThem)
       most = std::max(most, std::abs(node.norm() - 5));
     least = std::min(least, most);
   }
-  // The chord over the gap and what is cut off, about 2.7 long, sags by 2.7^2 / 40.
+  // The chord over the gap and the cut-off ends, about 2.7 long, sags by 2.7^2 / 40.
   EXPECT_LT(least, 0.2);
 }
 
 TEST(SimplerNetworks, AWideGapIsBridgedOnlyWhereTheEndsAgree)
 {
-  // A bridge through empty space costs a fit less than the ends that it saves.
+  // A bridge through empty space costs the fit less than the ends it saves.
   const auto joined = [](const Point& from, const Point& to) {
     const auto networks =
         simplerNetworks({straight({0, 0, 0}, {20, 0, 0}), straight(from, to)}, 1);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scene larger than a block gives the same curves whatever else of it is known, and
-// wires that run through many blocks are one curve each.
+// A scene larger than a block gives the same curves whatever else is known of it, and
+// wires through many blocks are one curve each.
 
 #include <linelet/curves/curve_blocks.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double side = 1200, width = 20;
 
-/** Ground, and two wires over all of it. */
+/** Ground, and two wires across all of it. */
 Points
 scene(std::mt19937& random)
 {
@@ -54,7 +54,7 @@ expectSame(const CurvePart& one, const CurvePart& other)
   }
 }
 
-// Every place has one owner, and all that takes part in a block is within reach.
+// Every place has one owner, and everything a block needs is within its margin.
 TEST(CurveBlocks, TileThePlane)
 {
   std::mt19937 random(randomSeed());

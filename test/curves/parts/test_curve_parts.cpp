@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves cut at the borders of parts and joined again are the curves that they were.
+// Curves cut at the borders of parts and joined again are the original curves.
 
 #include <linelet/curves/curve_parts.h>
 
@@ -31,7 +31,7 @@ boxes(double x, double y, double side)
   };
 }
 
-/** A curve that wanders about, with one point to every vertex. */
+/** A wandering curve with one point per vertex. */
 Curve
 wandering(std::mt19937& random, std::size_t vertices)
 {
@@ -131,7 +131,7 @@ TEST(CurveParts, JoinedAreTheCurvesThatWereCut)
   }
 }
 
-// Two wires closer than the tolerance do not change places.
+// Two wires closer than the tolerance are not swapped.
 TEST(CurveParts, TheClosestAreJoined)
 {
   CurveNetwork whole;
@@ -146,7 +146,8 @@ TEST(CurveParts, TheClosestAreJoined)
   expectSame(joinParts(partsOf(whole, boxes(0.05, -20, 3.3), 2), 0.5), whole);
 }
 
-// What a neighbor saw a little else is one curve; the vertex between is in the middle.
+// What a neighbor saw slightly differently is one curve, with the border vertex
+// halfway.
 TEST(CurveParts, SlightlyDifferentCoursesAreJoined)
 {
   const PartOwner owner = boxes(0, -20, 100);
@@ -169,7 +170,7 @@ TEST(CurveParts, SlightlyDifferentCoursesAreJoined)
   }));
 }
 
-// The neighbor has it as far as the border only.
+// The neighbor has it only up to the border.
 TEST(CurveParts, AnEndShortOfTheBorderIsReached)
 {
   const PartOwner owner = boxes(0, -20, 100);
@@ -189,7 +190,7 @@ TEST(CurveParts, AnEndShortOfTheBorderIsReached)
   EXPECT_NEAR(length(joined), 20, 1e-9);
 }
 
-// A curve of another place that ends in the neighbor, side by side with nothing.
+// A curve elsewhere that ends in the neighbor with nothing beside it.
 TEST(CurveParts, AnEndFarFromTheCutIsLeftAlone)
 {
   const PartOwner owner = boxes(0, -20, 100);
@@ -211,8 +212,8 @@ TEST(CurveParts, AnEndFarFromTheCutIsLeftAlone)
   }
 }
 
-// Where it runs along the border almost, the neighbors leave it to each other, or have
-// both of it.
+// Where it runs almost along the border, the neighbors may both leave it out, or both
+// have it.
 TEST(CurveParts, AlongABorderNothingIsLostOrTwice)
 {
   const PartOwner owner = boxes(0, -20, 100);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double wide = 0.5, narrow = 0.1;
 
-/** \brief A line along x: \ref wide spacing below 0, \ref narrow above. */
+/** \brief A line along x: spacing \ref wide below 0, \ref narrow above. */
 Points
 unevenLine()
 {

@@ -27,8 +27,8 @@ shuffled(Points points)
   return points;
 }
 
-/** \brief A paddle: the outline of a disc of radius 100 and a handle, whose end is 200
- * from the middle of the disc. */
+/** \brief A paddle: the outline of a disc of radius 100 and a handle that ends 200 from
+ * the middle of the disc. */
 struct Paddle {
   Points points;
   double length = 0;
@@ -65,7 +65,7 @@ TEST(SpanningCurves, FewPointsAreNoCurve)
 
 TEST(SpanningCurves, AnArcWhoseSpacingGrowsIsOneCurveInOrder)
 {
-  // Each step is a tenth wider than the one before, a hundredfold in all.
+  // Each step is a tenth wider than the last, a factor of a hundred in all.
   Points arc;
   double angle = 0.01;
   for (int k = 0; k < 50; ++k, angle *= 1.1)
@@ -98,7 +98,7 @@ TEST(SpanningCurves, ABranchLeavesWhereItMeetsAndTwigsAreLeftOut)
 
 TEST(SpanningCurves, AnOutlineOfVeryUnevenSpacingIsReconstructedWhole)
 {
-  // Ridges alone lead to the handle, or to pieces, in each of these.
+  // In each of these, ridges alone give the handle or fragments.
   for (const double width : {10.0, 16.0, 24.0})
     for (const double spacing : {2.0, 4.0}) {
       SCOPED_TRACE(testing::Message() << width << " wide, " << spacing << " apart");

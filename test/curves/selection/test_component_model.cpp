@@ -19,7 +19,7 @@ namespace {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 
-/** \brief Noisy points of \a sticks sticks of length 10 through each other. */
+/** \brief Noisy points of \a sticks sticks of length 10 that cross in one place. */
 Points
 crossingSticks(int sticks, unsigned seed)
 {

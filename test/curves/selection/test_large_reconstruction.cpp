@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Clouds beyond the size of a test shape, in small.
+// Scaled-down versions of clouds larger than a test shape.
 #include <atomic>
 #include <cmath>
 
@@ -90,8 +90,8 @@ TEST(LargeReconstruction, ManyCurvesAreFoundOneByOne)
 
 TEST(LargeReconstruction, CurvesThickBesideTheSpacingAreNoVolumes)
 {
-  // A tube of noise around every curve is filled so densely that few neighborhoods of
-  // the spacing's size are linear.
+  // A tube of noise around every curve is so dense that few neighborhoods at the scale
+  // of the spacing are linear.
   CurveNetwork truth;
   const Points cloud = shapes(2, 20000, 20, truth);
   const Measures m = measure(reconstructRefined(cloud), truth);
@@ -101,7 +101,7 @@ TEST(LargeReconstruction, CurvesThickBesideTheSpacingAreNoVolumes)
 
 TEST(LargeReconstruction, OnePartOfManyPointsIsFitted)
 {
-  // More points than parts have whose bandwidths are all tried.
+  // More points than a part whose bandwidths are all tried may have.
   SamplingSettings settings;
   settings.points = 70000;
   settings.jitter = 0.002;
@@ -119,18 +119,18 @@ TEST(LargeReconstruction, CanceledWithinAPart)
   CurveNetwork truth;
   const Points cloud = shapes(1, 20000, 20, truth);
   Counting monitor;
-  monitor.cancel_at_ = 1; // the first sign of progress
+  monitor.cancel_at_ = 1; // the first report of progress
   RefinedSettings settings;
   settings.threads = 1;
   EXPECT_THROW(reconstructRefined(cloud, settings, &monitor), Canceled);
-  // Nothing is begun after the first "yes".
+  // Nothing starts after the first "yes".
   EXPECT_LE(monitor.asked_after_, 2u);
 }
 
 TEST(LargeReconstruction, CrowdsDoNotMultiplyTheWork)
 {
-  // Half of the points crowd where the others would have a handful: without bounds
-  // each of them is a neighbor of all others, 10^10 pairs.
+  // Half of the points crowd into the space of a handful: without bounds, each is a
+  // neighbor of all others, 10^10 pairs.
   boost::random::mt19937 random(11);
   boost::random::uniform_real_distribution<double> uniform(-1, 1);
   Points cloud;
@@ -143,7 +143,7 @@ TEST(LargeReconstruction, CrowdsDoNotMultiplyTheWork)
   EXPECT_NEAR(length(found), 200, 2);
 }
 
-/** \brief The most memory that this program has held so far, in megabytes. */
+/** \brief The peak memory of this program so far, in megabytes. */
 long
 peakMemory()
 {
@@ -154,9 +154,9 @@ peakMemory()
 
 TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
 {
-  // A net of noisy wires as one part. Its farthest points are left unexplained, a
-  // hundred times as sparse as the others; a fit that begins with noise as wide as they
-  // are apart pairs each point with hundreds of places.
+  // A mesh of noisy wires as one part. Its farthest points are left unexplained, a
+  // hundred times as sparse as the others; a fit that starts with noise as wide as
+  // their spacing pairs each point with hundreds of places.
   boost::random::mt19937 random(5);
   boost::random::uniform_real_distribution<double> uniform(-50, 50);
   boost::random::normal_distribution<double> noise(0, 0.03);
@@ -174,8 +174,8 @@ TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
 
 TEST(LargeReconstruction, WiresThatTouchAreToldApartInALargeNet)
 {
-  // Wires that sway and cross, about 65,000 points in one part: at every crossing they
-  // may be joined wrongly, or end.
+  // Wires that sway and cross, about 65,000 points in one part: each crossing is a
+  // chance to join them wrongly, or to end.
   boost::random::mt19937 random(21);
   boost::random::uniform_real_distribution<double> uniform(0, 1);
   boost::random::normal_distribution<double> noise(0, 0.03);

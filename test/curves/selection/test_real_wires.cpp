@@ -36,7 +36,7 @@ TEST(RealWires, LieOnCurvesWithTheirPylonAmongThem)
   std::size_t near = 0;
   for (const Point& point : wires)
     near += segments.nearest(point).squared_distance < 0.25 * 0.25;
-  // What is missed is a wire, or a part of one.
+  // Whatever is missed is a wire or a part of one.
   EXPECT_GT(static_cast<double>(near) / static_cast<double>(wires.size()), 0.99);
   double total = 0, longest = 0;
   for (const Curve& curve : network.curves) {

@@ -74,8 +74,7 @@ TEST(RefinedReconstruction, SurfacesAndVolumesAreNoCurves)
 
 TEST(RefinedReconstruction, EndsOfLinesLieOnAverageAtTheirEnds)
 {
-  // The last of points at random places lies a mean distance of points short of the
-  // end.
+  // The last of randomly placed points lies one mean spacing before the end.
   constexpr int lines = 60;
   constexpr double length = 10, per_unit = 6;
   double sum = 0;
@@ -121,7 +120,7 @@ TEST(RefinedReconstruction, HoleIsBridgedWhereDirectionsAgree)
   ASSERT_EQ(circle.curves.size(), 1u);
   EXPECT_TRUE(circle.curves[0].closed);
   EXPECT_TRUE(measure(circle, truthOf(Geometry::Circle)).success);
-  // Around the first corner of the elbow the two sides look past each other.
+  // The two sides see past each other around the first corner of the elbow.
   settings.hole = {1 / 3.0 - 0.06, 1 / 3.0 + 0.06};
   EXPECT_EQ(reconstructRefined(sample(Geometry::Elbow, settings)).curves.size(), 2u);
 }
@@ -137,7 +136,7 @@ TEST(RefinedReconstruction, ParallelCablesStayTwo)
 
 TEST(RefinedReconstruction, ParallelCablesStayTwoWhereTheirPointsAreDense)
 {
-  // Ridges narrow enough to tell them apart break at every gap of the points, and wide
+  // Ridges narrow enough to separate them break at every gap between points, and wide
   // ones run between the two.
   for (unsigned seed = 1; seed <= 4; ++seed) {
     Points points = cable(280, 10, 0.05, 0, 100 + seed);
@@ -164,8 +163,8 @@ arms(const Points& directions)
   return points;
 }
 
-/** \brief Every end that is a junction lies at it, and every curve of a junction passes
- * through it with a vertex. */
+/** \brief Every end marked as a junction lies on it, and every curve of a junction has
+ * a vertex there. */
 void
 expectConsistent(const CurveNetwork& network)
 {
@@ -213,7 +212,7 @@ TEST(RefinedReconstruction, BranchesAreJunctionsCrossingsAreNot)
   ASSERT_EQ(branch.junctions.size(), 1u);
   EXPECT_LT(branch.junctions[0].position.norm(), 0.3);
   EXPECT_EQ(branch.junctions[0].curves.size(), branch.curves.size());
-  // No two arms go straight on, so all three end; or two are one curve.
+  // No two arms are collinear, so all three end there, or two form one curve.
   EXPECT_EQ(endsAtJunctions(branch), branch.curves.size() == 3 ? 3u : 1u);
   EXPECT_NEAR(length(branch), 30, 0.6);
   expectConsistent(branch);

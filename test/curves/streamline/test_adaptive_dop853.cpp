@@ -35,7 +35,7 @@ control(double tolerance)
   return {tolerance, 0.1, 1e-6, 100};
 }
 
-/** \brief The largest error over 20 lengths, asked for every \a interval. */
+/** \brief The largest error over a length of 20, with output at every \a interval. */
 double
 largestError(double tolerance, double interval, std::size_t& evaluations)
 {
@@ -52,8 +52,8 @@ largestError(double tolerance, double interval, std::size_t& evaluations)
 
 TEST(AdaptiveDop853, KeepsItsToleranceWithFewEvaluations)
 {
-  // What the DOP853 of SciPy 1.17 is off by, and its evaluations, with the same
-  // tolerances and output every half length.
+  // The errors and evaluations of SciPy 1.17's DOP853, with the same tolerances and
+  // output every half length.
   const struct {
     double tolerance, error;
     std::size_t evaluations;
@@ -70,13 +70,13 @@ TEST(AdaptiveDop853, KeepsItsToleranceWithFewEvaluations)
     EXPECT_GT(evaluations, last) << "as accurate for less";
     last = evaluations;
   }
-  // Euler's error of 1e-11 would take 1e12 steps, rk4's 20,000 evaluations.
+  // Euler would need 1e12 steps for 1e-11, rk4 20,000 evaluations.
   EXPECT_LT(last, 1500u);
 }
 
 TEST(AdaptiveDop853, DenseOutputIsAsGoodAsTheSteps)
 {
-  // The same steps, seen at few and at many places.
+  // The same steps, with output at few and at many places.
   std::size_t few = 0, many = 0;
   const double coarse = largestError(1e-8, 4, few);
   const double fine = largestError(1e-8, 0.01, many);
@@ -97,7 +97,7 @@ TEST(AdaptiveDop853, AStraightFieldIsCrossedInTheLongestSteps)
 
 TEST(AdaptiveDop853, ARoughFieldIsCrossedInTheShortestSteps)
 {
-  // A direction that jumps: no step is ever accurate across the jump, yet it ends.
+  // A discontinuous direction: no step across it is ever accurate, yet it ends.
   StepControl limits = control(1e-12);
   limits.least = 0.01;
   AdaptiveDop853 line(Point(0, 0, 0), limits);
@@ -112,7 +112,7 @@ TEST(AdaptiveDop853, ARoughFieldIsCrossedInTheShortestSteps)
 
 TEST(AdaptiveDop853, AgreesWithTheConstantStepsOfTheScheme)
 {
-  // Held to one step length, it is the scheme itself.
+  // Restricted to one step length, it is the plain scheme.
   StepControl limits = control(1);
   limits.least = limits.most = limits.first = 0.25;
   AdaptiveDop853 line(helix(0), limits);

@@ -26,8 +26,8 @@ turned(const Point& direction, const Point& last)
   return direction.dot(last) < 0 ? Point(-direction) : direction;
 }
 
-/** A scattered arc with features that vary from point to point, so that it matters
- * whose eigenvector, radius and blend a mode takes. */
+/** A scattered arc whose features vary from point to point, so that it matters whose
+ * eigenvector, radius and blend a mode uses. */
 struct Arc {
   Points points;
   MultiScaleShapes shapes;
@@ -162,7 +162,7 @@ private:
       sum += weight * v;
       weights += weight;
     }
-    // Where all points lie behind they do not tell.
+    // With all points behind, they give no direction.
     return weights > 1e-3 ? Point(sum.normalized()) : Point(Point::Zero());
   }
 
@@ -206,7 +206,7 @@ private:
 
 } // namespace
 
-// Two modes that are swapped differ by degrees; a mode and its definition by rounding.
+// Swapped modes differ by degrees; a mode and its definition by rounding.
 TEST(DirectionField, EveryModeIsItsDefinitionAndNoOther)
 {
   const unsigned seed = test::randomSeed();
@@ -228,7 +228,7 @@ TEST(DirectionField, EveryModeIsItsDefinitionAndNoOther)
       arc.settings.direction = mode;
       const DirectionField field(arc.points, arc.shapes, neighbors, arc.settings);
       const Point found = field.at(at, last, field.scaleAt(at, {}));
-      // Features are kept in single precision.
+      // Features are stored in single precision.
       EXPECT_LT((found - definition.of(mode)).norm(), 1e-5) << name << " at " << k;
       for (const auto& [other, other_name] : Names<DirectionMode>::table) {
         double& largest = differences[{mode, other}];

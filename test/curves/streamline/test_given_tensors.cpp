@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves along tensors that are given on a grid, as a diffusion tensor image has them
-// (Ritter & Benger 2012, section 2.3).
+// Curves along tensors given on a grid, as in a diffusion tensor image (Ritter & Benger
+// 2012, section 2.3).
 
 #include <cmath>
 #include <stdexcept>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double cell = 0.2; // of the grid, and steps of a quarter, as published
 
-/** \brief A field of directions that bends everywhere: an ABC flow. */
+/** \brief A direction field that curves everywhere: an ABC flow. */
 Point
 truth(const Point& p)
 {
@@ -31,7 +31,7 @@ truth(const Point& p)
       .normalized();
 }
 
-/** \brief Prolate along a direction, twice as long as wide, and of any size. */
+/** \brief Prolate, twice as long as wide along a direction, and of any size. */
 SymmetricTensor
 prolate(const Point& along, double size)
 {
@@ -42,7 +42,7 @@ prolate(const Point& along, double size)
   return t;
 }
 
-/** \brief Tensors of the field at the places of a grid of n x n x n. */
+/** \brief Tensors of the field on a grid of n x n x n. */
 struct Grid {
   static constexpr int n = 20;
   Points points;
@@ -64,7 +64,7 @@ struct Grid {
     return static_cast<std::size_t>((k * n + j) * n + i);
   }
 
-  /** \brief The direction between the places, by trilinear interpolation. */
+  /** \brief Trilinear interpolation of the direction between grid points. */
   Point
   direction(const Point& at, const Point& last) const
   {
@@ -94,7 +94,7 @@ settingsOf(const Grid& grid, Index start, const Point& seed)
   settings.tensors = grid.tensors;
   settings.direction = DirectionMode::Eigenvector;
   settings.interpolation_weighting = Kernel::Linear;
-  settings.interpolation_radius = 1; // the eight places of a cell and no more: linear
+  settings.interpolation_radius = 1; // exactly the eight corners of a cell: linear
   settings.scheme = IntegrationScheme::Euler;
   settings.step = 0.25;
   settings.max_iterations = 20;
@@ -104,7 +104,7 @@ settingsOf(const Grid& grid, Index start, const Point& seed)
   return settings;
 }
 
-/** \brief The end of a line of 20 steps by Euler. */
+/** \brief The end of a line after 20 Euler steps. */
 template <class Field>
 Point
 endOf(Point at, Point last, const Field& field)
@@ -124,7 +124,7 @@ TEST(GivenTensors, LinesCoincideWithThoseOfTheUniformGrid)
   boost::random::mt19937 random(seed);
   boost::random::uniform_real_distribution<double> inner(6, 13);
   const auto place = [&] { return static_cast<int>(inner(random)); };
-  // 144 lines of length 1, of which the publication has 131 coincide.
+  // 144 lines of length 1, of which 131 coincide in the publication.
   int coincide = 0, as_the_truth = 0;
   for (int line = 0; line < 144; ++line) {
     const int i = place(), j = place(), k = place();

@@ -23,7 +23,7 @@ circleField(const Point& x)
   return Point(-x.y(), x.x(), 0) / std::hypot(x.x(), x.y());
 }
 
-/** \brief How far from where it began a full turn of \a steps steps ends. */
+/** \brief How far from its start a full turn of \a steps steps ends. */
 double
 errorAfterATurn(IntegrationScheme scheme, int steps)
 {
@@ -62,7 +62,7 @@ TEST_P(EveryScheme, ConvergesWithItsOrderOnACircle)
 {
   const IntegrationScheme scheme = GetParam().first;
   const int order = butcherTable(scheme).order;
-  // Few steps for high orders, whose errors fall to rounding soon.
+  // Few steps for high orders, whose errors soon reach rounding.
   const int steps = order >= 8 ? 10 : order >= 5 ? 40 : 200;
   const double coarse = errorAfterATurn(scheme, steps);
   const double fine = errorAfterATurn(scheme, 2 * steps);

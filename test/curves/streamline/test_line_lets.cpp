@@ -152,7 +152,7 @@ TEST(Pruning, ClosedEndsAndJoinedVerticesStay)
   straight(lets, {-10, 0, 0}, {10, 0, 0});
   const Index b = straight(lets, {0, -10, 0}, {0, -1, 0});
   ASSERT_TRUE(meet(lets, b, front_side, 1.4));
-  // Points only on the arm: the other line-let is cut back to where the arm meets it.
+  // Points on the arm only: the other line-let is cut back to where the arm meets it.
   Points points;
   for (int i = 0; i <= 10; ++i)
     points.emplace_back(0, -i, 0);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Numbers that Ritter, Schiffner, Harders 2021 print of their method. If one of these
-// failed, the preset would no longer be what every gain is measured against.
+// Numbers that Ritter, Schiffner, Harders 2021 print for their method. If one of these
+// failed, the preset would no longer be the baseline that every gain is measured
+// against.
 
 #include <algorithm>
 #include <array>
@@ -49,8 +50,8 @@ TEST(PublishedNumbers, Monitor)
   EXPECT_NEAR(m.e_com, 1.00, 0.02);
 }
 
-// Table 2, a noisy circle: 9, 4, 103 and 100. Its very points are not known; these are
-// of the same kind.
+// Table 2, a noisy circle: 9, 4, 103 and 100. Its exact points are not published; these
+// are of the same kind.
 TEST(PublishedNumbers, NoisyCircle)
 {
   LINELET_NEEDS_DATA("curves/circle_0.5r.xy");
@@ -61,8 +62,8 @@ TEST(PublishedNumbers, NoisyCircle)
   EXPECT_NEAR(m.e_com, 1.00, 0.03);
 }
 
-// Table 1, noisy: 99, 68 and 27 hundredths of E_Len, E_H and E_V, the means over at
-// least five of eleven seeds that succeeded by eye; here the best five. 174 points, 87
+// Table 1, noisy: 99, 68 and 27 hundredths of E_Len, E_H and E_V, means over at least
+// five of eleven seeds that succeeded by eye; here the best five. 174 points, 87
 // outliers, S_J = S_D = 1, and one start.
 TEST(PublishedNumbers, CircleInNoise)
 {
@@ -93,8 +94,8 @@ TEST(PublishedNumbers, CircleInNoise)
   EXPECT_NEAR(e_v, 0.27, 0.05);
 }
 
-// Table 1, noise-free: all succeed, at mean distances of .02 to .04. With the starts
-// that a user would ask for.
+// Table 1, noise-free: all succeed, with mean distances of .02 to .04, given the number
+// of starts that a user would set.
 TEST(PublishedNumbers, TenGeometriesWithoutNoise)
 {
   for (const Geometry geometry : bench::benchmarkGeometries()) {

@@ -29,7 +29,7 @@ expectSame(const CurveNetwork& a, const CurveNetwork& b)
 
 } // namespace
 
-// Which mode is which, test_direction_field.cpp tells.
+// Which mode is which is tested in test_direction_field.cpp.
 TEST(Published, EveryDirectionModeFollowsACircle)
 {
   for (const auto& [mode, name] : Names<DirectionMode>::table) {
@@ -71,7 +71,7 @@ TEST(Published, StartsCanBeGivenByHand)
   bench::SamplingSettings sampling;
   Points points = bench::sample(Geometry::Line, sampling);
   points.insert(points.begin(),
-                Point(std::nan(""), 0, 0)); // places are those of the input
+                Point(std::nan(""), 0, 0)); // positions are in the frame of the input
   StreamlineSettings settings;
   settings.starts = {101};
   settings.max_iterations = 10;
@@ -80,7 +80,7 @@ TEST(Published, StartsCanBeGivenByHand)
   const Points& line = both.curves[0].points;
   EXPECT_LT((line[line.size() / 2] - points[101]).norm(), 1e-9);
 
-  // 2012: a streamline into one direction, whichever way the eigenvector looks.
+  // 2012: a streamline to one side, whichever way the eigenvector points.
   for (const double sign : {1.0, -1.0}) {
     settings.seed_direction = {sign, 0.1, 0};
     const CurveNetwork one = reconstructPublished(points, settings);
@@ -110,7 +110,7 @@ TEST(Published, StartsAreChosenAmongSomePoints)
   const Points points = bench::sample(Geometry::Circle, sampling);
   StreamlineSettings settings;
   settings.start_points = 1;
-  settings.max_iterations = 3; // a piece about the start shows where it is
+  settings.max_iterations = 3; // a piece around the start shows where it is
   const auto startOf = [&](std::size_t candidates, unsigned seed) {
     settings.start_candidates = candidates;
     settings.shape.scale_unit_seed = seed;
@@ -119,23 +119,22 @@ TEST(Published, StartsAreChosenAmongSomePoints)
     const Points& way = network.curves.at(0).points;
     return way[way.size() / 2];
   };
-  // Of one candidate, it is the start: different ones by different seeds, the same by
-  // the same.
+  // A single candidate is the start: other seeds give others, the same seed the same.
   const Point first = startOf(1, 1);
   EXPECT_EQ(first, startOf(1, 1));
   int others = 0;
   for (unsigned seed = 2; seed < 8; ++seed)
     others += (startOf(1, seed) - first).norm() > 1e-9 ? 1 : 0;
   EXPECT_GE(others, 4);
-  // As many as there are, or more, are all.
+  // That many or more means all.
   EXPECT_EQ(startOf(200, 1), startOf(0, 2));
   EXPECT_EQ(startOf(1000, 1), startOf(0, 2));
 }
 
 TEST(Published, AStreamlineOf2012FollowsACable)
 {
-  // One radius, the eigenvector alone, adaptive steps and a start by hand: a catenary
-  // of 280 m, 3 cm noise, as the cable that drifted by .8 m in the paper.
+  // One radius, the eigenvector alone, adaptive steps and a manual start: a catenary of
+  // 280 m with 3 cm noise, like the cable that drifted by .8 m in the paper.
   Points cable;
   boost::random::mt19937_64 random(5);
   boost::random::uniform_01<double> uniform;
@@ -162,7 +161,7 @@ TEST(Published, AStreamlineOf2012FollowsACable)
 
 TEST(Published, DirectionsOfDisagreeingNeighborsAreShorter)
 {
-  // Equation 4: eigenvectors that cross weigh less against the angular direction.
+  // Equation 4: eigenvectors across the angular direction weigh less.
   Points points;
   MultiScaleShapes shapes;
   shapes.scale_unit = 1;
@@ -184,7 +183,7 @@ TEST(Published, DirectionsOfDisagreeingNeighborsAreShorter)
     LocalScale scale;
     scale.radius = 2.5;
     scale.blend = 0.5;
-    // d_A looks along -x: to the two points, from the right of them.
+    // d_A points along -x, to the two points seen from their right.
     const Point at = field.at(Point(0.5, 0, 0), Point(-0.9, 1, 0).normalized(), scale);
     return at.y() / at.norm();
   };
@@ -205,7 +204,7 @@ TEST(Published, UserParametersBoundTheLineLets)
   EXPECT_LE(ten.curves[0].points.size(), 21u) << "ten steps each way";
   EXPECT_EQ(ten.curves[0].front.kind, EndKind::Iterations);
 
-  // A hole of a tenth of the line ends it, unless the cutoff reaches across.
+  // A hole of a tenth of the line ends it, unless the cutoff spans it.
   bench::SamplingSettings sampling;
   sampling.hole = {0.45, 0.55};
   const Points holed = bench::sample(Geometry::Line, sampling);
@@ -219,8 +218,8 @@ TEST(Published, UserParametersBoundTheLineLets)
 
 TEST(Published, AnEndSaysWhyItStopped)
 {
-  // From its one start a line reaches the bounds of the cloud on one side, and a hole
-  // wider than the cutoff on the other.
+  // From its only start a line reaches the bounds of the cloud on one side and, on the
+  // other, a hole wider than the cutoff.
   bench::SamplingSettings sampling;
   sampling.hole = {0.45, 0.55};
   StreamlineSettings settings;
@@ -239,7 +238,7 @@ TEST(Published, AnEndSaysWhyItStopped)
 
 TEST(Published, ATurnBeyondTheBranchAngleIsACornerOfTheSameCurve)
 {
-  // The corners of the rectangle turn by about 31 degrees a step.
+  // The corners of the rectangle turn by about 31 degrees per step.
   StreamlineSettings settings;
   const CurveNetwork smooth = reconstruct(Geometry::Rectangle, 256, settings);
   settings.branch_angle = 179;
@@ -255,7 +254,7 @@ TEST(Published, ATurnBeyondTheBranchAngleIsACornerOfTheSameCurve)
 
 TEST(StartPoints, TheSecondIsFarFromTheFirst)
 {
-  // A straight row: scores are alike but at its ends, so that distance decides.
+  // A straight row: scores are alike except at its ends, so distance decides.
   Points row;
   for (int i = 0; i < 101; ++i)
     row.emplace_back(0.1 * i, 0, 0);
@@ -272,7 +271,7 @@ TEST(StartPoints, TheSecondIsFarFromTheFirst)
   EXPECT_EQ(starts.next(), 50u);
   EXPECT_EQ(starts.next(), 0u);
   EXPECT_EQ(starts.next(), 99u);
-  // With an exponent of 1 twice the neighbors outweigh 1 % more linearity.
+  // With an exponent of 1, twice the neighbors outweigh 1 % more linearity.
   shapes[20].first_neighbors = 12;
   StartPoints crowded(row, shapes, 6, 1);
   EXPECT_EQ(crowded.next(), 20u);

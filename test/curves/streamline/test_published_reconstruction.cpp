@@ -68,7 +68,7 @@ TEST(Published, AClosedCurveIsClosed)
 TEST(Published, ACrossingHasItsFourArms)
 {
   StreamlineSettings settings;
-  settings.start_points = 4; // a start an arm, as a user would ask for
+  settings.start_points = 4; // one start per arm, as a user would set
   const CurveNetwork network = reconstruct(Geometry::Crossing, 260, settings);
   ASSERT_FALSE(network.junctions.empty());
   for (const Junction& junction : network.junctions)
@@ -89,7 +89,7 @@ TEST(Published, IsTheSameForAnyNumberOfThreads)
   sampling.points = 512;
   const Points points = bench::sample(Geometry::Mikado, sampling);
   StreamlineSettings settings;
-  settings.start_points = 40; // enough for the steps to be shared out
+  settings.start_points = 40; // enough for the steps to be shared among threads
   settings.threads = 1;
   const CurveNetwork one = reconstructPublished(points, settings);
   EXPECT_FALSE(one.curves.empty());
@@ -105,7 +105,7 @@ TEST(Published, MovesAndScalesWithItsInput)
   sampling.jitter = 0.2;
   Points points = bench::sample(Geometry::Helix, sampling);
   const CurveNetwork before = reconstructPublished(points);
-  // Powers of two and short offsets: no coordinate is rounded otherwise.
+  // Powers of two and short offsets, so that no coordinate is rounded differently.
   for (Point& p : points)
     p = 4 * p;
   const CurveNetwork scaled = reconstructPublished(points);
@@ -155,7 +155,7 @@ TEST(Published, FilledVolumesAndPlanesComeToAnEnd)
   Points ball = randomPoints(8000, 1), plane = ball;
   for (Point& p : plane)
     p.z() = 0;
-  // What comes out is of no use, but it must come, and be finite.
+  // The result is useless, but there must be one, and it must be finite.
   for (const Points& points : {ball, plane})
     EXPECT_TRUE(std::isfinite(length(reconstructPublished(points))));
 }

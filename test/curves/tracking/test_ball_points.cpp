@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Vectors of points are the points: every one that plain arithmetic finds in a ball,
-// with the same bits, whatever the length of the run it is in.
+// The vectorized search gives exactly the points that plain arithmetic finds in a ball,
+// with the same bits, whatever the length of a run.
 
 #include <cstddef>
 #include <random>
@@ -26,7 +26,7 @@ TEST(BallPoints, AreThoseOfPlainArithmetic)
   const Point middle(-0.5, 0.1, 0.2);
   const double radius = 2;
   std::size_t all = 0;
-  BallPoints found; // of all runs: they are appended
+  BallPoints found; // from all runs: points are appended
   for (std::size_t begin = 0; begin < 20; ++begin)
     for (const std::size_t end :
          {begin, begin + 1, begin + 7, begin + 33, points.size()}) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves followed through clutter, beside the line that was planted.
+// Curves followed through clutter, compared with the planted line.
 #include <cmath>
 #include <random>
 
@@ -15,7 +15,8 @@ using namespace linelet;
 
 namespace {
 
-/** \brief A parabola of 60 with 2 points per length, and scattered points around it. */
+/** \brief A parabola of length 60 with 2 points per unit, and scattered points around
+ * it. */
 Points
 lineInClutter(double clutter, unsigned seed, bool line = true)
 {
@@ -65,7 +66,7 @@ TEST(CurveTrack, FollowsALineThroughClutterToBothEnds)
 
 TEST(CurveTrack, HardlyEverSeesAThinCurveInClutterAlone)
 {
-  // The box of clutter is a thick curve itself: only thin ones count.
+  // The box of clutter is itself a thick curve: only thin ones count.
   int starts = 0, seen = 0;
   for (unsigned seed = 20; seed < 30; ++seed) {
     const Points points = lineInClutter(0.5, seed, false);
@@ -103,8 +104,8 @@ TEST(CurveTrack, LeavesThePointsOfOtherCurves)
 
 TEST(TrackFit, ASparseNoisyWireIsKnownBetterThanItsPoints)
 {
-  // 270 long, a point every 3, noise of 0.15: whatever follows its points is as wrong
-  // as they are, and a parabola through all of them is some 0.03 off.
+  // 270 long, a point every 3, noise of 0.15: following the points exactly is as wrong
+  // as they are, while a parabola through all of them is off by some 0.03.
   double squares = 0, count = 0;
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
     std::mt19937 random(seed);

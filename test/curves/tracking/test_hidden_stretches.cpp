@@ -15,7 +15,7 @@ namespace {
 
 constexpr double widest = 150; // spacings
 
-/** \brief Height of a wire that hangs from \a x = 0 to 100 m, meters. */
+/** \brief Height of a wire that hangs from \a x = 0 to 100 m, in meters. */
 double
 sag(double x)
 {
@@ -23,8 +23,8 @@ sag(double x)
   return a * std::cosh((x - 50) / a) - a;
 }
 
-/** \brief Such a wire at \a y, seen from \a from to \a to: a node per 4 m, of two
- * points per meter 3 cm about it. */
+/** \brief Such a wire at \a y, seen from \a from to \a to: a node every 4 m, from two
+ * points per meter within 3 cm. */
 ModelCurve
 piece(double from, double to, double y = 0)
 {
@@ -49,7 +49,7 @@ TEST(HiddenStretches, NothingToJoinStaysAsItIs)
   ModelCurve next = edge;
   for (Point& node : next.nodes)
     node.x() += 5;
-  // Two nodes tell no parabola; points at one place have no direction.
+  // Two nodes do not make a parabola; points in one place have no direction.
   ModelCurve place = edge;
   place.nodes.assign(5, Point(4.5, 0, 0));
   place.counts.assign(4, 0);
@@ -80,7 +80,7 @@ TEST(HiddenStretches, WireBehindACrownIsOne)
 
 TEST(HiddenStretches, ManyGapsAreClosedOneAfterTheOther)
 {
-  // The short pieces reach over the wide gap only once they are one.
+  // The short pieces span the wide gap only once they are one.
   const ModelCurves joined = joinHiddenStretches(
       {piece(0, 12), piece(16, 28), piece(50, 62), piece(66, 78)}, widest);
   EXPECT_EQ(joined.size(), 1u);
@@ -104,7 +104,7 @@ TEST(HiddenStretches, WiresSideBySideKeepApart)
 
 TEST(HiddenStretches, SpansAreNotJoinedPastTheirPole)
 {
-  // The pole stands in the gap, and the next span hangs from it.
+  // The pole stands in the gap, and the next span starts there.
   ModelCurve next = piece(10, 50);
   for (Point& node : next.nodes)
     node.x() += 100;

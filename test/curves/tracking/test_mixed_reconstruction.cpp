@@ -27,7 +27,8 @@ wireAt(int wire, double x)
   return {x, 4.0 * wire, 12 + 0.002 * (x - 40) * (x - 40)};
 }
 
-/** \brief 80 x 40, ground at 8 points per square, crowns beside \a with_wires. */
+/** \brief 80 x 40, ground with 8 points per square unit, crowns beside
+ * \a with_wires. */
 Points
 scene(unsigned seed, bool with_wires)
 {
@@ -72,8 +73,8 @@ distanceTo(const CurveNetwork& network, const Point& p)
   return best;
 }
 
-/** \brief Share of the wires within \a tolerance of \a network, both moved by \a move.
- */
+/** \brief Share of the wires within \a tolerance of \a network, both moved by
+ * \a move. */
 double
 covered(const CurveNetwork& network, const Eigen::Affine3d& move, double tolerance)
 {
@@ -90,7 +91,7 @@ TEST(MixedReconstruction, FindsTheWiresOverGroundRoofAndCrowns)
     SCOPED_TRACE(seed);
     const CurveNetwork network = reconstructCurves(scene(seed, true));
     EXPECT_GE(covered(network, Eigen::Affine3d::Identity(), 0.1), 0.97);
-    // Crowns of scattered points hold no branch: what is found there is wrong.
+    // Crowns of scattered points have no branches: whatever is found there is wrong.
     EXPECT_LE(length(network), 1.1 * wires * 81.5);
     for (const Curve& curve : network.curves) {
       EXPECT_GT(curve.evidence, 20);
@@ -109,7 +110,7 @@ TEST(MixedReconstruction, FindsNothingWhereThereIsNoCurve)
 
 TEST(MixedReconstruction, FewPointsOfASceneAreNoCloudOfCurves)
 {
-  // Of a sparse scan without its ground, few points are left, and thick curves through
+  // Without its ground, a sparse scan has few points left, and thick curves through
   // crowns and from wire to wire would explain most of them.
   for (const unsigned seed : {5U, 6U}) {
     SCOPED_TRACE(seed);
@@ -143,8 +144,8 @@ TEST(MixedReconstruction, FewPointsOfASceneAreNoCloudOfCurves)
 
 TEST(MixedReconstruction, ScanLinesOfTheGroundAreNoCloudOfCurves)
 {
-  // Where lines lie farther apart than the points on them, as below a fast aircraft,
-  // the ground is linear around its points, too.
+  // Where scan lines lie farther apart than their points, as below a fast aircraft, the
+  // ground is linear around its points, too.
   for (const unsigned seed : {7U, 8U}) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -157,11 +158,11 @@ TEST(MixedReconstruction, ScanLinesOfTheGroundAreNoCloudOfCurves)
     for (int wire = 0; wire < wires; ++wire)
       for (double x = 0; x < 80; x += 0.6 * unit(random))
         points.emplace_back(wireAt(wire, x) + Point(0, noise(random), noise(random)));
-    ASSERT_GT(points.size(), 5000); // else both ways are tried
+    ASSERT_GT(points.size(), 5000); // otherwise both methods are tried
     const CurveNetwork network = reconstructCurves(points);
     EXPECT_GE(covered(network, Eigen::Affine3d::Identity(), 0.1), 0.97);
-    // Of 7,800 m of scan lines, ends remain in the corners of the data, where the
-    // surface fills but a quarter of what is looked at.
+    // Of 7,800 m of scan lines, only ends in the corners of the data remain, where the
+    // surface fills just a quarter of the neighborhood.
     EXPECT_LE(length(network), 1.1 * wires * 81.5 + 150);
   }
 }
@@ -193,8 +194,8 @@ TEST(MixedReconstruction, IsTheSameForAnyNumberOfThreads)
 
 TEST(MixedReconstruction, WiresOfARackAreTrackedOneByOne)
 {
-  // Hardly farther apart than the points of each: what is followed first may wander
-  // from wire to wire.
+  // Hardly farther apart than the points on each: the first curve may drift from wire
+  // to wire.
   constexpr int rack = 4;
   const auto at = [](int wire, double x) {
     return Point(x, 0, 8 + 0.34 * wire + 0.001 * (x - 40) * (x - 40));
@@ -245,8 +246,8 @@ TEST(MixedReconstruction, ShortNoisyCurvesAreCurves)
   }
 }
 
-// A wide beam lays the points of a wire down in a ribbon, whose width is many times its
-// height; three of them side by side look like a surface on scales from a meter on.
+// A wide beam spreads the points of a wire over a ribbon many times as wide as it is
+// high; three side by side look like a surface from scales of a meter on.
 TEST(MixedReconstruction, RibbonsSideBySideAreNoSurface)
 {
   const auto at = [](int wire, double x) {
@@ -270,7 +271,7 @@ TEST(MixedReconstruction, RibbonsSideBySideAreNoSurface)
       for (double x = 1; x < 39; x += 0.5, ++all)
         near += distanceTo(network, at(wire, x)) <= 0.1;
     EXPECT_GE(near, 0.9 * all);
-    // Each is one line in the middle, not one along either border.
+    // Each is one line in the middle, not one along either edge.
     EXPECT_LE(length(network), 1.05 * 3 * 40);
     for (const Curve& curve : network.curves)
       for (const Point& p : curve.points) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Seeds are handed out by what is near them: a part of a cloud gets the groups that the
-// whole gets there.
+// Seeds are grouped by what is near them: a part of a cloud gets the same groups as the
+// whole cloud there.
 
 #include "curves/tracking/seed_groups.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double side = 5;
 
-/** Seeds anywhere, the best first; their index is their number. */
+/** Seeds at random places, the best first; their index is their number. */
 std::vector<TrackSeed>
 someSeeds(std::mt19937& random, std::size_t count)
 {

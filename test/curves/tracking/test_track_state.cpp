@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The filter against closed forms: a circle is its own prediction, and on a straight
-// line it is the least squares fit of a parabola.
+// The filter compared with closed forms: a circle is its own prediction, and on a
+// straight line it is the least-squares fit of a parabola.
 #include <cmath>
 #include <random>
 
@@ -47,7 +47,7 @@ TEST(TrackState, IsTheLeastSquaresParabolaWithoutAWalk)
     state.advance(0.1, 0);
     x += 0.1;
     const double y = noise(random);
-    // Slopes so small that the filter's way along the curve is x.
+    // Slopes so small that arc length along the curve is x.
     state.observe(Point(0, 1e-3 * y, 0) - Point(0, state.at.y(), 0), 1e-6, 1);
     const Eigen::Vector3d basis(1, x, 0.5 * x * x);
     normal += basis * basis.transpose();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Vectors of points are the points: every one that plain arithmetic finds in a tube,
-// with the same bits, whatever the length of the run it is in.
+// The vectorized search gives exactly the points that plain arithmetic finds in a tube,
+// with the same bits, whatever the length of a run.
 
 #include <cmath>
 #include <cstddef>

@@ -32,7 +32,7 @@ randomPoints(std::size_t count, unsigned seed, const linelet::Point& size = {1, 
   return points;
 }
 
-/// linelet::Points at \a step from \a from on toward \a to, both ends included.
+/// Points every \a step from \a from to \a to, both ends included.
 inline void
 addSegment(linelet::Points& points,
            const linelet::Point& from,

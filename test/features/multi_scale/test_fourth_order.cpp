@@ -25,7 +25,7 @@ using linelet::SymmetricTensor;
 
 constexpr unsigned seed = 21;
 
-/// All 81 components, the slow and plain way.
+/// All 81 components, computed naively.
 using Plain = std::array<std::array<std::array<std::array<double, 3>, 3>, 3>, 3>;
 
 template <class Visit>
@@ -257,8 +257,8 @@ TEST(FourthOrder, OfTheNeighborhoodsOfACloud)
   EXPECT_TRUE(std::isnan(alone[0](0, 0, 0, 0)));
 }
 
-/// A wire over ground, and a query far from both: relative to its largest component, a
-/// tensor of the grid engine is that of the sweep in double.
+/// A wire over ground, and a query far from both: the grid engine agrees with the sweep
+/// in double, relative to the largest component.
 TEST(FourthOrder, SameOnBothEngines)
 {
   linelet::Points cloud = linelet_test::randomPoints(3000, seed, {30, 20, 0.1});

@@ -42,7 +42,7 @@ TEST(LinearityGraph, ScoresBySumAsWorkedOutByHand)
   const LinearityGraph graph = read(two_peaks, settings);
   EXPECT_NEAR(graph.maxima[0].score, 0.9 - 0.0 + 1.2 / 2.8, 1e-12);
   EXPECT_NEAR(graph.maxima[1].score, 0.8 - 2.0 / 6 + 1.9 / 2.8 - 0.25, 1e-12);
-  // .4 - 5/6 < 0: the first term is held to 0.
+  // .4 - 5/6 < 0: the first term is clamped to 0.
   EXPECT_NEAR(graph.maxima[2].score, 0.6 / 2.8, 1e-12);
 }
 
@@ -91,7 +91,7 @@ TEST(LinearityGraph, AreaOverTheLogarithmOfTheRadius)
 
 TEST(LinearityGraph, AreaOfTheWholeGraphWithoutAMinimum)
 {
-  // One hill: no minimum inside, so A is everything and A_j = A.
+  // One hill: no interior minimum, so A is the whole area and A_j = A.
   const LinearityGraph graph = read({0.2, 0.7, 0.5});
   EXPECT_TRUE(graph.minima.empty());
   EXPECT_NEAR(graph.area, 1.4, 1e-12);
@@ -128,9 +128,9 @@ TEST(LinearityGraph, WeighsTheTermsOfTheScore)
   EXPECT_NEAR(middle(""), 0.8 * 4 / 6 + area - 0.25, 1e-12);
   EXPECT_NEAR(middle("linearity=2"), 1.6 * 4 / 6 + area - 0.25, 1e-12);
   EXPECT_NEAR(middle("scale=-2"), 0.8 * 2 / 6 + area - 0.25, 1e-12);
-  EXPECT_NEAR(middle("scale=-4"), 0 + area - 0.25, 1e-12);     // held to 0
-  EXPECT_NEAR(middle("scale=3"), 1 + area - 0.25, 1e-12);      // 1.6, held to 1
-  EXPECT_NEAR(middle("linearity=-1"), 0 + area - 0.25, 1e-12); // nothing is left of it
+  EXPECT_NEAR(middle("scale=-4"), 0 + area - 0.25, 1e-12);     // clamped to 0
+  EXPECT_NEAR(middle("scale=3"), 1 + area - 0.25, 1e-12);      // 1.6, clamped to 1
+  EXPECT_NEAR(middle("linearity=-1"), 0 + area - 0.25, 1e-12); // nothing remains of it
   EXPECT_NEAR(middle("area=0,depth=0"), 0.8 * 4 / 6, 1e-12);
   const double published = 0.8 * 4 / 6 + area - 0.25;
   // .8 - .3 on the way up, .8 - .6 on the way down.

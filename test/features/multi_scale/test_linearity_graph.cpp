@@ -22,7 +22,7 @@ namespace {
 TEST(LinearityGraph, FindsExtremaOfTwoPeaks)
 {
   const LinearityGraph graph = read(two_peaks);
-  // Minima at 1 and 4; the rising end is a maximum, as is the beginning.
+  // Minima at 1 and 4; the rising end is a maximum, and so is the beginning.
   EXPECT_EQ(graph.minima, (std::vector<std::size_t>{1, 4}));
   ASSERT_EQ(graph.maxima.size(), 3u);
   EXPECT_EQ(graph.maxima[0].scale, 0u);
@@ -52,7 +52,7 @@ TEST(LinearityGraph, PlateauIsOneMaximumAtItsFirstScale)
   ASSERT_EQ(graph.maxima.size(), 1u);
   EXPECT_EQ(graph.scale(), 0u);
   EXPECT_EQ(graph.maxima[0].right, 4u);
-  // Rounding makes no extrema of a plateau.
+  // Rounding creates no extrema on a plateau.
   const LinearityGraph rough = read({1, 1 - 1e-9, 1 - 1e-16, 1 - 1e-8, 0.5});
   ASSERT_EQ(rough.maxima.size(), 1u);
   EXPECT_EQ(rough.scale(), 0u);
@@ -84,7 +84,7 @@ TEST(LinearityGraph, PlateauIsOneMinimum)
 
 TEST(LinearityGraph, FlatLowEndIsNoMinimum)
 {
-  // Converged behind the hill: the flat end is no minimum, A is the whole graph.
+  // Converged after the hill: the flat end is not a minimum, so A is the whole graph.
   const LinearityGraph graph = read({0.2, 0.9, 0.4, 0.4, 0.4});
   EXPECT_TRUE(graph.minima.empty());
   EXPECT_NEAR(graph.area, 2.3, 1e-12);
@@ -117,7 +117,7 @@ TEST(LinearityGraph, OneScale)
     const LinearityGraph graph = read({0.3}, settings);
     ASSERT_EQ(graph.maxima.size(), 1u);
     EXPECT_EQ(graph.scale(), 0u);
-    // An integral over no width is 0, and the part of the hill in it all there is.
+    // An integral over no width is 0, and so is the hill's share of it.
     EXPECT_EQ(graph.area, integral == GraphIntegral::Scales ? 0.3 : 0.0);
     EXPECT_EQ(graph.maxima[0].area_fraction, 1);
     EXPECT_NEAR(graph.maxima[0].score, 1.3, 1e-12);
@@ -127,11 +127,11 @@ TEST(LinearityGraph, OneScale)
 
 TEST(LinearityGraph, OfEqualMaximaTheSmallerScaleWins)
 {
-  // Two equal hills: only 1 - k/K differs, the first is better anyway.
+  // Two equal hills: they differ only in 1 - k/K, which favors the first anyway.
   const LinearityGraph hills = read({0.1, 0.6, 0.1, 0.6, 0.1});
   ASSERT_EQ(hills.maxima.size(), 2u);
   EXPECT_EQ(hills.scale(), 1u);
-  // Flat zero: A = 0, all terms but the fraction vanish.
+  // All zero: A = 0, and all terms except the fraction vanish.
   const LinearityGraph zero = read({0, 0, 0});
   EXPECT_EQ(zero.scale(), 0u);
   EXPECT_NEAR(zero.maxima[0].score, 1, 1e-12);
@@ -140,8 +140,8 @@ TEST(LinearityGraph, OfEqualMaximaTheSmallerScaleWins)
 
 TEST(LinearityGraph, ExactTieGoesToTheSmallerScale)
 {
-  // Product score with CL 0 everywhere but a valley of "less than 0" cannot be; a tie
-  // is made of clamped terms instead. K = 4. j = 0: (4/4) .25 + A_0/A; j = 2: (2/4) .5
+  // A product score with CL 0 everywhere outside a valley "below 0" is impossible, so
+  // the tie is made of clamped terms. K = 4. j = 0: (4/4) .25 + A_0/A; j = 2: (2/4) .5
   // + A_2/A - delta/2. A = .25 + 0 = .25 (minimum at 1); A_0/A = 1, A_2/A = .5/.25 ->
   // 1; delta_0 = 0, delta_2 = .5 - max(0, .5) = 0 with a flat end. Both scores 1.25.
   const LinearityGraph graph = read({0.25, 0, 0.5, 0.5});
@@ -156,7 +156,7 @@ TEST(LinearityGraph, FloorOfNeighborsCountsThePointItself)
   // Seven points make a scale eligible, six do not.
   EXPECT_EQ(read({0.9, 0.5}, {}, {7, 20}).scale(), 0u);
   EXPECT_EQ(read({0.9, 0.5}, {}, {6, 20}).scale(), 1u);
-  // The graph begins for the maxima where there are enough, for A at its beginning.
+  // Maxima count from the first eligible scale, A from the beginning of the graph.
   const LinearityGraph graph = read({0.9, 0.5, 0.3, 0.4, 0.1}, {}, {4, 8, 9, 10, 20});
   ASSERT_EQ(graph.maxima.size(), 2u);
   EXPECT_EQ(graph.maxima[0].scale, 1u);

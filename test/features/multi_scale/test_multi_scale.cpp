@@ -31,7 +31,7 @@ using linelet_test::graphsOf;
 using linelet_test::randomPoints;
 using linelet_test::uniform;
 
-/// Linearity, planarity, sphericity by the definition, all neighbors looked at.
+/// Linearity, planarity, sphericity by definition, from all neighbors.
 Eigen::Vector3d
 bruteFactors(const Points& surface,
              const Point& query,
@@ -107,7 +107,7 @@ TEST(MultiScale, FactorsAreThoseOfTheDefinition)
 
 TEST(MultiScale, RadiiGrowFromTheScaleUnit)
 {
-  // Even line: the 6th nearest other point is 3 steps away.
+  // Evenly spaced line: the 6th nearest other point is 3 steps away.
   Points line;
   addSegment(line, {0, 0, 0}, {100, 0, 0}, 0.5);
   MultiScaleSettings settings;
@@ -183,7 +183,7 @@ TEST(MultiScale, Crossings)
   const ShapeGraph round = graphsOf(cross, {Point(0, 0, 0)}, settings)[0];
   for (const auto& shape : round)
     EXPECT_NEAR(shape.sphericity, 1, 1e-6);
-  // On an arm, the linearity falls where the radius reaches the other arms.
+  // On an arm, linearity falls where the radius reaches the other arms.
   const auto arm = graphsOf(cross, {Point(5, 0, 0)}, settings)[0];
   EXPECT_NEAR(arm[3].linearity, 1, 1e-6);
   EXPECT_LT(arm[4].linearity, 1);
@@ -191,7 +191,7 @@ TEST(MultiScale, Crossings)
 
 TEST(MultiScale, MinimumLiesAtTheSizeOfTheJitter)
 {
-  // A line of samples displaced by one distance in random directions: within that
+  // A line of samples displaced by a fixed distance in random directions: up to that
   // distance a neighborhood is a blob, beyond it a line.
   const unsigned seed = 5;
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -61,7 +61,7 @@ TEST(MultiScale, DegenerateClouds)
 
 TEST(MultiScale, CoincidentNeighborsAwayFromTheQuery)
 {
-  // Seen from the query they are a direction; seen from their mean there is nothing.
+  // Seen from the query they form a direction; seen from their mean there is none.
   MultiScaleSettings settings;
   settings.radii = {1};
   const Points heap(9, Point(0.1, 0.2, 0.3));
@@ -100,7 +100,7 @@ TEST(MultiScale, FirstNeighborsLeaveThePointItselfOut)
 
 TEST(MultiScale, StopRuleEndsWhereAllHaveConverged)
 {
-  // Extent 3: from radius 3 sqrt(2) on, each neighborhood is the whole cloud. With
+  // Extent 3: from radius 3 sqrt(2) on, each neighborhood is the whole cloud, and with
   // const weights nothing changes any more.
   const Points cloud = randomPoints(200, 6, {3, 3, 0});
   MultiScaleSettings settings;
@@ -110,7 +110,7 @@ TEST(MultiScale, StopRuleEndsWhereAllHaveConverged)
   settings.stop_change = 1e-9;
   MultiScaleShapes result = multiScaleShapes(cloud, cloud, settings);
   EXPECT_EQ(result.radii.back(), 9.6);
-  settings.stop_change = 2; // no factor changes that much, once there are factors
+  settings.stop_change = 2; // no factor changes that much once there are factors
   result = multiScaleShapes(cloud, cloud, settings);
   EXPECT_LE(result.radii.back(), 0.6);
   settings.centroid = Centroid::QueryPoint;

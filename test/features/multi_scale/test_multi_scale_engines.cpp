@@ -48,7 +48,7 @@ TEST(MultiScaleEngines, SameForAnyNumberOfThreads)
       ASSERT_FALSE(graphs_of_one[i][k].linearity < graphs_of_many[i][k].linearity ||
                    graphs_of_one[i][k].linearity > graphs_of_many[i][k].linearity);
   }
-  // Listening to the graphs changes nothing.
+  // Requesting the graphs changes nothing.
   const MultiScaleShapes silent = multiScaleShapes(cloud, cloud, settings);
   for (std::size_t i = 0; i < cloud.size(); ++i)
     ASSERT_EQ(silent.shapes[i].optimal_radius, one.shapes[i].optimal_radius);
@@ -56,7 +56,7 @@ TEST(MultiScaleEngines, SameForAnyNumberOfThreads)
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// What both engines say, scale by scale.
+/// The results of both engines, scale by scale.
 void
 expectSameShapes(const Points& surface,
                  const Points& queries,
@@ -93,7 +93,7 @@ expectSameShapes(const Points& surface,
   }
 }
 
-/// Points on a lattice: many pairs lie at a radius exactly.
+/// Points on a lattice: many pairs are exactly a radius apart.
 Points
 lattice(int side, double step)
 {
@@ -129,7 +129,7 @@ TEST(MultiScaleEngines, AgreeForEveryKernelAndMean)
   }
 }
 
-// Searched no farther than the cloud reaches, but weighted by the radii asked for.
+// The search stops at the extent of the cloud, but weights use the requested radii.
 TEST(MultiScaleEngines, AgreeBeyondTheDiagonal)
 {
   const Points cloud = randomPoints(700, 16, {10, 4, 0.5});
@@ -154,8 +154,8 @@ TEST(MultiScaleEngines, AgreeBeyondTheDiagonal)
       expectSameShapes(cloud, {Point(1000, 0, 0), Point(0, 3000, 0)}, settings));
 }
 
-// Processor time of one run beside another: a hundred times as much where every query
-// is worked on by itself.
+// Processor time of one run compared with another: a hundred times as much if each
+// query is processed by itself.
 TEST(MultiScaleEngines, CostNoMoreBeyondTheDiagonal)
 {
   const Points cloud = randomPoints(3000, 17, {10, 4, 0.5});
@@ -176,8 +176,8 @@ TEST(MultiScaleEngines, CostNoMoreBeyondTheDiagonal)
   }
 }
 
-// Where the weight ends in a step, that of a point on the ball must not be left to the
-// rounding of its coordinates.
+// Where the weight ends in a step, rounding of the coordinates must not decide the
+// weight of a point on the ball.
 TEST(MultiScaleEngines, AgreeOnTheWeightOfPointsOnTheBall)
 {
   const Points cloud = randomPoints(1200, 15, {10, 4, 0.5});
@@ -212,11 +212,11 @@ TEST(MultiScaleEngines, AgreeOnCloudsThatAreHardForFloat)
 {
   std::vector<Points> clouds;
   clouds.push_back(lattice(25, 0.25));
-  Points line; // leaves are wide beside the smallest radii
+  Points line; // leaves are wide compared with the smallest radii
   for (const Point& p : randomPoints(2500, 3, {2500, 0.2, 0.2}))
     line.push_back(p);
   clouds.push_back(line);
-  Points heaps; // dense heaps in wide gaps, and points alone
+  Points heaps; // dense clusters, wide gaps, and isolated points
   for (int heap = 0; heap < 12; ++heap)
     for (const Point& p :
          randomPoints(80, 100u + static_cast<unsigned>(heap), {0.01, 0.01, 0.002}))
@@ -227,7 +227,7 @@ TEST(MultiScaleEngines, AgreeOnCloudsThatAreHardForFloat)
   Points doubled = randomPoints(400, 5, {3, 3, 3}); // every point twice
   doubled.insert(doubled.end(), doubled.begin(), doubled.begin() + 400);
   clouds.push_back(doubled);
-  Points far = randomPoints(800, 6, {5, 5, 0.1}); // coordinates of a map
+  Points far = randomPoints(800, 6, {5, 5, 0.1}); // map coordinates
   for (Point& p : far)
     p += Point(650000, 5.4e6, 300);
   clouds.push_back(far);
@@ -283,7 +283,7 @@ TEST(MultiScaleEngines, GridIsTheSameForAnyNumberOfThreads)
     const MultiScaleShapes one = multiScaleShapes(cloud, cloud, settings);
     settings.threads = 5;
     MultiScaleShapes many;
-    graphsOf(cloud, cloud, settings, &many); // nor does listening change anything
+    graphsOf(cloud, cloud, settings, &many); // requesting them changes nothing
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       ASSERT_EQ(one.shapes[i].optimal_radius, many.shapes[i].optimal_radius);
       ASSERT_EQ(one.shapes[i].linearity_sum, many.shapes[i].linearity_sum);
@@ -327,7 +327,7 @@ TEST(MultiScaleEngines, AutoTakesTheSweepForSmallCloudsAndFewQueries)
   EXPECT_EQ(chosen(cloud, cloud, 0.5), ScaleEngine::Grid);
   EXPECT_EQ(chosen(small, small, 5), ScaleEngine::Sweep);
   EXPECT_EQ(chosen(cloud, few, 5), ScaleEngine::Sweep);
-  // Thin queries: the grid pays where neighborhoods are large.
+  // A subset of the queries: the grid pays where neighborhoods are large.
   EXPECT_EQ(chosen(cloud, some, 0.5), ScaleEngine::Sweep);
   EXPECT_EQ(chosen(cloud, some, 20), ScaleEngine::Grid);
   MultiScaleSettings settings;
@@ -365,7 +365,7 @@ TEST(MultiScaleEngines, FarFromTheOriginNothingChanges)
   const Points cloud = randomPoints(300, 4, {3, 1, 0.1});
   Points moved = cloud;
   for (Point& point : moved)
-    point += Point(65536, -131072, 4096); // exact in double, coordinates are not
+    point += Point(65536, -131072, 4096); // exact in double, though coordinates are not
   const MultiScaleShapes here = multiScaleShapes(cloud, cloud, {});
   const MultiScaleShapes there = multiScaleShapes(moved, moved, {});
   ASSERT_EQ(here.radii.size(), there.radii.size());

@@ -29,8 +29,8 @@ using linelet::ShapeGraph;
 
 constexpr double megabyte = 1 << 20;
 
-/// Megabytes that this process has held at most, since forgetPeak; 0 where the system
-/// does not tell.
+/// Peak memory of this process since forgetPeak, in megabytes; 0 where the system does
+/// not tell.
 double
 peak()
 {
@@ -52,7 +52,7 @@ forgetPeak()
   return file.good();
 }
 
-/// Peaks above what was held before, in megabytes.
+/// Peaks above the previous level, in megabytes.
 struct Peaks {
   double silent, streamed;
 };
@@ -90,7 +90,7 @@ TEST(MultiScaleMemory, GraphsAreNotKept)
   settings.threads = 2;
   for (int k = 0; k < 150; ++k)
     settings.radii.push_back(0.5 + 0.01 * k);
-  // All graphs would be 96 MB; some of them are held at a time.
+  // All graphs would take 96 MB; only some are held at a time.
   settings.engine = ScaleEngine::Grid;
   const Peaks grid = peaksOf(cloud, settings);
   EXPECT_LT(grid.silent, 30); // records, sorted points, buffers

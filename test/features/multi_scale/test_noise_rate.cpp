@@ -22,7 +22,7 @@ using linelet::MultiScaleShape;
 using linelet::bench::Geometry;
 using linelet::bench::SamplingSettings;
 
-/// Noise rate and width of samples of a geometry, the mean over two seeds.
+/// Noise rate and width of samples of a geometry, averaged over two seeds.
 struct Noise {
   double rate = 0, width = 0;
 };
@@ -97,7 +97,7 @@ TEST(NoiseRate, GrowsWithJitter)
     for (const double jitter : {0.1, 0.2, 0.3, 0.4, 0.6}) {
       const Noise noise = jittered(geometry, jitter);
       EXPECT_GT(noise.rate, last.rate) << jitter;
-      // Where the lines of mikado blur into one another there is no width to tell.
+      // Where the lines of mikado blur into one another, no width is defined.
       if (geometry != Geometry::Mikado || jitter <= 0.4) {
         EXPECT_GT(noise.width, last.width) << jitter;
       }
@@ -151,7 +151,7 @@ TEST(NoiseRate, HardlyMovesWithSamplingAndHoles)
 
 TEST(NoiseRate, MovesLittleWithOutliers)
 {
-  // A tenth more points as outliers: less than what the jitter itself makes.
+  // A tenth more points as outliers add less than the jitter itself.
   for (const Geometry geometry : {Geometry::Elbow, Geometry::Helix}) {
     const Noise plain = jittered(geometry, 0.3);
     const Noise noise = noiseOf(geometry, [](SamplingSettings& s) {
@@ -163,9 +163,9 @@ TEST(NoiseRate, MovesLittleWithOutliers)
   }
 }
 
-// The rates that the paper prints with its figures 11 and 12. A curve in a plane gets
-// them where scales end at five D: at the 60 D of curves in space its neighborhoods are
-// flat, and the rate a quarter. The paper leaves the largest radius to the user there.
+// The rates printed with figures 11 and 12 of the paper. A plane curve reaches them if
+// scales end at five D; at the 60 D of curves in space its neighborhoods are flat, and
+// the rate is a quarter. The paper leaves the largest radius to the user there.
 TEST(NoiseRate, IsThatOfThePaper)
 {
   const struct {

@@ -26,7 +26,7 @@ weightingOf(Kernel kernel)
   return {kernel};
 }
 
-/** \brief Half in a thin wire, half around it. */
+/** \brief Half of the points in a thin wire, half around it. */
 Points
 wireScene(std::size_t count, unsigned seed)
 {
@@ -44,7 +44,7 @@ TEST(GridEngine, AgreesForEveryKernelAndCentroid)
   for (const auto& kernel : Names<Kernel>::table)
     for (const auto& centroid : Names<Centroid>::table) {
       SCOPED_TRACE(std::string(kernel.second) + " " + std::string(centroid.second));
-      // The medians are slow, and the same code for every kernel.
+      // The medians are slow, and run the same code for every kernel.
       if ((centroid.first == Centroid::Median ||
            centroid.first == Centroid::WeightedMedian) &&
           kernel.first != Kernel::Const && kernel.first != Kernel::FermiDirac1)
@@ -56,7 +56,7 @@ TEST(GridEngine, AgreesForEveryKernelAndCentroid)
       if (!isUnbounded(kernel.first) || centroid.first == Centroid::QueryPoint) {
         EXPECT_TRUE(gridAgrees(points, settings, {}, 80));
       }
-      // Every kernel also weights centroids.
+      // Every kernel also serves as the weight of centroids.
       if (centroid.first == Centroid::WeightedMean) {
         settings.centroid_weighting = settings.weighting;
         settings.weighting = Weighting();
@@ -65,8 +65,7 @@ TEST(GridEngine, AgreesForEveryKernelAndCentroid)
     }
 }
 
-// Searched no farther than the cloud reaches, but weighted by the radius that was
-// asked.
+// The search stops at the extent of the cloud, but weights use the requested radius.
 TEST(GridEngine, AgreesBeyondTheDiagonal)
 {
   const Points points = wireScene(600, 9);
@@ -91,7 +90,7 @@ TEST(GridEngine, AgreesBeyondTheDiagonal)
     settings.weighting = kernel;
     EXPECT_TRUE(gridAgrees(points, settings, sizes, 50));
   }
-  // Queries far away from the points need the radius.
+  // Queries far from the points are only reached by the radius.
   TensorSettings settings;
   settings.radius = 1010;
   const Points far = {Point(1000, 0, 0), Point(2000, 0, 0)};
@@ -100,8 +99,8 @@ TEST(GridEngine, AgreesBeyondTheDiagonal)
   EXPECT_EQ(records[1].neighbors, 0u);
 }
 
-// It took a hundred times as long, query by query in double. Processor time of one run
-// beside another, with room for whatever else a machine does.
+// This took a hundred times as long, query by query in double. Processor time of one
+// run relative to another, with room for whatever else the machine does.
 TEST(GridEngine, CostsNoMoreBeyondTheDiagonal)
 {
   const Points points = uniformPoints(6000, {10, 10, 1}, 3);
@@ -154,8 +153,8 @@ TEST(GridEngine, AgreesOnRandomClouds)
       settings.weighting = i % 4 == 0 ? Kernel::Const : Kernel::FermiDirac1;
     settings.centroid =
         Names<Centroid>::table[static_cast<std::size_t>(uniform(0, 2.99))].first;
-    // A point of a lattice may lie on the mean of its neighbors, and then rounding
-    // decides on which side of the step at distance 0 its weight is.
+    // A lattice point may coincide with the mean of its neighbors; then rounding
+    // decides on which side of the step at distance 0 its weight lies.
     if ((step > 0 && settings.weighting.name() == "ease-exponential") ||
         isUnbounded(settings.weighting.kernel()))
       settings.centroid = Centroid::QueryPoint;
@@ -214,9 +213,9 @@ TEST(GridEngine, AgreesOnAdversarialClouds)
         }
 }
 
-// Neighbors certain for many queries are summed apart from those that are tested, and
-// weights come from tables: with thousands of neighbors most do. Duplicates, a dense
-// spot and points near the query are where tables and lists change hands.
+// Neighbors certain for many queries are summed separately from those that are tested,
+// and weights come from tables; with thousands of neighbors most do. Duplicates, a
+// dense spot and points near the query exercise the handover between tables and lists.
 TEST(GridEngine, AgreesForThousandsOfNeighbors)
 {
   Points flat = uniformPoints(9000, {6, 6, 0.05}, 61);
@@ -248,7 +247,7 @@ TEST(GridEngine, AgreesForThousandsOfNeighbors)
       settings.weighting = Weighting(weight);
       EXPECT_TRUE(gridAgrees(*points, settings, {}, 25));
     }
-  // Radii of its own for every point: tables and polynomials are scaled.
+  // A radius per point: tables and polynomials are scaled.
   NeighborhoodSizes sizes;
   for (std::size_t i = 0; i < flat.size(); ++i)
     sizes.radii.push_back(1 + 0.1 * static_cast<double>(i % 9));
@@ -281,8 +280,8 @@ TEST(GridEngine, TakesARadiusForEveryPoint)
     }
 }
 
-// Where the weight ends in a step, that of a point on the ball must not be left to the
-// rounding of its coordinates.
+// Where the weight ends in a step, rounding of the coordinates must not decide the
+// weight of a point on the ball.
 TEST(GridEngine, WeighsPointsOnTheBallAsTheReferenceDoes)
 {
   const Points points = uniformPoints(3000, {10, 4, 0.5}, 41);
@@ -299,8 +298,8 @@ TEST(GridEngine, WeighsPointsOnTheBallAsTheReferenceDoes)
   }
 }
 
-// Where float arithmetic gives way to double, no point may be counted by both or by
-// neither: thousands of points as near to the ball as rounding can tell.
+// Where float arithmetic hands over to double, no point may be counted twice or not at
+// all: thousands of points as near to the ball as rounding can resolve.
 TEST(GridEngine, CountsEveryPointNextToTheBallOnce)
 {
   boost::random::mt19937 random(51);

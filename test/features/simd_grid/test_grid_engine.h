@@ -31,9 +31,9 @@ uniformPoints(std::size_t count, const Point& extent, unsigned seed)
   return points;
 }
 
-/** \brief How many records differ in what they must share: numbers of neighbors,
- * which records are unknown, shape factors to 1e-4, eigenvalues to 1e-4 of their sum,
- * and e3 and e1 to 1e-3 where the eigenvalues are well apart. */
+/** \brief The number of records that differ where they must not: numbers of neighbors,
+ * which records are unknown, shape factors beyond 1e-4, eigenvalues beyond 1e-4 of
+ * their sum, and e3 and e1 beyond 1e-3 where the eigenvalues are well apart. */
 inline ::testing::AssertionResult
 agree(const std::vector<PointDistributionTensor>& grid,
       const std::vector<PointDistributionTensor>& reference)
@@ -88,7 +88,7 @@ gridAgrees(const Points& surface,
            const NeighborhoodSizes& sizes = {},
            std::size_t at_most = 400)
 {
-  settings.threads = 1; // clouds too small for more
+  settings.threads = 1; // more would exceed small clouds
   const auto grid = estimateTensorsOnGrid(surface, surface, settings, sizes);
   settings.engine = Engine::Tree;
   const std::size_t step = std::max<std::size_t>(1, surface.size() / at_most);

@@ -17,7 +17,7 @@ using namespace linelet::test;
 
 namespace {
 
-/** \brief Runs a check on every instruction set that this machine and build have. */
+/** \brief Runs a check on every instruction set of this machine and build. */
 template <class Check>
 void
 onEveryInstructionSet(const Check& check)
@@ -52,8 +52,8 @@ TEST(GridKernels, RunOnMoreThanOneInstructionSet)
   EXPECT_GE(hwy::SupportedAndGeneratedTargets().size(), 1u);
 }
 
-// Would a vector weight be off by more than its stated bound, shape factors would be:
-// by the functions themselves, and by tables where they are used.
+// If a SIMD weight exceeded its stated error bound, so would shape factors: tested on
+// the functions themselves, and on tables where they are used.
 TEST(GridKernels, WeightsAreWithinTheirBounds)
 {
   constexpr std::size_t count = 16384;
@@ -63,7 +63,7 @@ TEST(GridKernels, WeightsAreWithinTheirBounds)
       for (const bool table : {false, true}) {
         const grid::WeightError bound = grid::weightError(w);
         for (std::size_t i = 0; i < count; ++i) {
-          // Tables end where neighbors do.
+          // Tables end at the largest distance of a neighbor.
           const double x = (table ? 0.9999 : 1.25) * static_cast<double>(i) / count;
           squared[i] = static_cast<float>(x * x);
         }
@@ -82,8 +82,8 @@ TEST(GridKernels, WeightsAreWithinTheirBounds)
   });
 }
 
-// The bound of every Fermi-Dirac weight of the specification, told by its closed form:
-// 1e-6 relative.
+// The bound of every Fermi-Dirac weight in the specification, checked against its
+// closed form: 1e-6 relative.
 TEST(GridKernels, FermiDiracIsWithinAMillionth)
 {
   constexpr std::size_t count = 16384;
@@ -104,7 +104,7 @@ TEST(GridKernels, FermiDiracIsWithinAMillionth)
         for (std::size_t i = 0; i < count; ++i) {
           const double x = std::sqrt(static_cast<double>(squared[i]));
           const double exact = 1 / (std::exp((x - m) / t) + 1);
-          // Rounding of x counts in units of the temperature.
+          // Rounding of x matters in units of the temperature.
           const double argument = 0x1p-24 * x / t;
           const bool looked_up = table && grid::sweepKernels().lanes == 16;
           EXPECT_NEAR(
@@ -132,7 +132,7 @@ TEST(GridKernels, EveryInstructionSetAgrees)
   });
 }
 
-// The higher moments of points tell their weighted moments around any query.
+// The higher moments of points determine their weighted moments around any query.
 TEST(GridKernels, QuadraticMomentsHoldForEveryQuery)
 {
   for (const std::size_t count : {1, 7, 16, 1500}) {
@@ -213,7 +213,7 @@ TEST(GridKernels, EigenAnalysisKeepsSmallEigenvalues)
       EXPECT_NEAR(major.norm(), 1, 1e-14);
       EXPECT_NEAR(normal.norm(), 1, 1e-14);
       EXPECT_NEAR(major.dot(normal), 0, 1e-14);
-      // An eigenvector by its definition.
+      // An eigenvector, by definition.
       const Eigen::Matrix3d m = tensors[i].matrix();
       EXPECT_LE((m * major - batch.values[2][i] * major).norm(), 1e-14 * scale);
       EXPECT_LE((m * normal - batch.values[0][i] * normal).norm(), 1e-14 * scale);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Records of a piece of a cloud, computed from the piece and a margin around it,
-// against those of the whole cloud: to the bit.
+// Records of a piece of a cloud, computed from the piece and a margin around it, are
+// equal to the bit to those of the whole cloud.
 
 #include "features/simd_grid/test_grid_engine.h"
 #include "random_seed.h"
@@ -18,8 +18,8 @@ using namespace linelet::test;
 
 namespace {
 
-/** \brief A thin ground, a dense spot and a wire: blocks of all densities, and points
- * on a grid of centimeters, many of them equally far apart. */
+/** \brief Thin ground, a dense spot and a wire: blocks of all densities, and points on
+ * a grid of centimeters, many of them equidistant. */
 Points
 scene(unsigned seed)
 {
@@ -58,7 +58,7 @@ cut(const Points& whole,
     cut.piece.low = cut.piece.low.cwiseMin(p);
     cut.piece.high = cut.piece.high.cwiseMax(p);
   }
-  // As files would have them: others before, the piece, others behind.
+  // As files would deliver them: some points before the piece, some after it.
   for (const int part : {0, 1, 2}) {
     if (part == 1)
       cut.piece.begin = cut.points.size();
@@ -127,7 +127,7 @@ TEST(GridEnginePieces, HaveTheRecordsOfTheWhole)
       }
 }
 
-// The tree's neighbors come in the order of their indices, which a piece changes.
+// The tree returns neighbors in the order of their indices, which differs in a piece.
 TEST(GridEnginePieces, HaveTheRecordsOfTheWholeFromATree)
 {
   const Points whole = scene(randomSeed());
@@ -146,8 +146,8 @@ TEST(GridEnginePieces, HaveTheRecordsOfTheWholeFromATree)
   }
 }
 
-// Two points close together are a cloud that is smaller than any radius; as a piece of
-// a larger one they are not.
+// Two points close together form a cloud smaller than any radius; as a piece of a
+// larger one they do not.
 TEST(GridEnginePieces, MayBeSmallerThanTheRadius)
 {
   Points whole = {Point(0, 0, 0), Point(0.1, 0.03, 0), Point(0.04, 0.1, 0.02)};
@@ -189,7 +189,7 @@ TEST(GridEnginePieces, HaveTheShapesOfTheWhole)
     }
 }
 
-// The order in which points come is that of the file, and says nothing of their places.
+// The order of the points is that of the file and says nothing about their positions.
 TEST(GridEnginePieces, DoNotDependOnTheOrderOfThePoints)
 {
   const unsigned seed = randomSeed();

@@ -12,7 +12,7 @@ using namespace linelet::test;
 namespace {
 
 /** \brief Real scans: coordinates on a lattice of millimeters or centimeters, so that
- * distances equal to the radius are common; density from 1 to 1000 a square meter. */
+ * distances equal to the radius are common; 1 to 1000 points per square meter. */
 void
 compareOn(const std::string& file)
 {

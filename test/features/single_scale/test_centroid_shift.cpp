@@ -56,7 +56,7 @@ TEST(CentroidShift, ThinsOutNoiseAcrossALine)
     settings.centroid = centroid;
     EXPECT_LT(width(shiftToCentroids(points, settings)), 0.35 * width(points));
   }
-  // Near neighbors count most in the weighted mean: it moves the points less.
+  // Near neighbors count most in the weighted mean, so it moves the points less.
   settings.centroid = Centroid::WeightedMean;
   EXPECT_LT(width(shiftToCentroids(points, settings)), 0.7 * width(points));
 }

@@ -12,7 +12,7 @@ using namespace linelet;
 
 namespace {
 
-/** \brief A square lattice of side \a side, points one unit apart. */
+/** \brief A square lattice of side \a side, with points one unit apart. */
 Points
 lattice(int side)
 {
@@ -25,8 +25,8 @@ lattice(int side)
 
 } // namespace
 
-// What was measured (one thread, see engine_choice.h): times of tree and grid, in
-// microseconds, of which the smaller one must be chosen.
+// Measured times of tree and grid in microseconds (one thread, see engine_choice.h), of
+// which the smaller one must be chosen.
 TEST(EngineChoice, FollowsWhatWasMeasured)
 {
   struct Measured {
@@ -50,7 +50,7 @@ TEST(EngineChoice, FollowsWhatWasMeasured)
                  std::to_string(m.work.queries) + " queries, " +
                  std::to_string(m.work.neighbors) + " neighbors");
     EXPECT_EQ(cheapestEngine(m.work), m.tree < m.grid ? Engine::Tree : Engine::Grid);
-    // The model is no fit, but no guess either.
+    // The model is not a fit, but not a guess either.
     EXPECT_LT(
         std::abs(std::log2(estimatedSeconds(Engine::Grid, m.work) / m.grid * 1e6)),
         1.6);

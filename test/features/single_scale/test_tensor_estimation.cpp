@@ -17,7 +17,7 @@ using namespace linelet::test;
 TEST(TensorEstimation, IsTheDefinitionForEveryKernelCentroidAndEngine)
 {
   const Points surface = scene(700, 1);
-  Points queries = scene(12, 2); // beside the cloud
+  Points queries = scene(12, 2); // outside the cloud
   queries.insert(queries.end(), surface.begin(), surface.begin() + 12);
   std::vector<Weighting> weightings = {Weighting::fermiDirac(0.45, 0.07),
                                        Weighting::step(0.8)};
@@ -47,8 +47,8 @@ TEST(TensorEstimation, IsTheDefinitionForEveryKernelCentroidAndEngine)
   }
 }
 
-// Both engines, in all ways in which the grid sums: moments, kernels, around a mean, in
-// double.
+// Both engines, and all ways in which the grid sums: moments, kernels, around a mean,
+// in double.
 TEST(TensorEstimation, DividedByTheCountIsScaledByTheMeanWeight)
 {
   const Points surface = scene(700, 4);
@@ -189,8 +189,8 @@ TEST(TensorEstimation, IsNotKnownWhereThereIsNoShape)
         EXPECT_TRUE(std::isnan(value));
     }
   }
-  // Seen from beside, coincident points have a direction for pdt, but none around their
-  // own center, where rounding alone is left.
+  // Seen from outside, coincident points have a direction for pdt, but none around
+  // their own center, where only rounding is left.
   const Point beside = place + Point(0.3, 0.4, 0);
   EXPECT_FLOAT_EQ(tensorAt(Points(40, place), beside, withRadius(2)).linearity, 1);
   for (const Centroid centroid :

@@ -17,7 +17,7 @@ using namespace linelet;
 using namespace linelet::test;
 TEST(TensorEstimation, DoesNotMoveWithTheCloud)
 {
-  // Multiples of 1/256 plus these offsets are exact in double: not a bit may change.
+  // Multiples of 1/256 plus these offsets are exact in double, so every bit must agree.
   const Points points = scene(500, 6);
   Points moved;
   for (const Point& point : points)
@@ -49,7 +49,7 @@ TEST(TensorEstimation, ScalesWithTheSquareAndTurnsWithTheCloud)
   }
   for (const auto& [centroid, name] : Names<Centroid>::table) {
     SCOPED_TRACE(std::string(name));
-    // No point lies so close to this radius that the turn could move it across.
+    // No point is so close to this radius that the rotation could move it across.
     TensorSettings settings = withRadius(1.0012345, Kernel::FermiDirac1, centroid);
     const Records original = estimateTensors(points, points, settings);
     const Records after = estimateTensors(turned, turned, settings);
@@ -102,7 +102,7 @@ TEST(TensorEstimation, ByKTakesTheNearestAndTheirReachAsRadius)
       std::sort(distances.begin(), distances.end());
       ASSERT_EQ(records[i].neighbors, 12u);
       if (distances[11] == distances[12])
-        continue; // another point at the same distance, not for a radius to tell
+        continue; // another point at the same distance, which a radius cannot separate
       EXPECT_LE(
           shapeDifference(
               records[i],
@@ -154,7 +154,7 @@ TEST(TensorEstimation, TakesSizesPointByPoint)
   EXPECT_TRUE(sameBits(by_count, estimateTensors(points, points, nine)));
 }
 
-// A median mostly lies at a neighbor, whose weight would be infinite or nothing.
+// A median mostly lies on a neighbor, whose weight would be infinite or nothing.
 TEST(TensorEstimation, RefusesUnboundedWeightingsAboutOtherPlacesThanTheQuery)
 {
   const Points points = scene(10, 1);

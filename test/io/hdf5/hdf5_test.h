@@ -52,7 +52,7 @@ example(std::size_t count, std::size_t first = 0)
   return cloud;
 }
 
-/** \brief NaN for NaN. */
+/** \brief Equal, with NaN equal to NaN. */
 inline bool
 sameBits(const Values& a, const Values& b)
 {

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief Largest memory of this process so far, in MB. */
+/** \brief Peak memory of this process so far, in MB. */
 double
 peakMemory()
 {
@@ -112,7 +112,7 @@ TEST_F(Hdf5, SaysInOneLineWhatIsWrong)
   EXPECT_THROW(writeCloud(folder.file("cloud.h5"), example(1), {true}), FileError);
 }
 
-// Whatever the bytes are, what comes out fits together, or is a FileError.
+// Whatever the bytes, the result is consistent, or a FileError.
 TEST_F(Hdf5, DamagedFilesAreRefusedOrReadInPart)
 {
   const std::string path = folder.file("cloud.h5");

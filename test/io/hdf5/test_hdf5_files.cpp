@@ -142,7 +142,7 @@ TEST_F(Hdf5, CurvesAndTheirCloudShareAFile)
   EXPECT_EQ(back.junctions[0].curves, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(back.junctions[0].position, Point(1, 1, 0.5));
 
-  // Curves alone, as writeCurves makes them; and none.
+  // Curves alone, as written by writeCurves; and none.
   std::string wkt;
   writeCurves(
       folder.file("curves.h5"), network, Point(5e5, 0, 0), "LOCAL_CS[\"here\"]");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// VTKHDF as VTK's own reader sees it.
+// VTKHDF as read by VTK itself.
 
 #include <algorithm>
 #include <string>
@@ -53,7 +53,7 @@ TEST_F(Hdf5, VtkReadsPlacesAndAttributes)
 TEST_F(Hdf5, VtkFilesAreWrittenWholeAndNotRead)
 {
   const std::string path = folder.file("cloud.vtkhdf");
-  writeCloud(path, example(0)); // nothing is a file, too
+  writeCloud(path, example(0)); // an empty cloud is a file, too
   EXPECT_THROW(readCloud(path), FileError);
   EXPECT_THROW(writeCloud(folder.file("none/cloud.vtkhdf"), example(3)), FileError);
 }

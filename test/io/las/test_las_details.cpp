@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What may change when a LAS file is written again, and what may not.
+// What may and may not change when a LAS file is rewritten.
 
 #include <cmath>
 
@@ -29,7 +29,7 @@ record(const std::string& bytes, std::size_t i)
                       recordLength(bytes));
 }
 
-/** Position behind the head of the first record of \a user and \a number. */
+/** Offset after the header of the first record of \a user and \a number. */
 std::size_t
 findRecord(const std::string& bytes, const std::string& user, unsigned number)
 {
@@ -180,7 +180,7 @@ TEST(LasDetails, ScaledExtraBytesAreUnderstoodAndKeptRaw)
   writeCloud(folder.file("out.las"), cloud);
   EXPECT_TRUE(record(bytesOf(folder.file("out.las")), 0) == record(bytes, 0));
 
-  // A value that was changed is stored in steps of its scale.
+  // A changed value is stored in steps of its scale.
   cloud.set({"height", std::vector<double>{98.25}, {}});
   writeCloud(folder.file("out.las"), cloud);
   std::string expected = record(bytes, 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Real LAS files: what they hold is read, and written back bit for bit.
+// Real LAS files: their content is read, and written back bit for bit.
 
 #include <algorithm>
 #include <optional>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** What a LAS header says, read here without the library. */
+/** The content of a LAS header, read here without the library. */
 struct Header {
   int minor, format;
   std::size_t points_at, record_length, count;
@@ -54,7 +54,7 @@ filesIn(const std::string& folder, const std::string& ending)
   return files;
 }
 
-/** These end before their header says. */
+/** Files that end before their header says. */
 bool
 isCut(const fs::path& path)
 {
@@ -123,7 +123,7 @@ TEST(LasFiles, CoordinatesAreScaleTimesIntegerPlusOffset)
         const double offset = numberAt<double>(bytes, 155 + 8 * axis);
         const double expected = steps * scale + offset;
         const auto a = static_cast<int>(axis);
-        // Two roundings at the size of the coordinate, no more.
+        // Two roundings at the magnitude of the coordinate, no more.
         const double rounding =
             4e-16 * (std::abs(expected) + std::abs(offset) + std::abs(cloud.shift[a]) +
                      std::abs(steps * scale));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files read and written part by part are those read and written at once.
+// Files read and written in parts equal those read and written at once.
 
 #include <random>
 
@@ -143,7 +143,7 @@ TEST(CloudStream, OtherFormatsAreOnePart)
   EXPECT_THROW(CloudSink(folder.file("out.xyz")), FileError);
 }
 
-// Nothing stays of a file that was not finished.
+// Nothing remains of an unfinished file.
 TEST(CloudStream, AnUnfinishedFileLeavesNothing)
 {
   std::mt19937 random(7);

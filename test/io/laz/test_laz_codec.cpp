@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The codec by itself: what is coded comes back bit for bit, and the stream of every
-// part ends where its last point does.
+// The codec by itself: data comes back bit for bit, and the stream of every part ends
+// with its last point.
 
 #include <algorithm>
 #include <cstring>
@@ -28,7 +28,7 @@ constexpr unsigned seed = 20261122;
 
 constexpr std::size_t lengths[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
-/** Points of a scan: steps that are alike, values that often stay, four channels. */
+/** Points of a scan: similar steps, values that often repeat, four channels. */
 std::vector<std::uint8_t>
 scan(int format, std::size_t extra, std::size_t count, std::mt19937& random)
 {
@@ -207,7 +207,7 @@ TEST(LazCodec, AChunkTableBoundsItsChunksByTheFile)
   file.append(table.begin(), table.end());
   EXPECT_EQ(readChunkTable(file, 0, 10, layout).points, 10U);
   EXPECT_TRUE(readChunkTable(file, 0, 0, layout).chunks.empty());
-  // More points than the data can be of.
+  // More points than the data can hold.
   EXPECT_ANY_THROW(readChunkTable(file, 0, 40000, layout));
   for (std::size_t i = 0; i < file.size(); ++i)
     for (const int bit : {0, 3, 7}) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // LAZ files: those of other writers are read record for record, and other readers read
-// ours. What PyPI's laszip and lazrs say is asked of the Python in LINELET_LAZ_PYTHON
-// (else python3); without them that is skipped.
+// ours. PyPI's laszip and lazrs are called through the Python in LINELET_LAZ_PYTHON
+// (else python3); without them these tests are skipped.
 
 #include <cstdio>
 #include <map>
@@ -33,7 +33,7 @@ recordsOf(const fs::path& las)
                       count * numberAt<std::uint16_t>(bytes, 105));
 }
 
-/** Its point records, as linelet writes them to LAS. */
+/** The point records of a file, as linelet writes them to LAS. */
 std::string
 recordsByLinelet(const fs::path& path, const Folder& folder)
 {
@@ -75,8 +75,8 @@ hasOracle()
              (python() + " -c 'import laspy, laszip, lazrs' 2>/dev/null").c_str()) == 0;
 }
 
-/** Writes the point records that \a backend (Laszip, Lazrs) finds in \a path to \a out.
- */
+/** Writes the point records that \a backend (Laszip, Lazrs) reads from \a path to
+ * \a out. */
 bool
 askOracle(const std::string& backend, const fs::path& path, const std::string& out)
 {
@@ -146,15 +146,16 @@ TEST(LazFiles, EveryRecordIsThatWhichLaszipFinds)
   for (const fs::path& path : lazFiles()) {
     SCOPED_TRACE(path.filename());
     if (isCompatible(path))
-      continue; // read as what they stand for, see below
+      continue; // read as the formats they stand for, see below
     ASSERT_TRUE(askOracle("Laszip", path, folder.file("oracle")));
     EXPECT_TRUE(recordsByLinelet(path, folder) == bytesOf(folder.file("oracle")));
   }
 }
 
-// Formats 6 to 10 stored as 1 to 5 are read as what they stand for: files of the same
-// series in the format itself, but for scan angles, which go up by 271 steps here, and
-// the class byte and flags of three points, which all readers find different.
+// Formats 6 to 10 stored as 1 to 5 are read as the formats they stand for: equal to
+// files of the same series in those formats, except for scan angles, which increase by
+// 271 steps here, and the class byte and flags of three points, which all readers
+// report differently.
 TEST(LazFiles, CompatibilityModeIsReadAsWhatItStandsFor)
 {
   LINELET_NEEDS_DATA("readers/laz");
@@ -183,7 +184,7 @@ TEST(LazFiles, CompatibilityModeIsReadAsWhatItStandsFor)
         }
       }
       EXPECT_EQ(compatible.find("LAS 1.4 scan angle"), nullptr);
-      // Written, it is a file of that format, with nothing left of the mode.
+      // Rewritten, the file is of that format, with no trace of the mode.
       const Folder folder;
       writeCloud(folder.file("native.laz"), compatible);
       std::vector<std::string> warnings;

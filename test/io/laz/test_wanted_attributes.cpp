@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Some attributes of a file, read alone, against the same ones of the whole.
+// Some attributes of a file, read alone, compared with those of the whole.
 
 #include <algorithm>
 #include <cstring>
@@ -55,7 +55,8 @@ haveEqualBytes(const Values& a, const Values& b)
       b);
 }
 
-/** \brief Reads \a names of \a path: these of \a whole, which \a options gave. */
+/** \brief Reads \a names from \a path: equal to those of \a whole, read with
+ * \a options. */
 void
 expectPartOf(const Cloud& whole,
              const std::string& path,
@@ -110,7 +111,7 @@ TEST(WantedAttributes, OfLasAndLazAreThoseOfTheWholeFile)
       whole = readCloud(path);
     }
     catch (const FileError&) {
-      continue; // what is malformed has no parts
+      continue; // malformed files have no parts
     }
     ReadOptions window;
     window.threads = 1;
@@ -167,7 +168,7 @@ TEST(WantedAttributes, MakeAFileThatHoldsNoMore)
                                cloud.find("classification")->values));
     for (const Column& column : back.columns)
       if (column.name != "classification") {
-        // Points of which nothing else is known are the only returns of their pulses.
+        // Points without return numbers count as the only returns of their pulses.
         const bool is_return =
             column.name == "return_number" || column.name == "number_of_returns";
         for (std::size_t i = 0; i < back.points.size(); ++i)

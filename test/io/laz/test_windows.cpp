@@ -42,7 +42,7 @@ placesIn(const Cloud& cloud, const std::vector<double>& box)
   return places;
 }
 
-/** \brief Place and attributes of every point in \a box. */
+/** \brief Position and attributes of every point in \a box. */
 std::multiset<std::vector<double>>
 recordsIn(const Cloud& cloud, const std::vector<double>& box)
 {
@@ -88,7 +88,7 @@ windowsOf(const Cloud& whole)
   std::vector<ReadOptions> windows;
   for (const double resolution : {0.0, 0.5, 3.0, 20.0, 500.0})
     for (const double part : {1.0, 0.4, 0.05}) {
-      // Corners between the steps of the grid, where nobody rounds onto a point.
+      // Corners between the steps of the grid, so that rounding never meets a point.
       const Point from = low + (1 - part) / 3 * (high - low) - Point::Constant(0.00037);
       const Point to = from + part * (high - low) + Point::Constant(0.00071);
       ReadOptions options;
@@ -126,7 +126,7 @@ TEST(Windows, HoldThePointsThatTheWholeFileHasThere)
   }
 }
 
-// A window once read only the coordinates of layered LAZ: every class in it was 0.
+// A window of layered LAZ once read only the coordinates: every class in it was 0.
 TEST(Windows, HoldTheAttributesThatTheWholeFileHasThere)
 {
   LINELET_NEEDS_DATA("readers/copc");
@@ -205,8 +205,8 @@ TEST(Windows, OfCopcFilesAreThoseOfCopcReader)
     GTEST_SKIP() << "no laspy and lazrs in " << python
                  << "; LINELET_LAZ_PYTHON names a Python that has them";
   const Folder folder;
-  // Of each line of a file: the grid coordinates, sorted, of the points in the bounds
-  // a[1:7] and the levels that the distance a[0] needs.
+  // Per line: the sorted grid coordinates of a file's points in the bounds a[1:7] and
+  // in the levels that the distance a[0] needs.
   writeBytes(folder.file("query.py"),
              "import laspy, numpy, sys\n"
              "for k, line in enumerate(open(sys.argv[2])):\n"
@@ -257,7 +257,7 @@ TEST(Windows, APageOfCopcThatLeadsToItselfEnds)
   LINELET_NEEDS_DATA("readers/copc");
   const Folder folder;
   std::string bytes = bytesOf(dataPath("readers/copc/laspy_simple.copc.laz"));
-  // As many entries as the file has room for, all of them this page again.
+  // As many entries as the file can hold, each pointing to this page again.
   const std::uint64_t at = bytes.size(), size = 8000000;
   std::string entry(32, '\0');
   const std::int32_t another = -1, length = 32;

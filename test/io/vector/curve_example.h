@@ -39,7 +39,7 @@ example()
   return network;
 }
 
-/** The reference system of a code, with the heights of another one, as text. */
+/** The reference system of a code combined with the heights of another, as text. */
 inline std::string
 wktOf(int code, int height = 0)
 {
@@ -57,7 +57,7 @@ wktOf(int code, int height = 0)
   return wkt;
 }
 
-/** A file as GDAL reads it. */
+/** A file as read by GDAL. */
 inline std::unique_ptr<GDALDataset>
 open(const std::string& path)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves as they are read back.
+// Curves read back from files.
 
 #include <string>
 
@@ -10,7 +10,7 @@
 using namespace linelet;
 using namespace linelet::test;
 
-// What is written for others can be read again: by the vertex, open or closed.
+// Files written for other programs can be read again, vertex by vertex, open or closed.
 TEST(CurveFiles, AreReadBackFromEveryFormat)
 {
   const Folder folder;
@@ -33,7 +33,7 @@ TEST(CurveFiles, AreReadBackFromEveryFormat)
         ending == std::string("geojson") || ending == std::string("gpkg");
     EXPECT_EQ(referenceName(wkt), tells ? "ETRS89 / UTM zone 32N" : "");
   }
-  // Without a system of reference, none is made up.
+  // Without a reference system, none is invented.
   for (const char* ending : {"geojson", "gpkg", "dxf"}) {
     const std::string file = folder.file(std::string("bare.") + ending);
     writeCurves(file, network);
@@ -63,7 +63,7 @@ TEST(CurveFiles, LayersAreReadForTheirLines)
   }
 }
 
-// What others draw: outlines of areas and arcs are curves, too.
+// Files by others: outlines of areas and arcs are curves, too.
 TEST(CurveFiles, RingsAreClosedCurvesAndArcsAreChords)
 {
   const Folder folder;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves in text formats, word by word.
+// Curves in text formats, word for word.
 
 #include <map>
 #include <sstream>
@@ -65,7 +65,7 @@ TEST(CurveFiles, VtkLinesCountWhatTheyHold)
   const Folder folder;
   writeCurves(folder.file("a.vtk"), example());
   const std::string text = bytesOf(folder.file("a.vtk"));
-  // 3 vertices, and 4 with the first once more, each behind its count
+  // 3 vertices, and 4 with the first repeated, each after its count
   EXPECT_NE(text.find("LINES 2 10\n3 0 1 2\n5 3 4 5 6 3\n"), std::string::npos);
 }
 

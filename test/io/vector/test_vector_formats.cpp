@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curves in vector formats as GDAL reads them.
+// Curves in vector formats, as read by GDAL.
 
 #include <filesystem>
 #include <string>
@@ -13,7 +13,7 @@ using namespace linelet::test;
 
 namespace {
 
-/** The vertices of a feature are those of \a curve, to the last bit. */
+/** The vertices of a feature equal those of \a curve to the last bit. */
 void
 expectVertices(OGRFeature& feature, const Curve& curve, double tolerance)
 {

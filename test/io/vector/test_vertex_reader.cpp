@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Vertices of vector files as points; GDAL and text by hand make the files.
+// Vertices of vector files as points; the files are made by GDAL and by hand.
 
 #include <fstream>
 #include <string>
@@ -50,7 +50,7 @@ TEST(VertexReader, RingsOfAShapefileInOrderWithNumbersAndReference)
     for (int island = 0; island < 2; ++island) {
       const double x = 565000.25 + 100 * island;
       OGRLinearRing ring;
-      // Clockwise, as shapefiles have outer rings, so that GDAL keeps their order.
+      // Clockwise, like the outer rings of shapefiles, so that GDAL keeps their order.
       for (const auto& [dx, dy] :
            {std::pair{0., 0.}, {0., 10.}, {10., 10.}, {10., 0.}, {0., 0.}})
         ring.addPoint(x + dx, 5930000.5 + dy);
@@ -106,7 +106,7 @@ TEST(VertexReader, EveryKindOfGeometry)
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_EQ(Point(cloud.shift + cloud.points[i]), expected[i]) << i;
   EXPECT_EQ(valuesOf(cloud, "line"), (std::vector<double>{0, 1, 1, 2, 2, 3, 4}));
-  // An attribute may be called like a coordinate.
+  // An attribute may have the name of a coordinate.
   const std::vector<double> numbers = valuesOf(cloud, "x_2");
   ASSERT_EQ(numbers.size(), expected.size());
   EXPECT_EQ(numbers[0], 7);

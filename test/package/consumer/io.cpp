@@ -13,7 +13,7 @@ main()
                                 "DATA ascii\n0 0 0\n1 0 0\n2 0 0\n";
   if (linelet::io::readCloud("three.pcd").points.size() != 3)
     return 1;
-  // Without linelet::vector, the reference system of a file is taken as it stands.
+  // Without linelet::vector, the reference system of a file is kept as it is.
   if (linelet::io::readCloud(DATA "/corridor.las").wkt.empty())
     return 2;
   try {

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Fails where PROGRAM is linked with GDAL, PCL or Ceres.
+# Fails if PROGRAM is linked with GDAL, PCL or Ceres.
 execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "ldd ${PROGRAM} failed")

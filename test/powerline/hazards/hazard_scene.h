@@ -71,7 +71,7 @@ ofKind(const Hazards& hazards, HazardKind kind)
   return found;
 }
 
-/** A cloud with a wire 12 m high, and what else \a fill adds. */
+/** A cloud with a wire 12 m high, and whatever else \a fill adds. */
 struct Scene {
   PowerLineNetwork network;
   io::Cloud cloud;

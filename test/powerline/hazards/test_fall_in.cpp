@@ -13,8 +13,8 @@ namespace {
 using namespace linelet;
 using namespace linelet::test;
 
-// A tree that stands 6 m higher up the slope reaches the wire; the same tree as far
-// down the slope does not.
+// A tree standing 6 m higher up the slope reaches the wire; the same tree as far down
+// the slope does not.
 TEST(FallIn, TurnsAboutTheFootOnTheTerrain)
 {
   PowerLineNetwork network;
@@ -65,8 +65,8 @@ TEST(FallIn, CountsATreeOnceAndNoBuilding)
   EXPECT_EQ(findHazards(network, around, uniformLimits(1)).fall_in.size(), trees);
 }
 
-// A block of bushes 4 m by 10 m, its top 3 m below the wire: 5 m around the wire reach
-// down to 5 m below it in the middle, less beside it.
+// Bushes, 4 m by 10 m, with their top 3 m below the wire: 5 m around the wire reach
+// down to 5 m below it in the middle, less to the sides.
 TEST(Cut, AreaAndVolumeAreThoseOfTheBlockWithinTheLimit)
 {
   PowerLineNetwork network;

@@ -39,13 +39,13 @@ TEST(OtherLines, CrossWithTheDistancesOfBruteForce)
   EXPECT_LT((found.upper_at - found.lower_at).head<2>().norm(), 1e-6);
   EXPECT_GT(found.angle, 80);
   EXPECT_LE(found.angle, 90);
-  // The pair is one stretch, of the upper wire.
+  // The pair is one stretch, on the upper wire.
   const std::vector<Encroachment> near = ofKind(hazards, HazardKind::Wire);
   ASSERT_FALSE(near.empty());
   EXPECT_EQ(near[0].wire, 1);
   EXPECT_EQ(near[0].other, 2);
   EXPECT_NEAR(near[0].nearest.distance, least, 2e-3);
-  // In order where the limit is lower, but a crossing still.
+  // Acceptable with a lower limit, but still a crossing.
   const Hazards calm = findHazards(network, {}, uniformLimits(1));
   EXPECT_EQ(calm.crossings.size(), 2U);
   EXPECT_EQ(calm.crossings[0].severity, Severity::None);

@@ -14,9 +14,9 @@ namespace {
 using namespace linelet;
 using namespace linelet::test;
 
-// Every centimeter of the wire that a point is nearer to than the limit lies in a
-// stretch, no other does but in gaps of less than a meter, and the nearest distance is
-// that of brute force.
+// Every centimeter of the wire that is nearer to a point than the limit lies in a
+// stretch, no other does except in gaps of less than a meter, and the nearest distance
+// is that of brute force.
 TEST(Stretches, AgreeWithBruteForce)
 {
   std::mt19937 random(randomSeed());
@@ -57,7 +57,7 @@ TEST(Stretches, AgreeWithBruteForce)
       if (distance < limit - 1e-3) {
         ASSERT_TRUE(inside) << s << " at " << distance;
       }
-      // In a stretch and yet in order: in a gap that was closed.
+      // Inside a stretch but acceptable: in a gap that was closed.
       if (inside && distance > limit + 1e-3) {
         double nearby = 1e9;
         for (double t = s - 0.51; t <= s + 0.51; t += 0.01)
@@ -76,7 +76,7 @@ TEST(Stretches, AgreeWithBruteForce)
       EXPECT_EQ(e.outline.front(), e.outline.back());
     }
     if (least < limit - 1e-3) {
-      EXPECT_NEAR(closest_found, least, 5e-3); // brute force goes in steps, too
+      EXPECT_NEAR(closest_found, least, 5e-3); // brute force has steps, too
     }
     else {
       EXPECT_GT(closest_found, limit - 1e-3);
@@ -84,7 +84,7 @@ TEST(Stretches, AgreeWithBruteForce)
   }
 }
 
-// A wire along a slope: the terrain is nearest beside it, not below.
+// A wire along a slope: the terrain is nearest to the side, not below.
 TEST(Stretches, DistanceToASlopeIsThatToAPlane)
 {
   PowerLineNetwork network;
@@ -96,7 +96,7 @@ TEST(Stretches, DistanceToASlopeIsThatToAPlane)
   const Encroachment& found = hazards.clearances[0];
   EXPECT_EQ(found.kind, HazardKind::Ground);
   EXPECT_NEAR(found.nearest.distance, c.lowest.z() / std::sqrt(2.0), 0.02);
-  // Where the plane is 8 m away the wire hangs 8 sqrt 2 m over x = 0.
+  // Where the plane is 8 m away, the wire is 8 sqrt 2 m above x = 0.
   const double half = c.a * std::acosh(1 + (8 * std::sqrt(2.0) - c.lowest.z()) / c.a);
   EXPECT_NEAR(found.from, -half, 0.05);
   EXPECT_NEAR(found.to, half, 0.05);

@@ -21,7 +21,7 @@ TEST(Surroundings, BirdsAndNoiseAreNoHazard)
     scene.add(Point(0.1 * k, 0.3, 10), 18);
     scene.add(Point(0.1 * k, -0.3, 9), 7);
   }
-  scene.add(Point(20, 0, 10), 1); // a bird that nobody classified
+  scene.add(Point(20, 0, 10), 1); // an unclassified bird
   scene.add(Point(20.3, 0, 10.1), 1);
   EXPECT_TRUE(scene.hazards().clearances.empty());
   for (int k = 0; k < 20; ++k)
@@ -31,8 +31,8 @@ TEST(Surroundings, BirdsAndNoiseAreNoHazard)
   EXPECT_EQ(with_tree.clearances[0].kind, HazardKind::Vegetation);
 }
 
-// A pole's head that no class tells: cross-arm, insulators and what hangs off them are
-// no vegetation near the wires that they carry, but a tree beside them is.
+// A pole's head without classes: cross-arm, insulators and whatever hangs from them are
+// not vegetation near the wires they carry, but a tree beside them is.
 TEST(Surroundings, WhatCarriesAWireIsNoHazardToIt)
 {
   Scene scene;
@@ -97,7 +97,7 @@ TEST(Hazards, OfNothingAreNone)
 {
   const ClearanceLimits limits = uniformLimits(5);
   EXPECT_TRUE(findHazards({}, {}, limits).clearances.empty());
-  PowerLineNetwork network; // no ground, a wire without length, a point without numbers
+  PowerLineNetwork network; // no ground, a wire without length, a non-finite point
   addWire(network, Point(0, 0, 10), Point(0, 1e-9, 10), 1000, 1);
   Surroundings around;
   stand(around,
