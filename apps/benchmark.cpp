@@ -32,7 +32,7 @@ namespace {
 using bench::BenchmarkRow;
 using bench::BenchmarkRun;
 
-/** \brief Which runs to make, and where their rows go. */
+/** \brief Which runs to make, and where to write their rows. */
 struct BenchmarkOptions {
   std::size_t sample = 2000;
   std::uint64_t seed = 1;
@@ -67,8 +67,8 @@ describe(BenchmarkOptions& s, const OptionAdder& visit)
         "differ from the defaults");
 }
 
-/** \brief What tells rows of these settings from others: the preset, and every option
- * of the reconstruction that is not as it is anyway. */
+/** \brief What distinguishes rows with these settings: the preset, and every
+ * reconstruction option that differs from its default. */
 std::string
 methodOf(const CLI::App& app, ReconstructionSettings& settings)
 {
@@ -86,7 +86,7 @@ methodOf(const CLI::App& app, ReconstructionSettings& settings)
   return method;
 }
 
-/** \brief The name of the method in a row; a row's fields end at commas. */
+/** \brief The name of the method in a row, without commas, which end a field. */
 std::string
 checkedLabel(const std::string& label)
 {
@@ -134,7 +134,7 @@ runsOf(const BenchmarkOptions& options)
   return runs;
 }
 
-/** \brief The file of rows: what it holds already, and where new ones go. */
+/** \brief The file of rows: what it already holds, and where new rows go. */
 class RowFile {
 public:
   /** \param[in] path empty: no file */
@@ -150,7 +150,7 @@ public:
         throw std::runtime_error(path + ": " + error.what() + "; name another file");
       }
     }
-    // Rewritten beside it: a truncated line may be lost, the file never.
+    // Rewritten beside it: a truncated line may be lost, but never the file.
     std::ostringstream whole;
     whole << bench::benchmark_csv_header << '\n';
     for (const BenchmarkRow& row : old_)
@@ -191,8 +191,8 @@ private:
   std::vector<BenchmarkRow> old_;
 };
 
-/** \brief Draws \a rows of \a method, and beside them whatever other methods have done
- * among the runs of \a wanted, by \a old rows. */
+/** \brief Draws \a rows of \a method, next to the results of other methods in \a old
+ * for the same \a wanted runs. */
 void
 plot(const std::string& path,
      const std::string& method,
@@ -219,8 +219,8 @@ plot(const std::string& path,
   drawBenchmark(methods, view, width, height).save(path);
 }
 
-/** \brief Rows of \a wanted runs by \a method among \a old ones, one per run; those
- * that are not there stay in \a wanted. */
+/** \brief Rows of \a wanted runs by \a method found in \a old, one per run; runs
+ * without a row remain in \a wanted. */
 std::vector<BenchmarkRow>
 takeDone(const std::string& method,
          const std::vector<BenchmarkRow>& old,
@@ -242,7 +242,7 @@ takeDone(const std::string& method,
   return done;
 }
 
-/** \brief Every combination of varied values, with a row of the table each. */
+/** \brief Every combination of varied values, with one table row each. */
 int
 runSweep(const BenchmarkOptions& options,
          const ReconstructionSettings& settings,

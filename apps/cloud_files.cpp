@@ -29,7 +29,7 @@ warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame)
 
 namespace {
 
-/** Those by which io::UsablePoints chooses. */
+/** The attributes that io::UsablePoints needs. */
 const std::vector<std::string> choosing = {"classification", "withheld"};
 
 } // namespace
@@ -129,7 +129,7 @@ CloudInput::headers()
   return summaries();
 }
 
-/** One for all files, that of a file with all their points. */
+/** One shift for all files, that of a file with all their points. */
 void
 CloudInput::chooseShift()
 {
@@ -214,7 +214,7 @@ CloudInput::read()
 
 namespace {
 
-/** \brief Puts the points that take part behind those of \a all. */
+/** \brief Appends the points of \a all that take part. */
 void
 add(const io::Cloud& cloud,
     const io::UsablePoints& usable,
@@ -322,7 +322,7 @@ CloudOutput::pathFor(CloudInput& input, std::size_t number) const
 {
   if (!input.several())
     return path_;
-  // Outputs have no octree: .copc goes from the name.
+  // Outputs have no octree, so the name loses its .copc.
   std::string name =
       std::filesystem::path(input.files().at(number)).filename().string();
   if (const std::size_t at = name.rfind(".copc.laz"); at != std::string::npos)

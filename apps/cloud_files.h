@@ -19,28 +19,28 @@
 
 namespace linelet::apps {
 
-/** \brief What to do about coordinates that are degrees. */
+/** \brief How a command treats coordinates in degrees. */
 constexpr const char* projection_help =
     "project it first, for example with pdal translate IN OUT.las reprojection "
     "--filters.reprojection.out_srs=EPSG:25832 (the code of your zone)";
 
-/** \brief A warning where \a cloud, of the file \a path, is in degrees. */
+/** \brief Warns if \a cloud, read from \a path, is in degrees. */
 void
 warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame);
 
 /** \brief The values of the attribute \a name of \a cloud, read from \a file.
- * \throws io::FileError where it has none of that name */
+ * \throws io::FileError if there is no such attribute */
 std::vector<double>
 valuesOf(const io::Cloud& cloud, const std::string& name, const std::string& file);
 
 /** \brief The point files that a command reads: its argument INPUT (files, folders,
- * virtual point clouds, lists) and its options. All are of one reference system. */
+ * virtual point clouds, lists) and its options. All share one reference system. */
 class CloudInput {
 public:
   /** \brief What the points are read for. */
   enum class Use {
-    Copy,     ///< nothing is made of them
-    Analysis, ///< they are chosen by class, and degrees are warned of
+    Copy,     ///< nothing is computed from them
+    Analysis, ///< filtered by class, with a warning about degrees
     Lengths   ///< the same, but degrees are refused
   };
 
@@ -55,16 +55,16 @@ public:
   const std::vector<std::string>&
   files();
 
-  /** \brief Whether each file is to have an output of its own, in a folder. */
+  /** \brief Whether each file gets an output of its own, in a folder. */
   bool
   several();
 
-  /** \brief Of the attributes, only \a names are read, and those that choose the points
-   * of an analysis: for commands that copy none. */
+  /** \brief Reads only the attributes \a names, and those that select the points of an
+   * analysis: for commands that do not copy attributes. */
   void
   readOnly(std::vector<std::string> names);
 
-  /** \brief What was named first, for messages. */
+  /** \brief The first input named, for messages. */
   const std::string&
   path() const
   {
@@ -78,13 +78,13 @@ public:
     return classes_;
   }
 
-  /** \brief What the headers of the files say. \throws io::FileError where they are of
-   * different reference systems */
+  /** \brief The headers of the files.
+   * \throws io::FileError if they differ in reference system */
   const std::vector<io::FileSummary>&
   summaries();
 
-  /** \brief The same for commands that read no points: a warning where some are chosen.
-   */
+  /** \brief The same for commands that read no points: warns if a selection of points
+   * was requested. */
   const std::vector<io::FileSummary>&
   headers();
 
@@ -92,13 +92,14 @@ public:
   io::ReadOptions
   readOptions() const;
 
-  /** \brief The shift that \ref read gives all files, and its warnings, from the first
-   * points of the first file. */
+  /** \brief The shift that \ref read applies to all files, and its warnings, from the
+   * first points of the first file. */
   Point
   shift();
 
-  /** \brief Reads all files as one cloud; what is lost is told as a warning, as are
-   * degrees that an analysis would take for lengths. \throws io::FileError */
+  /** \brief Reads all files as one cloud; losses are reported as warnings, as are
+   * degrees that an analysis would take for lengths.
+   * \throws io::FileError */
   io::Cloud
   read();
 
@@ -106,18 +107,18 @@ public:
   io::Cloud
   read(std::size_t number);
 
-  /** \brief The points of a file in the midst of those of the others, in the order of
-   * the files. */
+  /** \brief The points of one file among those of the others, in the order of the
+   * files. */
   struct Surroundings {
     Points points;
-    CloudPiece piece;           ///< which of them are those of the file
-    std::vector<double> values; ///< of the field that was asked for, one per point
+    CloudPiece piece;           ///< which of them belong to the file
+    std::vector<double> values; ///< of the requested field, one per point
   };
 
   /** \brief The usable points of file \a number, and those of the other files that are
    * nearer than \a distance to their box, relative to its shift.
-   * \param[in] cloud the file as read, \a usable what takes part of it
-   * \param[in] field attribute whose values are wanted as well, or empty
+   * \param[in] cloud the file as read, \a usable its points that take part
+   * \param[in] field attribute whose values are also needed, or empty
    * \throws io::FileError */
   Surroundings
   surroundings(std::size_t number,
@@ -126,8 +127,8 @@ public:
                double distance,
                const std::string& field = {});
 
-  /** \brief The points of \a cloud, as read, that take part; a warning where some do
-   * not. \throws io::FileError where classes are asked for that it does not have */
+  /** \brief The points of \a cloud that take part, with a warning if some do not.
+   * \throws io::FileError if classes are requested that it does not have */
   io::UsablePoints
   usable(const io::Cloud& cloud) const;
 
@@ -145,9 +146,9 @@ private:
   Use use_;
   std::vector<std::string> names_;
   io::InputList list_;
-  std::vector<io::FileSummary> summaries_; ///< of the files, where they were needed
+  std::vector<io::FileSummary> summaries_; ///< of the files, once they were needed
   std::string reference_, reference_file_; ///< of the first file that has one
-  // Box of all files, with the summaries.
+  // The box of all files, with the summaries.
   Point low_ = Point::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
   io::ReadOptions options_;
   io::ClassFilter classes_;
@@ -159,7 +160,7 @@ public:
   enum class Inputs { None, Some };
 
   /** \param[in] frame gets argument and options; must outlive this
-   * \param[in] inputs whether the command reads files: of several it writes a folder */
+   * \param[in] inputs if the command reads several files, the output is a folder */
   explicit CloudOutput(Frame& frame, Inputs inputs = Inputs::Some);
 
   const std::string&
@@ -168,19 +169,20 @@ public:
     return path_;
   }
 
-  /** \brief Fails at once where \ref write would fail after long work; makes the folder
-   * for several outputs. \throws io::FileError */
+  /** \brief Fails at once if \ref write would fail after long work; makes the folder
+   * for several outputs.
+   * \throws io::FileError */
   void
   check(CloudInput& input);
   void
   check() const;
 
-  /** \brief Where the output for file \a number of \a input goes. */
+  /** \brief The output path for file \a number of \a input. */
   std::string
   pathFor(CloudInput& input, std::size_t number) const;
 
-  /** \brief Writes \a cloud to \a path, one of \ref pathFor; what the format cannot
-   * hold is told as a warning.
+  /** \brief Writes \a cloud to \a path, one of \ref pathFor, with a warning about what
+   * the format cannot hold.
    * \throws io::FileError */
   void
   write(const io::Cloud& cloud, const std::string& path);

@@ -31,8 +31,8 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Whether a value of this attribute is a name rather than a measure: then the
- * most frequent one stands for many, else their mean. */
+/** \brief Whether an attribute is a label rather than a measure: clusters then take its
+ * most frequent value, otherwise the mean. */
 bool
 isName(const io::Column& column)
 {
@@ -53,7 +53,7 @@ valuesOf(const io::Column& column, std::size_t count)
   return values;
 }
 
-/** \brief \a column for the representatives, in the type it has. */
+/** \brief \a column for the representatives, keeping its type. */
 io::Column
 reduced(const io::Column& column, const Clusters& clusters)
 {
@@ -77,7 +77,7 @@ reduced(const io::Column& column, const Clusters& clusters)
   return result;
 }
 
-/** \brief The representatives: attributes of the points, and those of clusters. */
+/** \brief The representatives, with attributes of the points and of the clusters. */
 io::Cloud
 representatives(const io::Cloud& cloud, const Clusters& clusters)
 {
@@ -154,7 +154,7 @@ clustersOf(const Points& points,
 #endif
 }
 
-/** \brief Fails where a mesh cannot be written at \a path after long work. */
+/** \brief Fails at once if a mesh could not be written to \a path after long work. */
 void
 checkMeshOutput(const std::string& path)
 {

@@ -22,7 +22,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief The curves of a file; a warning where they are in degrees. */
+/** \brief The curves of a file, with a warning if they are in degrees. */
 CurveNetwork
 readLengths(const std::string& path, Frame& frame)
 {
@@ -34,7 +34,7 @@ readLengths(const std::string& path, Frame& frame)
   return network;
 }
 
-/** \brief A row for every vertex of \a found; the curves count from 1. */
+/** \brief One row per vertex of \a found; curves count from 1. */
 void
 writeVertexErrors(const std::string& path,
                   const CurveNetwork& found,
@@ -59,7 +59,7 @@ writeVertexErrors(const std::string& path,
                     errors[i].along,
                     errors[i].distance);
       file.write(row);
-      // An empty cell is what readers take for NaN.
+      // Readers take an empty cell for NaN.
       std::snprintf(row, sizeof(row), "%.7g\n", errors[i].angle);
       file.write(std::isnan(errors[i].angle) ? "\n" : row);
     }

@@ -23,8 +23,8 @@ class App;
 
 namespace linelet::apps {
 
-/** \brief Progress on stderr where that is a terminal: stage, bar, estimate of the time
- * left, shown once a stage takes longer than a second. Canceled by signals (see
+/** \brief Progress on stderr if that is a terminal: stage, bar and estimated time left,
+ * shown once a stage takes longer than a second. Canceled by signals (see
  * signals.h). */
 class ProgressBar : public ProgressMonitor {
 public:
@@ -51,7 +51,8 @@ private:
   bool visible_ = false;
 };
 
-/** \brief Thrown to leave a command early with an exit code (after --help, say). */
+/** \brief Thrown to leave a command early with an exit code (after --help, for
+ * example). */
 struct Exit {
   int code;
 };
@@ -86,7 +87,7 @@ public:
   const std::string&
   name() const;
 
-  /** \brief Adds the argument \a name, which must be given. */
+  /** \brief Adds the required argument \a name. */
   void
   addArgument(const char* name, std::string& value, const std::string& meaning);
   void
@@ -94,24 +95,25 @@ public:
               std::vector<std::string>& values,
               const std::string& meaning);
 
-  /** \brief Adds the argument \a name, which must be given behind those to read and
-   * names what is written to \a path. */
+  /** \brief Adds the required argument \a name after those to read; it names the output
+   * \a path. */
   void
   addOutput(const char* name, std::string& path, const std::string& meaning);
 
-  /** \brief The same for a file to write, which \ref parse refuses where it is one to
-   * read, or another one to write. */
+  /** \brief The same for a file to write; \ref parse refuses it if it is also an input
+   * or another output. */
   void
   writes(const std::string& path);
 
-  /** \brief Reads the arguments behind the command's name.
-   * \throws Exit, io::FileError where --json cannot be written, or an output is an
+  /** \brief Parses the arguments after the command's name.
+   * \throws Exit, io::FileError if --json cannot be written, or an output is an
    * input */
   void
   parse(const std::vector<std::string>& arguments);
 
   /** \brief Refuses \a outputs, known only after \ref parse, that are inputs or other
-   * outputs. \throws io::FileError */
+   * outputs.
+   * \throws io::FileError */
   void
   checkOutputs(const std::vector<std::string>& outputs) const;
 
@@ -120,20 +122,19 @@ public:
   std::vector<std::pair<std::string, std::string>>
   settings() const;
 
-  /** \brief One sentence about something lost or odd, to stderr and into the summary.
-   */
+  /** \brief Reports a loss or oddity in one sentence, on stderr and in the summary. */
   void
   warn(const std::string& sentence);
   void
   warn(const std::vector<std::string>& sentences);
 
-  /** \brief Notes the time since the last lap, or since the frame was made, as that of
+  /** \brief Records the time since the previous lap, or since construction, as that of
    * \a stage, for the summary. */
   void
   lap(const char* stage);
 
   /** \brief Writes --json: the summary, seconds by stage, warnings.
-   * \return the exit code of a command that worked */
+   * \return the exit code of success */
   int
   finish();
 
@@ -146,7 +147,7 @@ private:
   takeOutput();
 
   std::vector<std::string>* names_ = nullptr; ///< files to read
-  std::string* output_ = nullptr;             ///< what comes behind them
+  std::string* output_ = nullptr;             ///< what comes after them
   const char* output_name_ = nullptr;
   std::string json_file_;
   bool print_config_ = false;

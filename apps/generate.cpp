@@ -23,7 +23,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief ": a, b or c", the geometries there are. */
+/** \brief ": a, b or c", the names of all geometries. */
 std::string
 geometryNames()
 {
@@ -42,7 +42,7 @@ geometryCalled(const std::string& name)
   return {};
 }
 
-/** \brief The curves of a geometry of ours, or of a file. */
+/** \brief The curves of a built-in geometry, or of a file. */
 CurveNetwork
 curvesCalled(const std::string& name, double out_of_plane, Frame& frame)
 {

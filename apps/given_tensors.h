@@ -11,12 +11,12 @@
 
 namespace linelet::apps {
 
-/** \brief Attributes that hold the tensors of points: xx, xy, xz, yy, yz, zz. */
+/** \brief The attributes that hold the tensors of points: xx, xy, xz, yy, yz, zz. */
 const std::vector<std::string>&
 tensorAttributes();
 
-/** \brief The tensors that a cloud carries in these.
- * \throws std::runtime_error where one of them is missing */
+/** \brief The tensors in these attributes of a cloud.
+ * \throws std::runtime_error if one of them is missing */
 std::vector<SymmetricTensor>
 givenTensors(const io::Cloud& cloud, const std::string& file);
 

@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t line_width = 80;
 constexpr std::size_t text_column = 26; // where the meaning of an option begins
 
-/** \brief \a text in lines that begin at \a column, where the first one stands. */
+/** \brief Wraps \a text into lines that begin at \a column, where the cursor already
+ * is. */
 std::string
 wrapped(const std::string& text, std::size_t column)
 {
@@ -46,8 +47,8 @@ wrapped(const std::string& text, std::size_t column)
   return out + '\n';
 }
 
-/** \brief "  --radius X=0    what it means", the meaning on lines of its own where the
- * name takes its place. */
+/** \brief "  --radius X=0    what it means", with the meaning on lines of its own if
+ * the name is too long. */
 std::string
 entry(const std::string& name, const std::string& meaning)
 {
@@ -83,8 +84,8 @@ optionsOf(const CLI::App& app, const std::string& group)
   return out.empty() ? out : '\n' + group + ":\n" + out;
 }
 
-/** \brief Fewest letters to insert, delete or replace that make \a b of \a a
- * (Levenshtein 1966). */
+/** \brief Minimum number of insertions, deletions and replacements of letters that turn
+ * \a a into \a b (Levenshtein 1966). */
 std::size_t
 editDistance(const std::string& a, const std::string& b)
 {
@@ -102,7 +103,8 @@ editDistance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-/** \brief An option on the command line that \a app does not have; empty if none is. */
+/** \brief The first option on the command line that \a app does not have; empty if
+ * none. */
 std::string
 unknownOption(const CLI::App& app)
 {
@@ -135,7 +137,7 @@ helpOf(const CLI::App& app)
 std::string
 didYouMean(const std::string& word, const std::vector<std::string>& known)
 {
-  std::size_t least = word.size() / 3 + 1; // slips; more make it another word
+  std::size_t least = word.size() / 3 + 1; // typos; with more edits it is another word
   std::string best;
   for (const std::string& candidate : known)
     if (const std::size_t distance = editDistance(word, candidate); distance < least) {

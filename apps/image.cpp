@@ -93,14 +93,14 @@ runImage(const std::vector<std::string>& arguments)
   addOptions(frame.app, shapes);
   frame.parse(arguments);
   shapes.threads = frame.threads;
-  // By value, so that an option file with every default means the same.
+  // Compares values, since an option file lists every default.
   if (settings.kind == PictureKind::Cloud) {
     if (!settings.along.empty() || !settings.probe.empty() || settings.by_index)
       settings.kind = PictureKind::Profile;
     else if (!settings.point.empty())
       settings.kind = PictureKind::Graphs;
   }
-  // Medians of all neighborhoods of a whole cloud are slow.
+  // Medians of all neighborhoods of a cloud are slow.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
   const bool svg = isSvg(output);

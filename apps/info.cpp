@@ -41,8 +41,8 @@ boundsOf(const Points& points)
   return bounds;
 }
 
-/** Points per square unit of the ground plan: of the cells of side \a side that hold
- * any, so that gaps in the survey do not count. */
+/** Points per unit of area in plan, counting only cells of side \a side that hold
+ * points, so that gaps in the survey do not matter. */
 double
 densityOf(const Points& points, const Bounds& bounds, double side)
 {
@@ -62,7 +62,7 @@ densityOf(const Points& points, const Bounds& bounds, double side)
   return static_cast<double>(count) / (static_cast<double>(cells.size()) * side * side);
 }
 
-/** Names that ASPRS gives to the classes. */
+/** The ASPRS names of the classes. */
 std::string
 className(int number)
 {
@@ -234,7 +234,7 @@ print(const ordered_json& info)
   }
 }
 
-/** A line for each of several files by its header, and their sum. */
+/** One line per file from its header, and their sum. */
 ordered_json
 printTable(CloudInput& input)
 {

@@ -49,7 +49,7 @@ main(int argc, char** argv)
     std::printf("linelet %s\n", LINELET_VERSION);
     return 0;
   }
-  // What the build makes manual pages and bash completion of.
+  // Hidden commands: the build makes manual pages and bash completion from them.
   if (name == "--help-manual" || name == "--help-completion") {
     std::fputs((name == "--help-manual" ? manualOfTool() : completionOfTool()).c_str(),
                stdout);
@@ -75,7 +75,7 @@ main(int argc, char** argv)
           stderr, "linelet %s: not enough memory for this input\n", command.name);
     }
     catch (const std::exception& error) {
-      // Work interrupted by a signal may also end in an error.
+      // Interrupted work may also end in an error.
       const char* what = stopRequested() ? linelet::Canceled().what() : error.what();
       std::fprintf(stderr, "linelet %s: %s\n", command.name, what);
     }

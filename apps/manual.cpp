@@ -17,7 +17,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** Text for troff: nothing in it is a request or an escape. */
+/** Text for troff, escaped so that nothing in it is a request. */
 std::string
 troff(const std::string& text)
 {
@@ -35,7 +35,7 @@ troff(const std::string& text)
   return out;
 }
 
-/** linelet-generate-corridor of "linelet generate corridor". */
+/** "linelet-generate-corridor" for "linelet generate corridor". */
 std::string
 pageName(std::string command)
 {
@@ -91,7 +91,7 @@ optionsOf(const CLI::App& app, const std::string& group)
   return out.empty() ? out : ".SH " + troff(group) + "\n" + out;
 }
 
-/** The words that the meaning of an option ends with: "(a, b, c)". */
+/** The words listed at the end of an option's meaning: "(a, b, c)". */
 std::string
 choicesOf(const CLI::Option& option)
 {
@@ -114,7 +114,7 @@ keyOf(const CLI::App& app)
   return app.get_name().substr(std::string("linelet ").size());
 }
 
-/** \brief An entry of an array of the completion script. */
+/** \brief An array entry of the completion script. */
 std::string
 assignment(const char* array, const std::string& key, const std::string& words)
 {

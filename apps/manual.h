@@ -12,7 +12,7 @@ class App;
 
 namespace linelet::apps {
 
-/** \brief The manual page of a command, as troff with the macros of man(7). */
+/** \brief The manual page of a command, in troff with the man(7) macros. */
 std::string
 manualOf(const CLI::App& app);
 
@@ -20,16 +20,16 @@ manualOf(const CLI::App& app);
 std::string
 manualOfTool();
 
-/** \brief What bash needs to know of a command: its options, and the words that each
+/** \brief What bash needs to know about a command: its options, and the words that each
  * takes, as entries of _linelet_options and _linelet_values. */
 std::string
 completionOf(const CLI::App& app);
 
-/** \brief The script for bash-completion, but for the entries of \ref completionOf. */
+/** \brief The script for bash-completion, without the entries of \ref completionOf. */
 std::string
 completionOfTool();
 
-/** \brief Names of all commands, those of `generate` in two words. */
+/** \brief Names of all commands, those of `generate` as two words. */
 std::vector<std::string>
 commandNames();
 

@@ -12,8 +12,8 @@
 
 namespace linelet::apps {
 
-/** \brief Option files as --print-config writes them, where an empty list is "[]": what
- * CLI11 writes but takes for a list with too few values. */
+/** \brief Option files as written by --print-config. CLI11 writes an empty list as "[]"
+ * but reads that as a list with too few values. */
 class OptionFile : public CLI::ConfigTOML {
 public:
   std::vector<CLI::ConfigItem>

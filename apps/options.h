@@ -20,7 +20,8 @@ class App;
 
 namespace linelet::apps {
 
-/** \brief What is wrong with a count \a text; CLI11 takes -1 for the largest number. */
+/** \brief What is wrong with \a text as a count; CLI11 takes -1 for the largest
+ * number. */
 std::string
 notNegative(const std::string& text);
 
@@ -33,12 +34,12 @@ notNegative(const std::string& text);
  *       visit("max-radius", s.max_radius, "largest radius, meters; 0: 60 D");
  *     }
  *
- * which is the only place that says its options' names and meaning; the defaults are
- * those of the struct. Enumerations are spoken of by their Names, a type with a
- * constructor from std::string_view and a name() by that name. A meaning that begins
+ * which is the only place that states the names and meanings of its options; the
+ * defaults are those of the struct. Enumerations are written by their Names; so is a
+ * type with a constructor from std::string_view and a name(). A meaning that begins
  * with one word and a colon puts the option under that heading of the help.
  *
- * CLI11 is included by the sources that call it alone: its header takes 3 s to compile.
+ * CLI11 is included only by the sources that call it: its header takes 3 s to compile.
  */
 class OptionAdder {
 public:
@@ -84,7 +85,7 @@ public:
           help);
   }
 
-  /** \brief Adds an argument \a name, which must be given, for an enumeration. */
+  /** \brief Adds a required argument \a name for an enumeration. */
   template <class E>
   void
   argument(const char* name, E& value, const std::string& help) const

@@ -7,8 +7,9 @@
 
 namespace linelet::apps {
 
-/** \brief Now, in UTC, for readers: "2026-11-22 09:46 UTC". Where the environment gives
- * SOURCE_DATE_EPOCH (seconds since 1970, reproducible-builds.org), that instead. */
+/** \brief The current time in UTC, for readers: "2026-11-22 09:46 UTC"; or
+ * SOURCE_DATE_EPOCH (seconds since 1970, reproducible-builds.org) if the environment
+ * sets it. */
 std::string
 runDate();
 

@@ -12,23 +12,23 @@
 
 namespace linelet::apps {
 
-/** \brief What the shapes of neighborhoods of a cloud cost. */
+/** \brief The cost of the shapes of a cloud's neighborhoods. */
 struct ScaleCost {
-  double neighbors = 0; ///< of a point within the largest radius, on average
+  double neighbors = 0; ///< points within the largest radius, on average
   double seconds = 0;   ///< wall time for all queries
 };
 
 /** \brief The cost of \a work on \a queries, measured on a few of them: first on so few
- * that it takes no time worth speaking of, then on more, until it does.
+ * that it takes hardly any time, then on more until it does.
  * \param[in] most queries worth a try
- * \param[in] work for the given indices of queries; returns how many neighbors these
- * have, in all */
+ * \param[in] work on the given indices of queries; returns their total number of
+ * neighbors */
 ScaleCost
 measuredCost(const Points& queries,
              std::size_t most,
              const std::function<double(const Indices& chosen)>& work);
 
-/** \brief Says of long work beforehand how long it will take, and why.
+/** \brief Announces how long long work will take, and why.
  * \param[in] size in words: "largest radius 5"
  * \param[in] option that makes it shorter */
 void

@@ -18,7 +18,7 @@ namespace linelet::apps {
 
 namespace {
 
-constexpr int patience = 1500; // milliseconds, for work that hears of it by itself
+constexpr int patience = 1500; // milliseconds for work to end by itself
 
 volatile std::sig_atomic_t requested = 0;
 std::array<int, 2> wake; // read end, write end
@@ -33,7 +33,7 @@ onSignal(int)
   errno = error;
 }
 
-/** \brief Waits for a signal, then for the program to end by itself. */
+/** \brief Waits for a signal, then gives the program time to end by itself. */
 void
 watch(const std::string& message)
 {

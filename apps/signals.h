@@ -8,11 +8,12 @@
 namespace linelet::apps {
 
 /** \brief From now on a signal that asks the program to end (SIGINT, SIGTERM, SIGHUP,
- * SIGQUIT, SIGXCPU) makes \ref stopRequested true; work that does not hear of it within
- * a second and a half, or a second signal, ends the program without it. Either way no
- * unfinished file stays. A pipe without a reader and a file beyond the size limit are
- * errors of writing rather than signals.
- * \param[in] command name for the message. To be called once, before other threads. */
+ * SIGQUIT, SIGXCPU) sets \ref stopRequested; if work does not end within a second and a
+ * half, or on a second signal, the program is ended. Either way no unfinished file
+ * remains. A pipe without a reader and a file beyond the size limit are write errors,
+ * not signals.
+ * \param[in] command name for the message. To be called once, before other threads
+ * start. */
 void
 watchSignals(const std::string& command);
 

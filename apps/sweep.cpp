@@ -16,7 +16,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Whether \a settings describe an option \a name. */
+/** \brief Whether \a settings have an option \a name. */
 template <class Settings>
 bool
 hasOption(const std::string& name)
@@ -29,7 +29,7 @@ hasOption(const std::string& name)
   return found;
 }
 
-/** \brief Reads \a words, --NAME VALUE ..., into \a settings, as the command would. */
+/** \brief Parses \a words, --NAME VALUE ..., into \a settings, like the command. */
 template <class Settings>
 void
 read(const std::vector<std::string>& words, Settings& settings)
@@ -114,7 +114,7 @@ Sweep::label(std::size_t index) const
   for (std::size_t k = 0; k < options_.size(); ++k) {
     std::string value = options_[k].values[at[k]];
     for (char& c : value)
-      c = c == ',' ? ';' : c; // a row of results ends its fields at commas
+      c = c == ',' ? ';' : c; // fields of a result row end at commas
     text += (k > 0 ? " " : "") + options_[k].name + ' ' + value;
   }
   return text;

@@ -13,12 +13,12 @@
 namespace linelet::apps {
 
 /** \brief Every combination of values of some options, in a fixed order: the last
- * option runs fastest. */
+ * option varies fastest. */
 class Sweep {
 public:
-  /** \param[in] texts NAME=VALUE,... each; values with commas in them are parted by |
-   * \throws std::runtime_error for a text without name or values, or a name that is no
-   * option of a reconstruction or of samples */
+  /** \param[in] texts NAME=VALUE,...; values that contain commas are separated by |
+   * \throws std::runtime_error for a text without name or values, or a name that is not
+   * an option of reconstruction or sampling */
   explicit Sweep(const std::vector<std::string>& texts);
 
   /** \brief Number of combinations. */
@@ -33,8 +33,8 @@ public:
   label(std::size_t index) const;
 
   /** \brief Sets the values of a combination.
-   * \return \a runs, as far as samples are varied with those values, each once
-   * \throws std::runtime_error for a value that is out of range */
+   * \return \a runs with the sample settings replaced by varied ones, each once
+   * \throws std::runtime_error for a value out of range */
   std::vector<bench::BenchmarkRun>
   apply(std::size_t index,
         ReconstructionSettings& settings,
@@ -47,7 +47,7 @@ private:
     bool of_samples;
   };
 
-  /** \brief The place of the value of each option. */
+  /** \brief The index of each option's value. */
   std::vector<std::size_t>
   places(std::size_t index) const;
 

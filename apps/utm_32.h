@@ -5,8 +5,8 @@
 
 namespace linelet::apps {
 
-/** \brief ETRS89 / UTM zone 32N, EPSG:25832. It stands here as text so that the same
- * scene is the same file with every version of GDAL. */
+/** \brief ETRS89 / UTM zone 32N, EPSG:25832, as text, so that the same scene gives the
+ * same file with every version of GDAL. */
 inline constexpr const char* utm_32 =
     R"(PROJCS["ETRS89 / UTM zone 32N",GEOGCS["ETRS89",)"
     R"(DATUM["European_Terrestrial_Reference_System_1989",)"

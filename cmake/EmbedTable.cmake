@@ -3,7 +3,7 @@
 #
 # cmake -DOUTPUT=file.cpp -DINPUTS=a.css;b.mustache -DHEADER=h.h -DSCOPE=a::b -DTABLE=name
 #   -P EmbedTable.cmake
-# Writes the texts into an array of {file name, text}, ended by a null, that HEADER
+# Writes the texts into an array of {file name, text}, terminated by a null, that HEADER
 # declares in SCOPE as `extern const EmbeddedText TABLE[]`.
 set(text)
 foreach(input IN LISTS INPUTS)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # cmake -DNAME=sources -DOUTPUT=file.cpp -DINPUTS=a.cl;b.cl -P EmbedText.cmake
-# Writes the OpenCL sources one after the other into one string of that name.
+# Concatenates the OpenCL sources into one string of that name.
 set(text)
 foreach(input IN LISTS INPUTS)
   file(READ ${input} content)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What linelet builds on. The classes of a PCL chain ask PCL for four small components
-# only: every other one (io, features, surface) brings VTK, Qt and MPI into each
-# consumer's build.
+# The dependencies of linelet. The PCL classes need only four small components of PCL:
+# every other one (io, features, surface) brings VTK, Qt and MPI into each consumer's
+# build.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(LINELET_WITH_PCL)
@@ -24,11 +24,11 @@ if(LINELET_WITH_OPENCL AND LINELET_WITH_PCL)
   endif()
 endif()
 if(LINELET_BUILD_IO AND LINELET_WITH_HDF5)
-  # By its C library alone: FindHDF5 would ask a compiler wrapper, and bring MPI where
-  # that flavor is installed as well.
+  # Only the C library: FindHDF5 would call a compiler wrapper, and bring MPI where that
+  # flavor is installed as well.
   find_path(LINELET_HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial)
   find_library(LINELET_HDF5_LIBRARY NAMES hdf5_serial hdf5)
-  find_package(ZLIB) # chunks are inflated once before HDF5 does
+  find_package(ZLIB) # chunks are inflated once, as a check, before HDF5 reads them
   if(LINELET_HDF5_INCLUDE AND LINELET_HDF5_LIBRARY AND ZLIB_FOUND)
     set(LINELET_HDF5_FOUND ON)
     message(STATUS "linelet: HDF5 files: yes (${LINELET_HDF5_LIBRARY})")
@@ -53,7 +53,7 @@ if(LINELET_BUILD_VIEWER OR LINELET_BUILD_TESTS)
   find_package(Threads REQUIRED)
 endif()
 if(LINELET_BUILD_APPS AND LINELET_BUILD_BENCH)
-  # Pictures: drawing, lettering and PNG, nothing that needs a display.
+  # Pictures: drawing, text and PNG, without a display.
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 endif()

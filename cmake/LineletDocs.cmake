@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# cmake --build BUILD --target doc: the public headers as pages (needs doxygen). A warning
-# is an error.
+# cmake --build BUILD --target doc: HTML pages of the public headers (needs doxygen).
+# Warnings are errors.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
   return()
@@ -20,7 +20,7 @@ set(DOXYGEN_HIDE_UNDOC_MEMBERS NO)
 set(DOXYGEN_EXTRACT_ALL YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
-set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO) # a parameter may speak for itself
+set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO) # a parameter name may be enough
 set(DOXYGEN_HAVE_DOT NO)
 doxygen_add_docs(doc ${PROJECT_SOURCE_DIR}/include/linelet
   COMMENT "The public headers as pages")

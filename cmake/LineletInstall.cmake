@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# find_package(linelet CONFIG) with a component for every room, and a pkg-config file for
+# find_package(linelet CONFIG) with one component per room, and a pkg-config file for
 # each.
 include(CMakePackageConfigHelpers)
 
@@ -14,8 +14,8 @@ endif()
 # linelet_component(NAME DESCRIPTION [LIBS name ...] [REQUIRES pkg ...]
 # [PRIVATE_REQUIRES pkg ...] [PRIVATE_LIBS -lx ...])
 #
-# What pkg-config says of a component, and its targets. What is private is linked by
-# programs only where libraries are static.
+# A component's pkg-config file and targets. Programs link the private libraries only if
+# linelet is static.
 set(LINELET_COMPONENTS)
 function(linelet_component name description)
   cmake_parse_arguments(PC "" "" "LIBS;REQUIRES;PRIVATE_REQUIRES;PRIVATE_LIBS" ${ARGN})
@@ -35,7 +35,7 @@ function(linelet_component name description)
       string(APPEND PC_LINK " ${lib}")
     endforeach()
   endif()
-  # Found from where the file lies, so that what is installed can be moved.
+  # Relative to the file, so that the installation can be moved.
   file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   string(REGEX REPLACE "/$" "" up "${up}")
   set(PC_PREFIX "\${pcfiledir}/${up}")

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# cpack -G DEB: the tool (linelet), headers and what programs are linked with
-# (liblinelet-dev), and the shared libraries where they are built (liblinelet0.1).
+# cpack -G DEB: the tool (linelet), headers and libraries to link with (liblinelet-dev),
+# and the shared libraries if they are built (liblinelet0.1).
 set(CPACK_PACKAGE_NAME linelet)
 set(CPACK_PACKAGE_VENDOR "the linelet authors")
 set(CPACK_PACKAGE_CONTACT "the linelet authors <linelet@localhost>")
@@ -32,7 +32,7 @@ if(BUILD_SHARED_LIBS)
   set(exact "liblinelet${version} (= ${PROJECT_VERSION})")
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "${exact}")
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${exact}")
-  # The tool's own libraries are not installed yet when its needs are looked up.
+  # The tool's own libraries are not installed yet when its dependencies are determined.
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/src)
 endif()
 foreach(component runtime development libraries)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 include(GNUInstallDirs)
 
-# Compiler settings of our own targets only: consumers see the language level, no more.
+# Compiler settings for our own targets only: consumers see nothing but the language
+# level.
 function(linelet_settings target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON
@@ -27,7 +28,7 @@ function(linelet_library name)
   linelet_settings(${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL ""
     VERSION ${PROJECT_VERSION}
-    INSTALL_RPATH "$ORIGIN" # the others lie beside it
+    INSTALL_RPATH "$ORIGIN" # the others are in the same folder
     # Before 1.0 every minor version may change the interface.
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_include_directories(${target} PUBLIC
@@ -49,8 +50,8 @@ endfunction()
 
 # linelet_room(NAME [COMPONENT name] SOURCES ... [DEPENDS ...] [PRIVATE ...])
 #
-# A library that is installed, by the component of find_package it belongs to: its own
-# unless another is named.
+# A library that is installed, with the component of find_package that it belongs to:
+# its own unless another is named.
 function(linelet_room name)
   cmake_parse_arguments(ROOM "" "COMPONENT" "" ${ARGN})
   if(NOT ROOM_COMPONENT)
@@ -71,7 +72,7 @@ endfunction()
 
 # linelet_part(NAME SOURCES a.cpp ... [DEPENDS ...] [PRIVATE ...])
 #
-# A folder of linelet::core, which linelet::NAME is another name of in this build.
+# A folder of linelet::core; linelet::NAME is an alias of it in this build.
 function(linelet_part name)
   cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   target_sources(linelet_core PRIVATE ${PART_SOURCES})
@@ -83,7 +84,7 @@ endfunction()
 #
 # A test program. It finds the reference data in LINELET_TEST_DATA (environment, or the
 # folder ../shared/data beside the project) through test/test_data.h. With INSIDE it
-# looks into the rooms: what shared libraries hide, so there it is left out.
+# uses symbols that shared libraries hide, so it is left out of shared builds.
 function(linelet_test name)
   cmake_parse_arguments(TEST "INSIDE" "TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(TEST_INSIDE AND BUILD_SHARED_LIBS)
@@ -104,8 +105,8 @@ function(linelet_test name)
     LINELET_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
   target_link_libraries(${target} PRIVATE ${TEST_LINK} GTest::gtest GTest::gtest_main)
   include(GoogleTest)
-  # A program is asked for its tests' names when it is first read from disk; beside a full
-  # machine that takes longer than the 5 s that CMake grants.
+  # Test names are listed when a program is first read from disk; on a busy machine that
+  # takes longer than CMake's default of 5 s.
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
     TEST_PREFIX ${name}. PROPERTIES TIMEOUT ${TEST_TIMEOUT})
 endfunction()

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `tidy`: clang-tidy over all sources that are built, by request. It takes some seconds a
-# file, so that no build and no test runs it. Needs clang-tidy and libomp-14-dev.
+# `tidy`: clang-tidy over all sources, on request. It takes some seconds per file, so no
+# build and no test runs it. Needs clang-tidy and libomp-14-dev.
 find_program(LINELET_RUN_CLANG_TIDY NAMES run-clang-tidy run-clang-tidy-14)
 if(LINELET_RUN_CLANG_TIDY)
-  # The compiler's own default is what the compile commands leave out.
+  # The compile commands omit the compiler's own default.
   add_custom_target(tidy
     COMMAND ${LINELET_RUN_CLANG_TIDY} -quiet -p ${PROJECT_BINARY_DIR}
       -extra-arg=-std=c++17 "${PROJECT_SOURCE_DIR}/(src|apps|bench)/"

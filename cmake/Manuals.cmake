@@ -3,7 +3,7 @@
 #
 # cmake -DTOOL=linelet -DFOLDER=dir -P Manuals.cmake
 # Lets the tool write its manual pages (dir/man1) and its bash completion (dir/linelet).
-# Commands that this build leaves out have none.
+# Commands left out of this build have none.
 function(ask variable)
   execute_process(COMMAND ${TOOL} ${ARGN}
     OUTPUT_VARIABLE text RESULT_VARIABLE failed ERROR_QUIET)

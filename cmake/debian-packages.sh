@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what building and testing linelet needs on Debian 12.
+# Installs what is needed to build and test linelet on Debian 12.
 set -e
 packages=$(cat "$(dirname "$0")/debian-packages.txt")
 root=

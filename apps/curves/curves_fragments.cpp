@@ -34,7 +34,7 @@ CurvesJob::measures()
 {
   const CloudTraits traits = traitsOfFiles(input_, frame_.threads, &frame_.monitor);
   warnOfOneBlock(traits);
-  // Where there is no D, there are no curves.
+  // Without D there are no curves.
   return {{"scale_unit", std::isfinite(traits.scale_unit) ? traits.scale_unit : 0},
           {"linear_share", traits.linear_share},
           {"points", traits.points},

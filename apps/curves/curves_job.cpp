@@ -28,7 +28,7 @@ namespace linelet::apps {
 namespace {
 
 /** \brief Whether \a option was set although only the published preset uses it; an
- * option file has all of them, most with their defaults. */
+ * option file has all options, most with their defaults. */
 bool
 isOfPublishedPreset(const CLI::Option* option)
 {
@@ -43,7 +43,7 @@ isHdf5(const std::string& path)
   return path.size() > 3 && path.compare(path.size() - 3, 3, ".h5") == 0;
 }
 
-/** \brief What the reconstruction says of each curve; what it cannot know is null. */
+/** \brief The measures of each curve; unknown ones are null. */
 nlohmann::ordered_json
 measuresOf(const CurveNetwork& network)
 {
@@ -105,7 +105,7 @@ CurvesJob::runWhole()
     input_.readOnly(tensors_ ? tensorAttributes() : std::vector<std::string>());
   const io::Cloud cloud = input_.read();
   const io::UsablePoints usable = input_.usable(cloud);
-  // With those that take no part as NaN, so that --start counts as the file does.
+  // Points that take no part become NaN, so that --start counts as the file does.
   const Points& points = usable.points();
   const auto count = std::count_if(
       points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });

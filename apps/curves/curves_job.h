@@ -41,10 +41,10 @@ public:
 private:
   void
   warnOfUnusedOptions();
-  /** \brief Where fragments cannot keep to the memory that was given. */
+  /** \brief Warns if fragments cannot keep to the given memory. */
   void
   warnOfOneBlock(const CloudTraits& traits);
-  /** \brief Simplifies \a network, writes and tells it. */
+  /** \brief Simplifies \a network, writes it and reports it. */
   void
   finish(CurveNetwork network,
          double points,

@@ -21,7 +21,7 @@ struct BlockPart {
 void
 saveBlockParts(const std::string& result, std::vector<BlockPart> parts);
 
-/** \brief Reads it. \throws io::FileError where it is missing or damaged */
+/** \brief \throws io::FileError if it is missing or damaged */
 std::vector<BlockPart>
 loadBlockParts(const std::string& result);
 

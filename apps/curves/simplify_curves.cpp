@@ -24,9 +24,8 @@ squaredDistance(const Point& p, const Point& a, const Point& b)
   return (p - a - t * along).squaredNorm();
 }
 
-/** \brief Marks the vertices between \a first and \a last, kept both, that must be
- * kept.
- */
+/** \brief Marks the vertices between \a first and \a last that must be kept; both ends
+ * are. */
 void
 keepBetween(const Points& points,
             std::size_t first,
@@ -57,7 +56,7 @@ keepBetween(const Points& points,
 }
 
 /** \brief Removes the vertices of \a curve that are not kept; their points go to the
- * vertex before. */
+ * previous vertex. */
 void
 thin(Curve& curve, const std::vector<bool>& keep)
 {
@@ -145,7 +144,7 @@ simplified(CurveNetwork network, const SimplifyTolerance& tolerances)
       fixed.push_back(count); // the first once more
     for (std::size_t k = 0; k + 1 < fixed.size(); ++k)
       keepBetween(curve.points, fixed[k], fixed[k + 1], tolerance, keep);
-    // Two vertices make no closed curve.
+    // A closed curve needs more than two vertices.
     if (curve.closed && std::count(keep.begin(), keep.end(), true) < 3)
       continue;
     thin(curve, keep);

@@ -11,8 +11,8 @@
 
 namespace linelet::apps {
 
-/** \brief How far vertices may be moved off curves to have fewer: a length, or "auto",
- * a tenth of the noise that each curve was measured with (none where it is unknown). */
+/** \brief How far curves may move when vertices are removed: a length, or "auto", a
+ * tenth of each curve's measured noise (none where that is unknown). */
 class SimplifyTolerance {
 public:
   /** \throws std::invalid_argument unless "auto" or a number >= 0 */
@@ -24,7 +24,7 @@ public:
     return text_;
   }
 
-  /** \brief The length for \a curve; 0: as it is. */
+  /** \brief The length for \a curve; 0: leave it unchanged. */
   double
   of(const Curve& curve) const;
 
@@ -33,9 +33,9 @@ private:
   double length_ = -1; // negative: by the noise
 };
 
-/** \brief The curves with the fewest of their vertices that Douglas and Peucker's
- * algorithm leaves within their tolerance (Cartographica 10, 1973). Ends and
- * places where curves meet stay. */
+/** \brief The curves with as few vertices as Douglas and Peucker's algorithm
+ * (Cartographica 10, 1973) leaves within their tolerance. Ends and places where curves
+ * meet stay. */
 CurveNetwork
 simplified(CurveNetwork network, const SimplifyTolerance& tolerances);
 

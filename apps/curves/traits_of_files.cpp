@@ -56,12 +56,12 @@ private:
   std::uint64_t every_ = 1;
 };
 
-/** \brief The points by which a cloud is judged, one after the other. */
+/** \brief The points by which a cloud is judged, one at a time. */
 class Sample {
 public:
   explicit Sample(const RandomSquares& squares) : squares_(squares) {}
 
-  /** \param[in] p by \a shift */
+  /** \param[in] p relative to \a shift */
   void
   add(const Point& p, const Point& shift)
   {
@@ -119,7 +119,7 @@ traitsOfCloud(CloudInput& input,
               const Point& shift,
               unsigned threads)
 {
-  // As fragments see it: they are of such files, of which headers are quickly read.
+  // What fragments would see of files whose headers are quickly read.
   const bool choose =
       static_cast<double>(points.size()) > most &&
       std::all_of(input.files().begin(), input.files().end(), io::CloudSink::takes);

@@ -10,15 +10,15 @@
 
 namespace linelet::apps {
 
-/** \brief What the cloud of all files of \a input is like. They are read once, and of
- * more than a million points the traits are those of some squares, chosen at random,
- * that together hold about so many.
+/** \brief The traits of the cloud of all files of \a input. They are read once; with
+ * more than a million points, traits are those of randomly chosen squares that together
+ * hold about that many.
  * \throws io::FileError, Canceled */
 CloudTraits
 traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor);
 
-/** \brief The same, of the cloud that \a input was read as.
- * \param[in] points by \a shift; those that take no part are not finite */
+/** \brief The same for the cloud that \a input was read into.
+ * \param[in] points relative to \a shift; those that take no part are not finite */
 CloudTraits
 traitsOfCloud(CloudInput& input,
               const Points& points,

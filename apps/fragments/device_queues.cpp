@@ -17,7 +17,7 @@ using fragments::TimePrediction;
 
 namespace {
 
-// Points of the larger part, enough that the start of a device is a small share of it.
+// Size of the larger part: large enough that the start of a device hardly matters.
 constexpr std::size_t part_size = 100000;
 
 /** \brief The first \a count points of \a fragment, which all belong to it. */
@@ -43,7 +43,8 @@ firstOf(const Fragment& fragment, std::size_t count)
   return part;
 }
 
-/** \brief Points of every task; 0 where they cannot be read, which computing tells. */
+/** \brief Points of every task; 0 where they cannot be read, which the computation
+ * reports. */
 std::vector<double>
 pointsOf(const fragments::Pieces& pieces,
          const std::vector<std::size_t>& tasks,
@@ -64,7 +65,7 @@ pointsOf(const fragments::Pieces& pieces,
   return points;
 }
 
-/** \brief The largest fragment; nothing where it cannot be read. */
+/** \brief The largest fragment, or nothing if it cannot be read. */
 std::optional<Fragment>
 sampleOf(const fragments::Pieces& pieces,
          const std::vector<std::size_t>& tasks,
@@ -149,7 +150,7 @@ shareOut(FragmentJob& job,
     }
   std::error_code ignored;
   std::filesystem::remove(scratch, ignored);
-  if (devices.empty()) // computing tells why
+  if (devices.empty()) // the computation reports why
     devices = {0};
   if (devices.size() == 1)
     return inOrder();

@@ -14,17 +14,17 @@
 
 namespace linelet::apps {
 
-/** \brief Which devices of a job compute, and which fragments each gets. */
+/** \brief Which devices of a job compute, and which fragments each one gets. */
 struct DeviceQueues {
   std::vector<std::size_t> devices; ///< of \ref FragmentJob::devices, by queue
-  fragments::Dispatcher dispatcher; ///< of places in the list of tasks
+  fragments::Dispatcher dispatcher; ///< places in the list of tasks
 };
 
-/** \brief Shares \a tasks out among the devices of \a job. One device takes them in
- * their order. Of several, each first computes a part of one fragment in two sizes,
- * which tells the time that it takes by number of points; devices that fail at that are
- * left out, with a warning.
- * \param[in] scratch file to write results of these parts to, removed at the end
+/** \brief Distributes \a tasks over the devices of \a job. A single device takes them
+ * in order. With several, each first computes part of one fragment in two sizes, from
+ * which its time per number of points follows; devices that fail at that are left out,
+ * with a warning.
+ * \param[in] scratch file for results of these parts, removed at the end
  * \throws Canceled */
 DeviceQueues
 shareOut(FragmentJob& job,

@@ -17,9 +17,9 @@
 
 namespace linelet::apps {
 
-/** \brief The most memory that a command takes, bytes per point. */
+/** \brief The peak memory of a command, in bytes per point. */
 struct BytesPerPoint {
-  double in_fragments; ///< of one fragment, with the next loaded beside it
+  double in_fragments; ///< of one fragment, with the next one loaded beside it
   double in_one_piece;
 };
 
@@ -71,7 +71,7 @@ public:
     std::vector<std::string> names = {""};
     fragments::Heuristic heuristic = fragments::Heuristic::SimpleHS;
   };
-  /** \brief Those of this machine; by default, one without a name. */
+  /** \brief The devices of this machine; by default a single one without a name. */
   virtual Devices
   devices()
   {
@@ -79,7 +79,7 @@ public:
   }
 
   /** \brief Computes a fragment and writes its result. On the first device, several
-   * threads may at once.
+   * threads may do so at once.
    * \return figures to sum over the fragments */
   virtual Figures
   compute(const FragmentTask& task) = 0;
@@ -123,8 +123,8 @@ private:
   BytesPerPoint bytes_per_point_;
 };
 
-/** \brief The command \a name with \a arguments, parsed. \throws std::runtime_error
- * where it knows no fragments; Exit */
+/** \brief The command \a name with \a arguments, parsed.
+ * \throws std::runtime_error if it cannot run in fragments; Exit */
 std::unique_ptr<FragmentJob>
 makeFragmentJob(const std::string& name, const std::vector<std::string>& arguments);
 

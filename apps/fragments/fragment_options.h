@@ -8,7 +8,7 @@
 
 namespace linelet::apps {
 
-/** \brief An amount of memory, as text: "8G", "500M", "2e9"; "auto" is half of the
+/** \brief An amount of memory as text: "8G", "500M", "2e9"; "auto" is half of the
  * machine's. */
 class MemorySize {
 public:
@@ -32,7 +32,7 @@ private:
   double bytes_;
 };
 
-/** \brief How a cloud that does not fit is cut. */
+/** \brief How a cloud that does not fit into memory is cut. */
 struct FragmentOptions {
   double chunk = 0;
   MemorySize memory{"auto"};

@@ -33,7 +33,7 @@ FragmentRun::writeOutput(FragmentJob& job,
   ledger_.write(Ledger::output, number, entry);
 }
 
-/** What each device did, where several shared the work. */
+/** What each device did, if several shared the work. */
 void
 FragmentRun::summarizeDevices(Frame& frame) const
 {

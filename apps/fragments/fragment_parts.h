@@ -19,23 +19,23 @@
 
 namespace linelet::apps {
 
-/** \brief Fails unless outputs, one for each input, can be written part by part. */
+/** \brief Fails unless outputs, one per input, can be written part by part. */
 void
 checkPartsOutput(CloudInput& input, CloudOutput& output);
 
-/** \brief The points of \a fragment as a piece of the cloud: from the first that it
- * owns to the last. */
+/** \brief The points of \a fragment as a piece of the cloud: from the first to the last
+ * that it owns. */
 CloudPiece
 pieceOf(const fragments::Plan& plan, const fragments::Fragment& fragment);
 
-/** \brief The fragments that the points of input \a number are in; empty behind the
- * last input. */
+/** \brief The fragments that hold points of input \a number; empty beyond the last
+ * input. */
 std::vector<std::size_t>
 fragmentsOfInput(const fragments::Plan& plan, std::size_t number);
 
-/** \brief Writes input \a task.number again, with what \a add makes of the records of
- * its points: add(cloud, records, how many are left out). Points without one have
- * \a unknown. */
+/** \brief Writes input \a task.number again, with whatever \a add makes of the records
+ * of its points: add(cloud, records, number of points left out). Points without a
+ * record have \a unknown. */
 template <class Record, class Add>
 void
 writeParts(const OutputTask& task,

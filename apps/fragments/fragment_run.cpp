@@ -78,7 +78,7 @@ void
 FragmentRun::remove() const
 {
   std::error_code ignored;
-  // The plan first: if killed in between, nothing is left that looks like a run.
+  // The plan goes first: if killed in between, nothing remains that looks like a run.
   fs::remove(fs::path(folder_) / "plan.json", ignored);
   fs::remove_all(folder_, ignored);
 }

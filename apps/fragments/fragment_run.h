@@ -28,16 +28,16 @@ public:
     KeepOrReplace ///< the run continues; a different plan is removed
   };
 
-  /** \brief Plans \a job, from headers, into its folder. */
+  /** \brief Plans \a job into its folder, from headers. */
   static FragmentRun
   make(FragmentJob& job,
        const std::string& name,
        const std::vector<std::string>& arguments,
        Existing existing);
 
-  /** \brief The run that was planned for \a place, with its job; the working folder
-   * becomes that of the plan. \throws io::FileError where there is none, an input has
-   * changed, or linelet has */
+  /** \brief The run planned for \a place, with its job; changes to the working folder
+   * of the plan.
+   * \throws io::FileError if there is none, or an input or linelet has changed */
   static FragmentRun
   open(const std::string& place, std::unique_ptr<FragmentJob>& job);
 
@@ -57,14 +57,14 @@ public:
     return folder_;
   }
 
-  /** \brief Works on \a tasks, each that is not done; with \a outputs, writes those
-   * that are complete in between. What fails is tried once more and noted.
+  /** \brief Processes those of \a tasks that are not done; with \a outputs, writes
+   * outputs as they become complete. Failures are retried once and then recorded.
    * \return the numbers of the tasks that failed */
   std::vector<std::size_t>
   work(FragmentJob& job, const std::vector<std::size_t>& tasks, bool outputs);
 
   /** \brief Writes all missing outputs, and reports the results.
-   * \throws std::runtime_error where a fragment is missing, unless \a partial
+   * \throws std::runtime_error if a fragment is missing, unless \a partial
    * \return number of missing fragments */
   std::size_t
   merge(FragmentJob& job, bool partial);

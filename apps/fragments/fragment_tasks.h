@@ -31,7 +31,7 @@ struct OutputTask {
   const fragments::Plan& plan;
   const std::string& folder;       ///< of the run
   std::size_t number;              ///< of the output
-  const std::vector<bool>& usable; ///< fragments with a result; all but for --partial
+  const std::vector<bool>& usable; ///< fragments with a result; all, or --partial
   ProgressMonitor* monitor;
 };
 

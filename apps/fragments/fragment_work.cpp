@@ -23,7 +23,7 @@ using fragments::Ledger;
 
 namespace {
 
-/** \brief Keeps the memory of one fragment for the next: asking for it page by page
+/** \brief Keeps the memory of one fragment for the next: requesting it page by page
  * would take as long as computing. */
 void
 keepFreedMemory()
@@ -34,7 +34,7 @@ keepFreedMemory()
 #endif
 }
 
-/** \brief What comes next is of another shape. */
+/** \brief What comes next has another shape. */
 void
 giveBackFreedMemory()
 {

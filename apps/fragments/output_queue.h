@@ -14,8 +14,8 @@
 
 namespace linelet::apps {
 
-/** \brief Outputs to write while fragments are computed: each once its fragments are
- * done. Results that no output needs any more are removed. */
+/** \brief Outputs to write while fragments are computed, each as soon as its fragments
+ * are done. Results that no output needs any longer are removed. */
 class OutputQueue {
 public:
   /** \brief Writes an output. \param[in] done which fragments are */
@@ -28,20 +28,20 @@ public:
               const fragments::Ledger& ledger,
               Write write);
 
-  /** \brief Writes what is complete before any fragment is computed. */
+  /** \brief Writes outputs that are complete before any fragment is computed. */
   void
   begin();
 
-  /** \brief Fragment \a number is done: writes what is complete by that. */
+  /** \brief Fragment \a number is done: writes outputs that this completes. */
   void
   add(std::size_t number);
 
 private:
-  /** An output that is not written yet. */
+  /** An output that is not yet written. */
   struct Pending {
     std::size_t number = 0;
     std::vector<std::size_t> needs;
-    std::size_t missing = 0; ///< fragments of these
+    std::size_t missing = 0; ///< fragments not yet done
   };
 
   void

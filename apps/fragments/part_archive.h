@@ -18,8 +18,8 @@
 
 namespace linelet::apps {
 
-/** \brief Gathers values as bytes, in the order of \ref Loader; for the machine, or
- * kind of machine, that reads them again. */
+/** \brief Collects values as bytes, in the order of \ref Loader; to be read on a
+ * machine of the same kind. */
 class Saver {
 public:
   template <class... Ts>
@@ -70,8 +70,8 @@ private:
   std::string bytes_;
 };
 
-/** \brief Reads what a \ref Saver saved. \throws io::FileError where that is missing or
- * damaged, from every function */
+/** \brief Reads what a \ref Saver saved. All functions throw io::FileError if it is
+ * missing or damaged. */
 class Loader {
 public:
   explicit Loader(std::string path) : path_(std::move(path))

@@ -21,7 +21,7 @@ isLas(const std::string& path)
   return io::CloudSink::takes(path); // the same endings
 }
 
-/** The extent of a file by its header. Those are written with fewer digits by some. */
+/** The extent of a file by its header, which some programs write with fewer digits. */
 fragments::PlannedInput
 plannedInput(const io::FileSummary& file)
 {
@@ -51,13 +51,13 @@ wantsFragments(FragmentJob& job)
   double points = 0;
   for (const std::string& file : job.input().files())
     if (!isLas(file))
-      return false; // only headers of these are quickly read
+      return false; // other headers are not quickly read
   try {
     for (const io::FileSummary& file : job.input().summaries())
       points += static_cast<double>(file.points);
   }
   catch (const io::FileError&) {
-    return false; // told when the file is read, after the outputs have been looked at
+    return false; // reported when the file is read, after the outputs have been checked
   }
   return points * job.bytesPerPoint().in_one_piece > options.memory.bytes();
 }
@@ -76,7 +76,8 @@ planOf(FragmentJob& job,
   plan.place = std::filesystem::current_path().string();
   plan.measures = job.measures();
   plan.ghost = job.ghost(plan.measures);
-  // What the program, the tables and a block of the input take beside the points.
+  // Memory beyond that of the points: the program, its tables, and a block of the
+  // input.
   constexpr double base = 250e6;
   const double memory = job.options().memory.bytes();
   const auto devices = static_cast<double>(job.devices().names.size());
@@ -91,7 +92,7 @@ planOf(FragmentJob& job,
   plan.shift = job.input().shift();
   double most_points = plan.most_points;
   if (devices > 1) {
-    // Enough of them that none waits long for the last.
+    // Enough of them that no device waits long for the last.
     constexpr double per_device = 8;
     double points = 0;
     for (const fragments::Extent& extent : extents)

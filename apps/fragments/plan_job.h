@@ -12,13 +12,13 @@
 
 namespace linelet::apps {
 
-/** \brief Whether \a job runs in fragments: on request, or because the cloud in one
- * piece would exceed its memory. */
+/** \brief Whether \a job runs in fragments: on request, or because the whole cloud
+ * would exceed its memory. */
 bool
 wantsFragments(FragmentJob& job);
 
-/** \brief The plan of \a job, from headers. \param[in] arguments those it was made
- * of */
+/** \brief The plan of \a job, from headers.
+ * \param[in] arguments its command line */
 fragments::Plan
 planOf(FragmentJob& job,
        const std::string& name,

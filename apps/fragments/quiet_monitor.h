@@ -10,7 +10,7 @@
 
 namespace linelet::apps {
 
-/** \brief Passes on that work is to end, and nothing else: progress is by fragment. */
+/** \brief Passes on cancellation only: progress is by fragment. */
 class QuietMonitor : public ProgressMonitor {
 public:
   explicit QuietMonitor(const ProgressMonitor& outer) : outer_(outer) {}

@@ -10,8 +10,9 @@
 
 namespace linelet::apps {
 
-/** \brief Runs \a job: in one piece if that fits its memory, otherwise in fragments,
- * in this process. \param[in] arguments those it was made of
+/** \brief Runs \a job: in one piece if that fits its memory, otherwise in fragments, in
+ * this process.
+ * \param[in] arguments its command line
  * \return the exit code */
 int
 runJob(FragmentJob& job,

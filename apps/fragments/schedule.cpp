@@ -23,7 +23,7 @@ namespace {
 
 using namespace fragments;
 
-/** \brief A table of expected times as its file has it. */
+/** \brief A table of expected times, as read from a file. */
 struct TimeTable {
   std::vector<std::string> devices;
   std::vector<double> points;
@@ -96,7 +96,7 @@ readTimes(const std::string& path)
   for (std::size_t f = 0; f < table.times.fragments(); ++f)
     for (std::size_t d = 0; d < table.devices.size(); ++d)
       table.times(f, d) = seconds[f * table.devices.size() + d];
-  if (table.points.empty()) // the times on the first device stand for them
+  if (table.points.empty()) // represented by the times on the first device
     for (std::size_t f = 0; f < table.times.fragments(); ++f)
       table.points.push_back(table.times(f, 0));
   return table;

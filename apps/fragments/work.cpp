@@ -13,7 +13,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Two numbers with \a between them, as "A-B" or "K/N". */
+/** \brief Two numbers separated by \a between: "A-B" or "K/N". */
 std::pair<std::size_t, std::size_t>
 pairIn(const std::string& text, char between, const char* option)
 {

@@ -9,13 +9,13 @@
 
 namespace linelet::apps {
 
-/** \brief Time since it was made, and memory of the process. */
+/** \brief Time since construction, and memory of the process. */
 class WorkMeter {
 public:
   double
   seconds() const;
 
-  /** \brief Notes both in \a entry. */
+  /** \brief Writes both into \a entry. */
   void
   note(fragments::Ledger::Entry& entry) const;
 

@@ -13,8 +13,8 @@
 
 namespace linelet::apps {
 
-/** \brief What `--fourth-order` names: whether the tensor is written, and its weight.
- */
+/** \brief The value of `--fourth-order`: whether the tensor is written, and its
+ * weight. */
 enum class FourthOrderOption { None, Linearity, Planarity, Sphericity, Uniform };
 
 } // namespace linelet::apps
@@ -36,7 +36,7 @@ struct Names<apps::FourthOrderOption> {
 
 namespace linelet::apps {
 
-/** \brief Gives \a cloud the fourth-order tensors of \a points, one per point of it, as
+/** \brief Adds the fourth-order tensors of \a points, one per point of \a cloud, as
  * attributes: 21 components in Mandel's notation, t4_xx_xx to t4_xy_xy, and the major
  * eigentensor, major_xx to major_zz; NaN where there is none. */
 void

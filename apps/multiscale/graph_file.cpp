@@ -16,7 +16,7 @@ constexpr const char* graph_header =
     "point,scale,radius,neighbors,linearity,planarity,sphericity,"
     "major_x,major_y,major_z\n";
 
-/** \brief The rows of one point in the file of graphs. */
+/** \brief The rows of one point in the graph file. */
 std::string
 rowsOf(std::size_t point, const ShapeGraph& graph, const std::vector<double>& radii)
 {
@@ -29,7 +29,7 @@ rowsOf(std::size_t point, const ShapeGraph& graph, const std::vector<double>& ra
     rows += cell;
     for (const float value :
          {s.linearity, s.planarity, s.sphericity, s.major_x, s.major_y, s.major_z}) {
-      // An empty cell is what readers take for NaN.
+      // Readers take an empty cell for NaN.
       std::snprintf(cell, sizeof(cell), ",%.7g", static_cast<double>(value));
       rows += std::isnan(value) ? "," : cell;
     }

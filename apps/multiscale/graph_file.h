@@ -11,7 +11,8 @@
 
 namespace linelet::apps {
 
-/** \brief The shapes of \a points; their graphs go to the file \a graphs, if any. */
+/** \brief The shapes of \a points; their graphs are written to the file \a graphs, if
+ * any. */
 std::vector<MultiScaleShape>
 measure(const Points& points,
         const MultiScaleSettings& settings,

@@ -26,7 +26,7 @@ MultiscaleJob::check()
         "give --radii or --scale-unit, or more --memory");
   settings_.radii = multiScaleRadii(Points(), settings_).radii;
   if (settings_.engine == ScaleEngine::Auto)
-    settings_.engine = ScaleEngine::Grid; // what it is for large clouds
+    settings_.engine = ScaleEngine::Grid; // what Auto chooses for large clouds
   checkPartsOutput(input_, output_);
 }
 

@@ -36,10 +36,10 @@ public:
   runWhole() override;
 
 private:
-  /** \brief One input: all options. */
+  /** \brief A single input: all options. */
   void
   runOne();
-  /** \brief Several inputs: the radii of the first for all, and neighbors across their
+  /** \brief Several inputs: the radii of the first for all, with neighbors across their
    * borders. */
   void
   runSeveral();

@@ -20,7 +20,7 @@ MultiscaleJob::runOne()
   const Points points = shiftedPoints(cloud, usable, shift_, frame_);
   const MultiScaleShapes plan = multiScaleRadii(points, settings_, &frame_.monitor);
   settings_.radii = plan.radii;
-  settings_.stop_change = 0; // it has had its say
+  settings_.stop_change = 0; // already applied to the radii
   settings_.engine =
       chosenScaleEngine(points, points, settings_.radii.back(), settings_);
   announceMultiScale(points, points, settings_, frame_);

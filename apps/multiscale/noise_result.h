@@ -11,8 +11,8 @@
 
 namespace linelet::apps {
 
-/** \brief What was found in a file: how far the points are from their curves, and how
- * many points have no scale. */
+/** \brief Results for a file: how far the points are from their curves, and how many
+ * points have no scale. */
 struct NoiseResult {
   double noise_rate, noise_width;
   std::size_t points, left_out, unknown;
@@ -24,14 +24,14 @@ resultOf(const std::vector<MultiScaleShape>& shapes,
          const std::vector<MultiScaleShape>& about_points,
          std::size_t left_out);
 
-/** \brief Says what was found in \a file. */
+/** \brief Reports the results for \a file. */
 void
 print(const NoiseResult& result,
       const MultiScaleShapes& plan,
       const MultiScaleSettings& settings,
       const std::string& file);
 
-/** \brief Says how many points have no optimal scale, where some do not. */
+/** \brief Reports how many points have no optimal scale, if any. */
 void
 printUnknown(std::size_t unknown, const MultiScaleSettings& settings);
 

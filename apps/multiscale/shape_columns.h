@@ -10,7 +10,7 @@
 
 namespace linelet::apps {
 
-/** \brief Makes \a shapes, one per point, attributes of \a cloud. */
+/** \brief Adds \a shapes, one per point, to \a cloud as attributes. */
 void
 addColumns(io::Cloud& cloud, const std::vector<MultiScaleShape>& shapes);
 

@@ -13,8 +13,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Says of a long shift beforehand how long it will take, measured on a few
- * points. */
+/** \brief Announces how long a long shift will take, measured on a few points. */
 void
 announceShift(const Points& points, const CentroidShiftSettings& shift, Frame& frame)
 {

@@ -11,8 +11,8 @@
 
 namespace linelet::apps {
 
-/** \brief The usable points of \a cloud, moved to the centroids of their neighbors
- * where \a shift has a radius, which moves them in \a cloud as well. */
+/** \brief The usable points of \a cloud; if \a shift has a radius, they are moved to
+ * the centroids of their neighbors, in \a cloud as well. */
 Points
 shiftedPoints(io::Cloud& cloud,
               const io::UsablePoints& usable,

@@ -11,7 +11,7 @@
 
 namespace linelet::apps {
 
-/** \brief A range of values laid along pixels. */
+/** \brief A range of values mapped to pixels. */
 class Axis {
 public:
   /** \param[in] low, high values; positive if \a logarithmic
@@ -41,7 +41,7 @@ private:
   bool logarithmic_;
 };
 
-/** \brief A number as it stands on an axis. */
+/** \brief A number as printed on an axis. */
 std::string
 numberText(double value, int digits = 4);
 
@@ -54,7 +54,7 @@ drawAxes(Canvas& canvas,
          const std::string& y_label,
          bool grid);
 
-/** \brief Swatches with their names, from left to right. */
+/** \brief Color swatches with their names, from left to right. */
 void
 drawLegend(Canvas& canvas,
            Spot at,

@@ -16,7 +16,7 @@ namespace {
 using bench::RunSummary;
 using bench::SummaryGroup;
 
-/// Distinct for color-blind readers and in gray; further methods repeat them.
+/// Distinct for color-blind readers and in gray; reused for further methods.
 constexpr std::array<Color, 4> bar_colors = {
     {{0.16, 0.47, 0.84}, {0.95, 0.72, 0.25}, {0.55, 0.06, 0.10}, {0.45, 0.45, 0.48}}};
 
@@ -45,7 +45,7 @@ axisLabel(const std::string& title)
   return title == "n_R" ? "noise rate n_R" : title;
 }
 
-/// The entries of all methods, each once, in the order of the first that has it.
+/// The entries of all methods, each once, in the order of the first method that has it.
 std::vector<std::string>
 entriesOf(const std::vector<SummaryGroup>& methods)
 {
@@ -79,7 +79,7 @@ drawBar(Canvas& canvas,
               ink::frame);
 }
 
-/// Smaller distances count as 0.
+/// Smaller distances are drawn as 0.
 constexpr double least_distance = 1e-3, most_distance = 10;
 
 void

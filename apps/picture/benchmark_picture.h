@@ -16,11 +16,11 @@ namespace linelet::apps {
 /** \brief A method and its rows, at least one. */
 using MethodRows = std::pair<std::string, std::vector<bench::BenchmarkRow>>;
 
-/** \brief What a picture of a benchmark shows by geometry, number of points, noise and
- * noise rate, a panel each. */
+/** \brief What a picture of a benchmark shows, in one panel each by geometry, number of
+ * points, noise and noise rate. */
 enum class BenchmarkView {
-  Success,  ///< a bar a method, whiskers of one standard error
-  Distances ///< of E_V, a box a method: quartiles and median; whiskers of 5 and 95 %
+  Success,  ///< one bar per method, with whiskers of one standard error
+  Distances ///< of E_V, a box per method: quartiles and median, whiskers at 5 and 95 %
 };
 
 Canvas

@@ -99,7 +99,7 @@ void
 Canvas::rectangle(Spot corner, double width, double height, const Color& color)
 {
   _cairo* cairo = pen(color);
-  // Whole fine pixels, so that those side by side leave no seam.
+  // Whole fine pixels, so that adjacent ones leave no seam.
   cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
   cairo_rectangle(cairo, corner.x, corner.y, width, height);
   cairo_fill(cairo);
@@ -159,7 +159,7 @@ Canvas::text(Spot at,
   if (upwards)
     cairo_rotate(cairo, -M_PI / 2);
   const double part = align == Align::Left ? 0 : align == Align::Center ? 0.5 : 1;
-  // Capitals are about 0.7 of the size: their middle stands at the place.
+  // Capitals are about 0.7 of the size; their middle is at the given place.
   cairo_move_to(cairo, -part * advance(cairo, words), 0.35 * size);
   cairo_show_text(cairo, words.c_str());
   cairo_restore(cairo);
@@ -200,7 +200,7 @@ Canvas::save(const std::string& path) const
     throw std::runtime_error(path + ": no memory for the picture");
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x)
-      for (std::size_t c = 0; c < 3; ++c) { // the fourth byte means nothing
+      for (std::size_t c = 0; c < 3; ++c) { // the fourth byte is unused
         unsigned sum = 0;
         for (int v = 0; v < fineness; ++v)
           for (int u = 0; u < fineness; ++u) {
@@ -215,7 +215,7 @@ Canvas::save(const std::string& path) const
         out = (out & ~(0xFFU << (8 * c))) | mean << (8 * c);
       }
   cairo_surface_mark_dirty(image.get());
-  std::string png; // in memory: errors on disk are those of the file
+  std::string png; // to memory, so that write errors are ours to report
   const auto append = [](void* text, const unsigned char* bytes, unsigned count) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes),
                                             count);

@@ -16,16 +16,16 @@ struct _cairo_surface;
 
 namespace linelet::apps {
 
-/** \brief Place on a canvas in pixels, from the upper left corner, y downwards. */
+/** \brief Position on a canvas in pixels, from the upper left corner, y down. */
 struct Spot {
   double x = 0, y = 0;
 };
 
 enum class Align { Left, Center, Right };
 
-/** \brief A picture drawn in memory by Cairo, no display needed.
+/** \brief A picture drawn in memory by Cairo; no display needed.
  *
- * Everything is drawn three times as fine as it is written, and averaged. */
+ * Everything is drawn at three times the output resolution, and averaged. */
 class Canvas {
 public:
   Canvas(int width, int height);
@@ -57,8 +57,8 @@ public:
   void
   ring(Spot center, double radius, double width, const Color& color);
 
-  /** \brief One line of text, \a at its alignment point, vertically centered there.
-   * \param[in] size height of capitals and descenders together, pixels
+  /** \brief One line of text, aligned at \a at and vertically centered there.
+   * \param[in] size height of capitals plus descenders, pixels
    * \param[in] upwards written from bottom to top */
   void
   text(Spot at,
@@ -77,10 +77,10 @@ public:
   void
   save(const std::string& path) const;
 
-  /// Fine pixels along one written pixel.
+  /// Fine pixels per output pixel.
   static constexpr int fineness = 3;
 
-  /** \brief A fine pixel, for what is computed pixel by pixel. */
+  /** \brief A fine pixel, for pixel-by-pixel drawing. */
   void
   setFine(int x, int y, const Color& color);
 
@@ -103,17 +103,17 @@ private:
     operator()(_cairo* cairo) const;
   };
 
-  /** \brief Ready to draw in a color. */
+  /** \brief Sets the color to draw in. */
   _cairo*
   pen(const Color& color);
 
   int width_, height_;
   std::unique_ptr<_cairo_surface, Destroy> surface_; // fine
   std::unique_ptr<_cairo, Destroy> cairo_;           // in written pixels
-  bool touched_ = false; // pixels were set beside what Cairo drew
+  bool touched_ = false;                             // pixels were set outside Cairo
 };
 
-/** \brief Fails at once where saving a picture at \a path would fail after long work.
+/** \brief Fails at once if saving a picture to \a path would fail after long work.
  * \throws std::runtime_error */
 void
 checkPictureOutput(const std::string& path);

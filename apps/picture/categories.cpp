@@ -52,7 +52,7 @@ fromHue(double hue, double value)
   return color;
 }
 
-/** Steps by the golden ratio leave no two neighbors alike. */
+/** Golden-ratio steps keep successive hues apart. */
 Color
 colorOf(std::int64_t value)
 {
@@ -101,7 +101,7 @@ categoriesOf(const io::Column& column)
     ++counts[value];
     const auto [at, fresh] = colors.emplace(value, none);
     if (fresh) {
-      at->second = colorOf(value + (by_class ? 7 : 0)); // classes of users
+      at->second = colorOf(value + (by_class ? 7 : 0)); // user-defined classes
       if (by_class)
         for (const NamedClass& known : classes)
           if (known.number == value)

@@ -13,19 +13,19 @@
 
 namespace linelet::apps {
 
-/** \brief Colors of points by an attribute whose values are names, not quantities. */
+/** \brief Colors of points by an attribute whose values are labels, not quantities. */
 struct Categories {
   std::vector<Color> colors;                         ///< one per point
   std::vector<std::pair<Color, std::string>> legend; ///< the most frequent first
 };
 
-/** \brief Whether \a column names rather than measures: classes, ids, numbers of
- * returns, flags. */
+/** \brief Whether \a column holds labels rather than measures: classes, ids, return
+ * numbers, flags. */
 bool
 isCategorical(const io::Column& column);
 
-/** \brief Colors that stay the same from cloud to cloud: those of the ASPRS classes for
- * `classification`, else hues far from each other by value, 0 gray. */
+/** \brief Colors that are the same for every cloud: those of the ASPRS classes for
+ * `classification`, otherwise well-separated hues by value, with 0 gray. */
 Categories
 categoriesOf(const io::Column& column);
 

@@ -20,8 +20,7 @@ namespace {
 
 constexpr double far_away = std::numeric_limits<double>::infinity();
 
-/// Parallel projection: x to the right, y downwards in fine pixels, z away from the
-/// eye.
+/// Parallel projection: x to the right, y down in fine pixels, z away from the eye.
 class Projection {
 public:
   Projection(const CloudView& view, int width, int height, double bottom)
@@ -58,7 +57,7 @@ public:
     center_ = Point(width / 2.0, top + free_height / 2, 0);
   }
 
-  /// In written pixels.
+  /// In output pixels.
   Point
   operator()(const Point& point) const
   {
@@ -71,7 +70,7 @@ public:
     return scale_;
   }
 
-  /// The same view, \a fineness pixels to one of the picture.
+  /// The same view with \a fineness pixels per output pixel.
   Camera
   camera(int width, int height, int fineness = 1) const
   {
@@ -125,7 +124,7 @@ splat(DepthImage& image, const Point& center, double radius, const Color& color)
       }
 }
 
-/// How much light reaches a pixel: less where its surroundings stand nearer to the eye
+/// How much light reaches a pixel: less where its surroundings are nearer to the eye
 /// (eye-dome lighting, after Boucheny 2009).
 double
 light(const DepthImage& image, int x, int y, int reach)
@@ -145,8 +144,8 @@ light(const DepthImage& image, int x, int y, int reach)
   return std::max(0.45, std::exp(-1.8 * shade / ways.size()));
 }
 
-/// The color of a normal that looks at the eye, by its parts to the right, up, and
-/// toward the eye; or light from above the eye's left shoulder.
+/// The color of a normal that faces the eye, from its components to the right, up, and
+/// toward the eye; or shading by light from above the eye's left shoulder.
 Color
 colorOfNormal(const Point& normal, PixelColor by)
 {
@@ -159,7 +158,7 @@ colorOfNormal(const Point& normal, PixelColor by)
   return {bright, bright, bright};
 }
 
-/// Light on a point by its normal, of either side.
+/// Light on a point by its normal, on either side.
 Color
 lit(const Point& normal, const Eigen::Matrix3d& axes)
 {
@@ -167,7 +166,7 @@ lit(const Point& normal, const Eigen::Matrix3d& axes)
   return colorOfNormal(seen.z() > 0 ? Point(-seen) : seen, PixelColor::Shaded);
 }
 
-/// Gives every fine pixel that sees something the color of its pixel's normal.
+/// Colors every fine pixel that sees something by the normal there.
 void
 colorByNormals(DepthImage& image,
                const Canvas& canvas,
@@ -203,8 +202,8 @@ drawPoints(Canvas& canvas, const CloudView& view, const Projection& project)
   image.color.resize(count);
   double size = view.point_size;
   if (!(size > 0)) {
-    // So large that even points cover half of the paper; for normals, themselves many
-    // times over.
+    // So large that points cover half of the paper if evenly spread; for normals, many
+    // times all of it.
     const bool own = view.pixels == PixelColor::OfPoints;
     const double count = std::max<double>(1, static_cast<double>(view.points.size()));
     size = std::clamp(

@@ -23,33 +23,33 @@ enum class PixelColor {
   Shaded    ///< light on it
 };
 
-/** \brief A cloud as it is to be shown. */
+/** \brief A cloud as it is drawn. */
 struct CloudView {
-  Points points;             ///< those that are not finite are left out
+  Points points;             ///< non-finite points are left out
   std::vector<Color> colors; ///< one per point
-  Points point_normals;      ///< light on them takes the place of colors; empty: none
+  Points point_normals;      ///< light on them replaces colors; empty: none
   PixelColor pixels = PixelColor::OfPoints;
   ScreenNormalSettings normals; ///< for the other two
   CurveNetwork curves;          ///< drawn over the points
   std::string title;
   std::string unit;       ///< of length, for the scale bar; may be empty
-  double azimuth = 210;   ///< where the eye is, degrees clockwise from north (y)
+  double azimuth = 210;   ///< direction of the eye, degrees clockwise from north (y)
   double elevation = 35;  ///< degrees above the horizon, 90: from above
   double point_size = 0;  ///< diameter in pixels; 0: by density
   double curve_width = 3; ///< pixels
 };
 
-/** \brief Parallel projection with depth-shaded points, the curves on top, a scale bar
- * that is true for horizontal lengths across the view. The lowest \a bottom pixels stay
- * free for a legend. */
+/** \brief Parallel projection with depth-shaded points, the curves on top, and a scale
+ * bar that holds for horizontal lengths across the view. The lowest \a bottom pixels
+ * stay free for a legend. */
 Canvas
 drawCloud(const CloudView& view, int width, int height, double bottom);
 
 /** \brief Draws something as seen by a camera. */
 using DrawImage = std::function<GlyphImage(const Camera& camera)>;
 
-/** \brief The same with what \a draw draws in place of the points, which say where
- * things are. */
+/** \brief The same, with whatever \a draw draws in place of the points, which only
+ * determine the view. */
 Canvas
 drawImage(
     const CloudView& view, const DrawImage& draw, int width, int height, double bottom);

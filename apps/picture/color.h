@@ -20,12 +20,12 @@ using Color = std::array<double, 3>;
 /** \brief Which colors stand for linearity, planarity and sphericity. */
 enum class ShapeColors {
   Classic, ///< light gray, blue, green
-  Safe     ///< pale yellow, blue, dark red: apart for color-blind readers and in gray
+  Safe ///< pale yellow, blue, dark red: distinct for color-blind readers and in gray
 };
 
-/** \brief The same for tensor splats, which lie on paper and fade. */
+/** \brief The same for tensor splats, which fade on paper. */
 enum class SplatColors {
-  Safe,   ///< blue, orange, gray: apart for color-blind readers
+  Safe,   ///< blue, orange, gray: distinct for color-blind readers
   Classic ///< green, red, blue, as published
 };
 
@@ -69,7 +69,7 @@ shapeColor(ShapeColors colors, double linearity, double planarity, double spheri
   return result;
 }
 
-/** \brief A scalar in [0, 1] from dark violet over green to yellow: rising in
+/** \brief A scalar in [0, 1] from dark violet through green to yellow, with rising
  * lightness, so that it reads in gray and for the color-blind. */
 inline Color
 scalarColor(double t)

@@ -16,8 +16,8 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief The representative as a disc: twice as long as a cell that is filled evenly,
- * so that discs merge, which fade toward their border. */
+/** \brief The representative as a disc, twice as long as an evenly filled cell, so that
+ * discs, which fade toward their border, merge. */
 TensorGlyph
 glyphOf(const Representative& of, SplatColors colors)
 {
@@ -48,14 +48,14 @@ pictureOfCells(const io::Cloud& cloud,
   if (!splats)
     cells.faces = boxes ? CellFaces::Boxes : CellFaces::Quads;
   if (boxes)
-    cells.moves = 0; // their cells are what they show
+    cells.moves = 0; // they show their cells
   const Clusters clusters = clusterPoints(cloud.points, cells, {}, &frame.monitor);
   frame.lap("cluster");
   std::vector<TensorGlyph> glyphs;
   std::vector<std::array<float, 3>> colors;
   for (const Representative& one : clusters.representatives) {
     const TensorGlyph glyph = glyphOf(one, settings.splat_colors);
-    // One point, or points in one place, have no shape.
+    // One point, or coincident points, have no shape.
     const bool shaped = std::isfinite(glyph.color[0]);
     colors.push_back(shaped ? glyph.color : std::array<float, 3>{0.6F, 0.6F, 0.6F});
     if (shaped)

@@ -35,7 +35,7 @@ median(std::vector<double>& values)
   return *middle;
 }
 
-/// Median over the scales of each factor, through the map.
+/// Median over the scales of each factor, mapped to a color.
 std::vector<Color>
 colorsByShape(const Points& points,
               MultiScaleSettings settings,
@@ -45,7 +45,7 @@ colorsByShape(const Points& points,
   std::vector<Color> result(points.size(), ink::grid);
   std::array<std::vector<double>, 3> factors;
   settings.radii = multiScaleRadii(points, settings, &frame.monitor).radii;
-  settings.stop_change = 0; // it has had its say
+  settings.stop_change = 0; // already applied to the radii
   settings.engine = chosenScaleEngine(points, points, settings.radii.back(), settings);
   announceMultiScale(points, points, settings, frame);
   multiScaleShapes(
@@ -69,12 +69,12 @@ colorsByShape(const Points& points,
   return result;
 }
 
-/// Values with the range that colors are spread over: nearly all, but no outlier.
+/// Values with the range that the colors span: nearly all values, but no outliers.
 struct Scalars {
   std::string name;
   std::vector<double> values;
   double low = 0, high = 1;
-  std::vector<std::pair<Color, std::string>> legend; // of names, which have no range
+  std::vector<std::pair<Color, std::string>> legend; // labels, which have no range
 };
 
 Scalars
@@ -153,7 +153,7 @@ colorsByRgb(const io::Cloud& cloud, const std::string& file)
       largest = std::max(largest, io::valueAt(*channel, i));
   }
   const double full =
-      largest > 255 ? 65535 : 255; // LAS says 16 bits, many files mean 8
+      largest > 255 ? 65535 : 255; // LAS specifies 16 bits, but many files use 8
   std::vector<Color> colors(cloud.points.size());
   for (std::size_t i = 0; i < colors.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
@@ -189,7 +189,7 @@ drawScalarLegend(Canvas& canvas, const Scalars& scalars)
   canvas.text({left + bar_width + 16, top + bar_height / 2}, scalars.name, text_size);
 }
 
-/** The entries of a legend that fit beside each other, and how many more there are. */
+/** The legend entries that fit side by side, and how many more there are. */
 std::vector<std::pair<Color, std::string>>
 asManyAsFit(std::vector<std::pair<Color, std::string>> entries, double width)
 {
@@ -228,7 +228,7 @@ minorEigenvectors(const Points& points,
   return normals;
 }
 
-/// The cloud as it is to be shown, and the values that it is colored by, if any.
+/// The cloud as drawn, and the values that color it, if any.
 CloudView
 viewOf(const io::Cloud& cloud,
        const PictureSettings& settings,
@@ -264,8 +264,8 @@ viewOf(const io::Cloud& cloud,
   return view;
 }
 
-/// The major eigentensors of the fourth-order tensors of all points, of largest
-/// eigenvalue 1, and their colors.
+/// The major eigentensors of the fourth-order tensors of all points, scaled to a
+/// largest eigenvalue of 1, and their colors.
 SvgTensors
 majorEigentensors(const Points& points,
                   const MultiScaleSettings& shapes,

@@ -19,7 +19,8 @@ namespace linelet::apps {
 
 namespace {
 
-/// \a count radii from the smallest to the largest, evenly on a logarithmic scale.
+/// \a count radii from the smallest to the largest, evenly spaced on a logarithmic
+/// scale.
 std::vector<double>
 fineRadii(const std::vector<double>& radii, unsigned count)
 {
@@ -155,7 +156,7 @@ probeLine(const io::Cloud& cloud,
   return probe;
 }
 
-/// \a count places at equal arc lengths, and these.
+/// \a count positions at equal arc lengths, and these arc lengths.
 Points
 resample(const Points& line, unsigned count, std::vector<double>& positions)
 {
@@ -176,7 +177,7 @@ resample(const Points& line, unsigned count, std::vector<double>& positions)
   return places;
 }
 
-/// Places evenly along the line that the settings name, and their positions.
+/// Evenly spaced positions along the line given by the settings.
 Points
 placesOnLine(const io::Cloud& cloud,
              const PictureSettings& settings,
@@ -195,8 +196,7 @@ placesOnLine(const io::Cloud& cloud,
   return places;
 }
 
-/// The points of the cloud as the file has them; every n-th where there are more than
-/// columns.
+/// The points of the cloud in file order; every n-th if there are more than columns.
 Points
 pointsInOrder(const io::Cloud& cloud,
               const PictureSettings& settings,
@@ -218,8 +218,8 @@ pointsInOrder(const io::Cloud& cloud,
   return places;
 }
 
-/// The graphs of the points around one, within its optimal radius: those nearest to it
-/// where they are many.
+/// The graphs of the points around one, within its optimal radius; the nearest ones if
+/// there are many.
 std::vector<ShapeGraph>
 graphsAround(const Points& cloud,
              const Point& point,
@@ -257,7 +257,7 @@ pictureOfProfile(const io::Cloud& cloud,
   ProgressMonitor* const monitor = &frame.monitor;
   MultiScaleSettings planned = shapes;
   planned.radii = multiScaleRadii(cloud.points, shapes, monitor).radii;
-  planned.stop_change = 0; // it has had its say
+  planned.stop_change = 0; // already applied to the radii
   planned.engine =
       chosenScaleEngine(cloud.points, places, planned.radii.back(), planned);
   announceMultiScale(cloud.points, places, planned, frame);

@@ -26,8 +26,8 @@ glyphOf(const Point& point,
       point, system, shapeFactors(system.values), size, splatColors(colors));
 }
 
-/** \brief The tensors of the points, with a radius that \a unit says where the settings
- * do not. */
+/** \brief The tensors of the points; the radius follows from \a unit if the settings
+ * give none. */
 std::vector<SymmetricTensor>
 estimated(const Points& points,
           const PictureSettings& settings,

@@ -43,7 +43,7 @@ struct PictureSettings {
   double point_size = 0;
   double curve_width = 3;
   bool fourth_order = false;
-  /// Points are drawn larger than they are apart: their steps need averaging.
+  /// Points are larger than their spacing, so their edges need averaging.
   ScreenNormalSettings normals = {ScreenNormalMethod::Tensor, 25, 0, 4, 0};
   // Splats and ellipsoids
   double radius = 0, size = 0;
@@ -126,7 +126,7 @@ describe(PictureSettings& s, Visit&& visit)
 }
 
 /** \brief The points of \a cloud, colored as \a settings say.
- * \throws std::runtime_error where there is no such attribute */
+ * \throws std::runtime_error if there is no such attribute */
 Canvas
 pictureOfCloud(const io::Cloud& cloud,
                const PictureSettings& settings,
@@ -157,7 +157,7 @@ pictureOfCells(const io::Cloud& cloud,
                const std::string& file,
                Frame& frame);
 
-/** \brief The multi-scale feature image along the line that \a settings name. */
+/** \brief The multi-scale feature image along the line given by \a settings. */
 Canvas
 pictureOfProfile(const io::Cloud& cloud,
                  const PictureSettings& settings,
@@ -165,7 +165,7 @@ pictureOfProfile(const io::Cloud& cloud,
                  const std::string& file,
                  Frame& frame);
 
-/** \brief The graphs of the point that \a settings name. */
+/** \brief The graphs of the point given by \a settings. */
 Canvas
 pictureOfPoint(const io::Cloud& cloud,
                const PictureSettings& settings,

@@ -10,8 +10,9 @@
 
 namespace linelet::apps {
 
-/** \brief The view of \a cloud that all pictures of it begin with: points, curves, and
- * where it is looked at from. \throws io::FileError */
+/** \brief The common part of all pictures of \a cloud: points, curves, and the
+ * viewpoint.
+ * \throws io::FileError */
 CloudView
 plainView(const io::Cloud& cloud, const PictureSettings& settings);
 

@@ -43,7 +43,7 @@ drawShapeLegend(Canvas& canvas, Spot at, ShapeColors colors)
               {pure[2], "sphericity CS"}});
 }
 
-/// Borders halfway (in the axis' own measure) between neighboring values.
+/// Borders halfway (in the axis' own scale) between neighboring values.
 std::vector<double>
 borders(const Axis& axis, const std::vector<double>& values)
 {
@@ -55,7 +55,7 @@ borders(const Axis& axis, const std::vector<double>& values)
   return result;
 }
 
-/// Distinct from all colors of the shapes, in gray as well.
+/// Distinct from all shape colors, in gray as well.
 constexpr Color sum_color = {0.75, 0.10, 0.55};
 
 double
@@ -88,8 +88,8 @@ drawSums(Canvas& canvas,
   canvas.polyline(line, 2, sum_color);
 }
 
-/// Mean and standard deviation of a factor over some graphs at scale \a k; NaN where
-/// fewer than two have it.
+/// Mean and standard deviation of a factor over some graphs at scale \a k; NaN if fewer
+/// than two have it.
 std::pair<double, double>
 spreadOf(const std::vector<ShapeGraph>& graphs, std::size_t k, std::size_t factor)
 {
@@ -108,7 +108,7 @@ spreadOf(const std::vector<ShapeGraph>& graphs, std::size_t k, std::size_t facto
   return {mean, std::sqrt(std::max(0.0, (squares - sum * mean) / (count - 1)))};
 }
 
-/// Light lines a standard deviation above and below the mean of the neighbors.
+/// Light lines one standard deviation above and below the mean of the neighbors.
 void
 drawSpread(Canvas& canvas,
            const PointGraphs& graphs,

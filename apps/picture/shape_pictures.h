@@ -17,7 +17,7 @@ namespace linelet::apps {
 /** \brief The shapes of neighborhoods along a line, at many radii. */
 struct ShapeProfile {
   std::string title;
-  std::string position_label;     ///< what runs along the picture
+  std::string position_label;     ///< quantity along the picture
   std::vector<double> positions;  ///< of the columns, rising, evenly spaced
   std::vector<double> radii;      ///< of the rows, rising
   std::vector<ShapeGraph> graphs; ///< one per column

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_points = 20000;
 constexpr double margin = 24;
-/// Of the eye from the middle of what is seen, in halves of its diagonal.
+/// Position of the eye relative to the middle of the scene, in half diagonals.
 constexpr double eye_distance = 3;
 
 /// Curves, distinct for color-blind readers (Okabe, Ito 2008).
@@ -56,7 +56,7 @@ escaped(const std::string& text)
   return result;
 }
 
-/** \brief A place on the paper, and how large things are drawn there. */
+/** \brief A position on the paper, and the scale there. */
 struct Seen {
   double x, y;
   double scale; ///< pixels per unit
@@ -166,8 +166,8 @@ pathOf(const std::vector<Spot>& spots, bool closed)
   return path + (closed ? " Z" : "");
 }
 
-/** \brief The way to the left of the edge between two places, of length 1; zero where
- * they are one. */
+/** \brief Unit vector to the left of the edge between two positions; zero if they
+ * coincide. */
 Spot
 sideOf(const Seen& from, const Seen& to)
 {
@@ -175,8 +175,8 @@ sideOf(const Seen& from, const Seen& to)
   return length > 0 ? Spot{-dy / length, dx / length} : Spot{0, 0};
 }
 
-/** \brief Half of the band that a curve is, at each of its vertices: the way to its
- * side, on the paper. At a corner it is longer, so that the edges keep their width. */
+/** \brief The offset, on the paper, from each vertex to the side of the band that
+ * represents a curve. It is longer at corners, so that edges keep their width. */
 std::vector<Spot>
 sides(const std::vector<Seen>& seen, double width, bool closed)
 {
@@ -227,7 +227,7 @@ curveElement(const Curve& curve,
   const std::vector<Spot> one = edge(1);
   std::vector<Spot> other = edge(-1);
   std::string path;
-  if (curve.closed) // a ring: two rounds, filled between
+  if (curve.closed) // a ring: two outlines, filled between
     path = pathOf(one, true) + " " + pathOf(other, true);
   else {
     std::vector<Spot> around = one;
@@ -240,7 +240,7 @@ curveElement(const Curve& curve,
          "stroke-linejoin=\"round\"/>\n";
 }
 
-/** \brief \a items, by their depth, far ones first. */
+/** \brief \a items sorted by depth, far ones first. */
 std::vector<std::size_t>
 farFirst(const std::vector<double>& depth)
 {
@@ -272,7 +272,7 @@ ellipseElement(const Eigen::Matrix3d& tensor,
          hex(mix(color, {0, 0, 0}, 0.5)) + "\" stroke-width=\"0.5\"/>\n";
 }
 
-/** \brief A square of \a color and its \a name, at the foot of the paper. */
+/** \brief A square of \a color and its \a name, at the bottom of the paper. */
 std::string
 legendEntry(std::size_t x, int height, const std::string& color, const char* name)
 {

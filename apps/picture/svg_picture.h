@@ -12,19 +12,18 @@
 
 namespace linelet::apps {
 
-/** \brief Tensors to be drawn as ellipses, the shadows of ellipsoids whose axes are the
- * roots of their eigenvalues. */
+/** \brief Tensors to draw as ellipses: projections of ellipsoids whose axes are the
+ * square roots of the eigenvalues. */
 struct SvgTensors {
   std::vector<Eigen::Matrix3d> tensors; ///< one per point of the view; NaN: none
   std::vector<Color> colors;            ///< one per point
-  double size = 0; ///< length of a root of 1, in the unit of the points
+  double size = 0; ///< length of a unit root, in the unit of the points
 };
 
-/** \brief A picture of lines that stay lines: from above (elevation 90) in parallel
- * projection, else in perspective, where curves are outlined bands, the wider the
- * nearer they are.
+/** \brief A vector picture of lines: from above (elevation 90) in parallel projection,
+ * otherwise in perspective, where curves are outlined bands, wider the nearer they are.
  *
- * Points are drawn where there are at most 20,000 of them; curves far to near.
+ * Points are drawn if there are at most 20,000; curves far to near.
  * \return the text of an SVG file */
 std::string
 svgOfCloud(const CloudView& view,

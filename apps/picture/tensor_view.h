@@ -10,8 +10,8 @@
 
 namespace linelet::apps {
 
-/** \brief A picture with what \a draw draws of a cloud, in colors of linear, planar
- * and, where \a spherical, spherical tensors, which its legend names. */
+/** \brief A picture of whatever \a draw draws of a cloud, in the colors of linear,
+ * planar and, if \a spherical, spherical tensors, with a legend. */
 Canvas
 tensorView(const io::Cloud& cloud,
            const PictureSettings& settings,

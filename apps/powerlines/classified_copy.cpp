@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t block_size = 400000; // points at a time
 
-/** The attributes that all files have. */
+/** The attributes common to all files. */
 std::vector<std::string>
 commonAttributes(const std::vector<std::string>& files,
                  const io::ReadOptions& options,
@@ -55,7 +55,7 @@ commonAttributes(const std::vector<std::string>& files,
   return common;
 }
 
-/** What a cloud of several files is like. */
+/** Properties of the cloud of several files. */
 io::Cloud
 withoutPoints(const io::Cloud& cloud, const std::vector<std::string>& attributes)
 {

@@ -15,8 +15,8 @@
 
 namespace linelet::apps {
 
-/** \brief Fills the lists of \a found that say something of every point, for those of
- * \a cloud, the next ones of file number \a file. */
+/** \brief Fills the per-point lists of \a found for the points of \a cloud, the next
+ * ones of file number \a file. */
 using LabelBlock = std::function<void(
     std::size_t file, const io::Cloud& cloud, powerline::PowerLineNetwork& found)>;
 
@@ -25,13 +25,13 @@ struct CopiedPoints {
   std::size_t unconfirmed = 0; ///< see powerline::classify
 };
 
-/** \brief Writes the points of \a files once more, block by block, with their classes
- * and what was found, so that their attributes need not be held in memory.
+/** \brief Rewrites the points of \a files, block by block, with their classes and what
+ * was found, so that their attributes need not be held in memory.
  * \param[in] path .las or .laz
  * \param[in] options how to read them, with the shift of all, and threads
- * \param[in] wkt reference system, where the first file has none
+ * \param[in] wkt reference system, used if the first file has none
  * \param[in] wires of the network, whose reviews name classes
- * \throws io::PartsDiffer where they cannot be written in this way, io::FileError */
+ * \throws io::PartsDiffer if they cannot be written in this way, io::FileError */
 CopiedPoints
 copyClassified(const std::string& path,
                const std::vector<std::string>& files,

@@ -20,7 +20,7 @@ using powerline::PowerLineNetwork;
 
 namespace {
 
-constexpr double widest_support = 16; // meters, from a wire to what goes on there
+constexpr double widest_support = 16; // meters, from a wire to what continues it
 
 } // namespace
 
@@ -141,7 +141,7 @@ PowerlinesJob::compute(const FragmentTask& task)
                                   hazards_.classes,
                                   frame_.threads,
                                   task.monitor));
-  // All fragments together keep half as many as one may have points.
+  // All fragments together keep half as many points as one may hold.
   const auto most = static_cast<std::size_t>(std::ceil(
       task.plan.most_points / (2 * static_cast<double>(task.plan.tiling.boxes()))));
   part.picture = picturePoints(task.fragment, cloud, network, most);

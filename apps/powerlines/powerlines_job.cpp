@@ -38,9 +38,9 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
           "report. Points flagged as withheld are ignored and stay in the "
           "classified cloud as they are; overlap, synthetic and key points are "
           "used like others.",
-          // Measured: beyond what the program takes anyway, 100 to 135 with the next
-          // fragment loaded beside; in one piece 102 of 5 million points, 91 of 10, 82
-          // of 30.
+          // Measured in addition to the program itself: 100 to 135 with the next
+          // fragment loaded beside; in one piece, 102 for 5 million points, 91 for 10,
+          // 82 for 30.
           BytesPerPoint{135, 105},
           CloudInput::Use::Lengths,
           "point file, z up, meters or feet (by its reference system); classes are "

@@ -55,14 +55,14 @@ private:
               const fragments::Fragment& fragment,
               const io::Cloud& cloud,
               const powerline::NetworkPart& part) const;
-  /** Reads the input once more and writes it with what was found.
+  /** Reads the input again and writes it with what was found.
    * \return points whose class is not confirmed, see powerline::classify */
   std::size_t
   copyInput(const powerline::PowerLineNetwork& network,
             const Point& shift,
             const std::string& wkt,
             std::vector<std::string>* warnings);
-  /** The same with all attributes held at once, of inputs that differ too much. */
+  /** The same with all attributes held in memory, for inputs that differ too much. */
   std::size_t
   writeInOnePiece(const powerline::PowerLineNetwork& network,
                   const Point& shift,

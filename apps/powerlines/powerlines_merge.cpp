@@ -26,7 +26,7 @@ namespace {
 constexpr double most_cells = 1 << 27; // of the terrain, half a gigabyte
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/** An empty raster of cells of that side over all inputs. */
+/** An empty raster with cells of that side over all inputs. */
 Ground
 rasterOver(const fragments::Plan& plan,
            const powerline::MetricFrame& frame,
@@ -48,7 +48,7 @@ rasterOver(const fragments::Plan& plan,
   Ground ground;
   if (!(low.x() <= high.x()))
     return ground;
-  // Centers on multiples of the cells, as those of the fragments.
+  // Centers on multiples of the cells, like those of the fragments.
   const auto first = [&](int axis) { return std::floor(low[axis] / cell + 0.5); };
   const auto cells = [&](int axis) {
     return std::floor(high[axis] / cell + 0.5) - first(axis) + 1;
@@ -66,7 +66,7 @@ rasterOver(const fragments::Plan& plan,
   return ground;
 }
 
-/** Of a point among the inputs. */
+/** The number of a point among all inputs. */
 struct Place {
   std::uint32_t input, point;
 
@@ -77,7 +77,7 @@ struct Place {
   }
 };
 
-/** How many come before each in the order of the inputs. */
+/** The number of points before each input. */
 std::vector<std::uint32_t>
 ranksOf(std::vector<Place> places)
 {
@@ -120,7 +120,7 @@ PowerlinesMerge::PowerlinesMerge(const fragments::Plan& plan,
   }
   network_ = powerline::mergeParts(parts, ids_);
   parts.clear();
-  // Once more, so that the points of one fragment at a time are twice in memory.
+  // Read again, so that only one fragment's points are in memory twice.
   const std::vector<std::uint32_t> ranks = ranksOf(std::move(places));
   surroundings_.points.resize(ranks.size());
   surroundings_.kinds.resize(ranks.size());
@@ -261,7 +261,7 @@ PowerlinesMerge::writeClassified(const std::string& path,
         if (const io::Column* given = cloud.find("classification"))
           for (std::size_t k = 0; k < labels.size(); ++k) {
             const auto number = static_cast<std::uint8_t>(io::valueAt(*given, k));
-            // Of the points that no fragment owns, as they take no part.
+            // For points that no fragment owns since they take no part.
             labels[k].number_of_class =
                 number == powerline::wire_class || number == powerline::pylon_class
                     ? powerline::unclassified

@@ -22,18 +22,18 @@ struct PicturePoint;
 struct OwnSurroundings;
 struct PointLabel;
 
-/** \brief The power lines of fragments, put together. */
+/** \brief The power lines of all fragments, merged. */
 class PowerlinesMerge {
 public:
-  /** \param[in] usable which fragments there are
+  /** \param[in] usable which fragments exist
    * \param[in] wkt reference system of all
-   * \throws io::FileError where a result is missing or damaged */
+   * \throws io::FileError if a result is missing or damaged */
   PowerlinesMerge(const fragments::Plan& plan,
                   std::string folder,
                   std::vector<bool> usable,
                   const std::string& wkt);
 
-  /** \brief The network, with its terrain; labels are of \ref pictures. */
+  /** \brief The network, with its terrain; labels refer to \ref pictures. */
   const powerline::PowerLineNetwork&
   network() const
   {

@@ -21,8 +21,8 @@ using powerline::Wire;
 
 namespace {
 
-constexpr double around = 8;              // meters, what pictures of spans show
-constexpr std::size_t beside_wire = 8000; // such points for a wire, beside its own
+constexpr double around = 8;              // meters, shown in pictures of spans
+constexpr std::size_t beside_wire = 8000; // such points per wire, besides its own
 
 std::string
 partPath(const std::string& result)
@@ -36,7 +36,7 @@ groundPath(const std::string& result)
   return result + ".ground";
 }
 
-/** \brief Cells of the plan that wires pass. */
+/** \brief Cells of the plan that wires cross. */
 class WireCells {
 public:
   explicit WireCells(const std::vector<Wire>& wires)
@@ -71,7 +71,7 @@ private:
   std::set<Cell> cells_;
 };
 
-/** \brief Keeps no more than \a most of \a points, evenly chosen. */
+/** \brief Keeps at most \a most of \a points, evenly chosen. */
 void
 thin(std::vector<PicturePoint>& points, std::size_t most)
 {

@@ -14,7 +14,7 @@
 
 namespace linelet::apps {
 
-/** \brief What a fragment says of a point that it owns. */
+/** \brief What a fragment says about a point that it owns. */
 struct PointLabel {
   std::uint32_t fragment = 0;
   std::int32_t wire = 0; ///< id there
@@ -30,13 +30,14 @@ struct PicturePoint {
   std::uint16_t unused;
 };
 
-/** \brief What stands near the lines, of the points that a fragment owns. */
+/** \brief What stands near the lines, among the points that a fragment owns. */
 struct OwnSurroundings {
   powerline::Surroundings all;
-  std::vector<std::uint32_t> input, place; ///< of each point, which order them
+  std::vector<std::uint32_t> input, place; ///< of each point, by which they are ordered
 };
 
-/** \brief What a fragment gives to power lines, beside the labels of its points. */
+/** \brief What a fragment contributes to power lines, besides the labels of its
+ * points. */
 struct PowerlinesPart {
   powerline::NetworkPart network;
   OwnSurroundings surroundings;
@@ -44,7 +45,7 @@ struct PowerlinesPart {
 };
 
 /** \brief The points of \a fragment that are or surround the lines.
- * \param[in] most so many, evenly chosen; 0: any number */
+ * \param[in] most at most that many, evenly chosen; 0: no limit */
 std::vector<PicturePoint>
 picturePoints(const fragments::Fragment& fragment,
               const io::Cloud& cloud,
@@ -65,11 +66,11 @@ savePart(const std::string& result,
          const powerline::PowerLineNetwork& network,
          PowerlinesPart part);
 
-/** \throws io::FileError where it is missing or damaged */
+/** \throws io::FileError if it is missing or damaged */
 PowerlinesPart
 loadPart(const std::string& result);
 
-/** \brief The terrain that was saved with it. \throws io::FileError */
+/** \brief The terrain saved with it. \throws io::FileError */
 powerline::Ground
 loadGround(const std::string& result);
 

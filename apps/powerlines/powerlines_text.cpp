@@ -17,7 +17,7 @@ using powerline::Clearance;
 using powerline::PowerLineNetwork;
 using powerline::Wire;
 
-/** The smallest known clearance of one kind, and the wire that has it. */
+/** The smallest known clearance of one kind, and its wire. */
 std::pair<Clearance, int>
 lowest(const PowerLineNetwork& network, Clearance Wire::*kind)
 {
@@ -47,11 +47,10 @@ toJson(const PowerLineNetwork& network, Clearance Wire::*kind)
   return {{"distance", clearance.distance}, {"wire", wire}};
 }
 
-/** \brief What the wires of a network come to. */
+/** \brief Totals over the wires of a network. */
 struct Totals {
   double length = 0;                ///< meters
-  std::optional<std::size_t> below; ///< wires with less clearance than is in order;
-                                    ///< nothing: unknown
+  std::optional<std::size_t> below; ///< wires below the limit; nothing: unknown
   std::size_t doubtful = 0;         ///< wires with a reason to doubt them
 };
 

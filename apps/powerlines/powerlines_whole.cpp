@@ -20,7 +20,7 @@ using powerline::PowerLineNetwork;
 
 namespace {
 
-/** Whether the points can be read once more to be written, as pipes cannot. */
+/** Whether the points can be read again for writing; pipes cannot. */
 bool
 canBeReadAgain(const std::vector<std::string>& files)
 {
@@ -31,12 +31,12 @@ canBeReadAgain(const std::vector<std::string>& files)
   });
 }
 
-/** What \a network says of the points of a cloud, block by block. */
+/** The labels that \a network gives to the points of a cloud, block by block. */
 class LabelsInOrder {
 public:
   explicit LabelsInOrder(const PowerLineNetwork& network) : network_(network) {}
 
-  /** \throws io::FileError where there are more points than there were, or fewer */
+  /** \throws io::FileError if the number of points has changed */
   void
   take(std::size_t count, PowerLineNetwork& found)
   {

@@ -17,7 +17,8 @@
 
 namespace linelet::apps {
 
-/** \brief What `--engine` names: the engines of the library, and those of devices. */
+/** \brief The values of `--engine`: the engines of the library, and those on
+ * devices. */
 enum class EngineOption {
   Auto,
   Tree,
@@ -48,8 +49,9 @@ namespace linelet::apps {
 /** \brief An OpenCL device. Not for use by several threads at once. */
 class DeviceEngine {
 public:
-  /** \param[in] device number or part of a name, empty: the first GPU, else the first
-   * \throws std::runtime_error where linelet was built without OpenCL, or has no such
+  /** \param[in] device number or part of a name; empty: the first GPU, otherwise the
+   * first device
+   * \throws std::runtime_error if linelet was built without OpenCL or has no such
    * device */
   explicit DeviceEngine(const std::string& device);
   ~DeviceEngine();
@@ -62,7 +64,7 @@ public:
            const NeighborhoodSizes& sizes,
            ProgressMonitor* monitor);
 
-  /** \brief Notes its name and the time of every stage of the last \ref estimate. */
+  /** \brief Records its name and the time of every stage of the last \ref estimate. */
   void
   summarize(nlohmann::ordered_json& summary) const;
 
@@ -74,15 +76,15 @@ private:
 /** \brief An OpenCL device of this machine. */
 struct NamedDevice {
   std::string number; ///< as \ref DeviceEngine takes it
-  std::string name;   ///< tells it from the others
+  std::string name;   ///< distinguishes it from the others
 };
 
 /** \brief All of them, or those with \a part in their names. */
 std::vector<NamedDevice>
 devicesNamed(const std::string& part);
 
-/** \brief Whether `--engine auto` takes a GPU: there is one, and it is the cheapest. No
- * GPU was at hand to measure these costs: they are set high rather than low. */
+/** \brief Whether `--engine auto` chooses a GPU: there is one, and it is the cheapest.
+ * No GPU was at hand to measure these costs, so they are set high rather than low. */
 bool
 gpuIsCheapest(const std::string& device,
               const EngineWork& work,

@@ -13,13 +13,13 @@
 
 namespace linelet::apps {
 
-/** \brief Who finds the neighbors, as asked for and then as it ran. */
+/** \brief How neighbors are found, as requested and then as it ran. */
 struct NeighborFinder {
   EngineOption engine = EngineOption::Auto;
   SearchOption search = SearchOption::Auto;
   std::string device;
 
-  /** \brief The engine, or the search of PCL that stood in its place. */
+  /** \brief The engine, or the PCL search used in its place. */
   std::string
   name() const
   {
@@ -34,7 +34,7 @@ struct NeighborFinder {
                                                                        : Engine::Tree;
   }
 
-  /** \brief Whether the points of a piece are all that it computes. */
+  /** \brief Whether only the points of a piece are computed. */
   bool
   takesPieces() const
   {
@@ -42,20 +42,20 @@ struct NeighborFinder {
   }
 };
 
-/** \brief The option that stands for \a engine. */
+/** \brief The option for \a engine. */
 inline EngineOption
 optionOf(Engine engine)
 {
   return engine == Engine::Grid ? EngineOption::Grid : EngineOption::Tree;
 }
 
-/** \brief Makes of --search what it says about the engine.
- * \throws std::runtime_error where --engine says another thing */
+/** \brief Applies what --search says about the engine.
+ * \throws std::runtime_error if --engine contradicts it */
 void
 settle(NeighborFinder& finder);
 
-/** \brief The tensors of the queries by the engine or search that \a finder names,
- * which is no longer EngineOption::Auto. */
+/** \brief The tensors of the queries by the engine or search in \a finder, which is no
+ * longer EngineOption::Auto. */
 std::vector<PointDistributionTensor>
 tensorsWith(const NeighborFinder& finder,
             const Points& points,

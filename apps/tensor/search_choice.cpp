@@ -25,13 +25,13 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Search = pcl::search::Search<pcl::PointXYZ>;
 
-/** \brief A leaf of the octree: about the usual distance of neighbors, which costs
- * little whatever the radius. */
+/** \brief A leaf of the octree: about the usual distance of neighbors, which is cheap
+ * for any radius. */
 double
 leafSize(const Points& points, const TensorSettings& settings)
 {
   const double unit =
-      scaleUnit(points, 1024, 1, settings.threads); // NaN for less than two points
+      scaleUnit(points, 1024, 1, settings.threads); // NaN for fewer than two points
   return unit > 0 ? 2 * unit : 1;
 }
 

@@ -16,12 +16,12 @@
 
 namespace linelet::apps {
 
-/** \brief What `--search` names. */
+/** \brief The values of `--search`. */
 enum class SearchOption {
-  Auto,    ///< what the engine brings
+  Auto,    ///< that of the engine
   Builtin, ///< linelet's kd-tree
   Grid,    ///< linelet's grid
-  Flann,   ///< PCL's kd-tree, which is FLANN's
+  Flann,   ///< PCL's kd-tree, that of FLANN
   Octree   ///< PCL's octree
 };
 
@@ -51,8 +51,8 @@ isOfPcl(SearchOption search)
   return search == SearchOption::Flann || search == SearchOption::Octree;
 }
 
-/** \brief The tensors of the queries with neighbors from a search of PCL.
- * \throws std::runtime_error where linelet was built without PCL */
+/** \brief The tensors of the queries with neighbors from a PCL search.
+ * \throws std::runtime_error if linelet was built without PCL */
 std::vector<PointDistributionTensor>
 estimateWithPcl(SearchOption search,
                 const Points& points,

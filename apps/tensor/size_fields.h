@@ -10,7 +10,7 @@
 
 namespace linelet::apps {
 
-/** \brief Fields of the cloud that size the neighborhoods point by point. */
+/** \brief Fields of the cloud that set the size of each point's neighborhood. */
 struct SizeFields {
   std::string radius, knn; // names; empty: none
 
@@ -21,16 +21,16 @@ struct SizeFields {
   }
 };
 
-/** \brief Sizes of neighborhoods from the values of \a fields, where there are any. */
+/** \brief Sizes of neighborhoods from the values of \a fields, if there are any. */
 NeighborhoodSizes
 sizesFrom(const std::vector<double>& values, const SizeFields& fields);
 
-/** \brief A radius for points of which nothing but the scale unit is known. */
+/** \brief A radius for points of which only the scale unit is known. */
 double
 radiusFor(double scale_unit);
 
-/** \brief The same, where none was given for the points of \a file.
- * \throws std::runtime_error where they have no scale unit */
+/** \brief The same if none was given for the points of \a file.
+ * \throws std::runtime_error if they have no scale unit */
 double
 chooseRadius(double scale_unit, const std::string& file);
 

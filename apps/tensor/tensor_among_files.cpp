@@ -15,7 +15,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief How far around the box of \a points their nearest points may be: no farther
+/** \brief How far from the box of \a points their nearest points may be: no farther
  * than where the points alone have as many. */
 double
 nearestMargin(const Points& points,
@@ -43,7 +43,7 @@ nearestMargin(const Points& points,
         std::min((points[i] - low).minCoeff(), (high - points[i]).minCoeff());
     margin = std::max(margin, radius - depth);
   }
-  return margin * (1 + 1e-9); // a point at the very distance counts
+  return margin * (1 + 1e-9); // a point exactly at the distance counts
 }
 
 } // namespace
@@ -73,7 +73,7 @@ estimateAmongOthers(CloudInput& input,
       input.surroundings(number, cloud, usable, margin, fields.name());
   const NeighborhoodSizes sizes = sizesFrom(all.values, fields);
   if (finder.engine == EngineOption::Auto) {
-    // The one that all files together would take, on the processor.
+    // The one that all files together would use on the processor.
     EngineWork work = engineWork(all.points, all.points, settings, sizes);
     work.points = work.queries = 0;
     for (const io::FileSummary& file : input.summaries())

@@ -9,8 +9,8 @@
 
 namespace linelet::apps {
 
-/** \brief Says of long work beforehand how long it will take: of all that may be, by
- * the number of neighbors, measured on a few points. */
+/** \brief Announces how long long work will take: work is long if it has many
+ * neighbors, and its time is measured on a few points. */
 void
 announceTensors(const Points& points,
                 const TensorSettings& settings,
@@ -18,8 +18,8 @@ announceTensors(const Points& points,
                 const NeighborhoodSizes& sizes,
                 Frame& frame);
 
-/** \brief Runs the engine asked for. EngineOption::Auto becomes the one that ran; a
- * device that it chose and that fails is no reason to give up. */
+/** \brief Runs the requested engine. EngineOption::Auto becomes the one that ran; if
+ * the device it chose fails, another engine takes over. */
 std::vector<PointDistributionTensor>
 estimate(const Points& points,
          TensorSettings& settings,

@@ -13,7 +13,7 @@
 namespace linelet::apps {
 
 /** \brief Attributes that `tensor` writes, as text: "linearity,verticality". "shape"
- * stands for all of the record, "all" for the features of eigenvalues as well. */
+ * stands for the whole record, "all" adds the features of eigenvalues. */
 class FeatureList {
 public:
   /** \throws std::invalid_argument that lists the names */

@@ -24,7 +24,7 @@ TensorJob::check()
         "fragments need --radius to know all neighbors; give it, or more --memory");
   validate(settings_, {}, 0);
   if (finder_.engine == EngineOption::Auto)
-    finder_.engine = EngineOption::Grid; // what it is for clouds of any size
+    finder_.engine = EngineOption::Grid; // what Auto chooses for clouds of any size
   checkPartsOutput(input_, output_);
 }
 
@@ -62,7 +62,7 @@ TensorJob::openDevice(std::size_t device)
   return *engine;
 }
 
-/** Those of the points of \a piece. */
+/** The records of the points of \a piece. */
 std::vector<PointDistributionTensor>
 TensorJob::tensorsOf(const FragmentTask& task, const CloudPiece& piece)
 {

@@ -30,7 +30,7 @@ TensorJob::TensorJob(const std::vector<std::string>& arguments)
           {200, 300})
 {
   const OptionAdder add(frame_.app);
-  // The tool knows one engine more than the settings do.
+  // The tool has one engine more than the settings.
   describe(settings_, [&](const char* name, auto& value, const char* help) {
     if constexpr (std::is_same_v<decltype(value), Engine&>)
       add(name,

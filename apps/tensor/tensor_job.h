@@ -49,7 +49,8 @@ private:
   fragments::Heuristic schedule_ = fragments::Heuristic::SimpleHS;
   std::vector<NamedDevice> devices_; ///< beside the processor
   bool listed_ = false;              ///< whether these are known
-  /// Of \ref devices_, or the one of --engine opencl; each opened by its first user.
+  /// Indexed like \ref devices_, or the one of --engine opencl; each opened by its
+  /// first user.
   std::vector<std::unique_ptr<DeviceEngine>> engines_;
 };
 

@@ -12,12 +12,12 @@
 
 namespace linelet::apps {
 
-/** \brief What the records of a cloud come to. */
+/** \brief Totals over the records of a cloud. */
 struct Tally {
   std::size_t points = 0;
-  std::size_t left_out = 0;  ///< of them, which take no part
-  std::size_t unknown = 0;   ///< of the others, without a shape
-  double mean_neighbors = 0; ///< of the others
+  std::size_t left_out = 0;  ///< those that take no part
+  std::size_t unknown = 0;   ///< others that have no shape
+  double mean_neighbors = 0; ///< over the others
 
   void
   add(const Tally& more)
@@ -36,7 +36,7 @@ struct Tally {
 Tally
 tallyOf(const std::vector<PointDistributionTensor>& records, std::size_t left_out);
 
-/** \brief Says what the records in \a file come to. */
+/** \brief Reports the totals for \a file. */
 void
 print(const Tally& tally,
       const std::string& file,
@@ -44,11 +44,11 @@ print(const Tally& tally,
       const NeighborFinder& finder,
       const SizeFields& fields);
 
-/** \brief Says how many points have no shape. */
+/** \brief Reports how many points have no shape. */
 void
 printUnknown(const Tally& tally);
 
-/** \brief The same; where they are many, a radius that would give them one.
+/** \brief The same; if they are many, also suggests a radius that would give them one.
  * \param[in] scale_unit of \a points; NaN: not known yet */
 void
 printUnknown(const Tally& tally, double scale_unit, const Points& points);

@@ -28,7 +28,7 @@ text(std::string_view of)
   return QString::fromUtf8(of.data(), static_cast<int>(of.size()));
 }
 
-/** \brief Writes \a value into an editor without a signal. */
+/** \brief Writes \a value into an editor without emitting a signal. */
 void
 write(QWidget* editor, const std::string& value)
 {

@@ -30,7 +30,7 @@ public:
   std::function<void(Analysis)> on_save, on_load, on_copy;
 
   /** \brief As if \a text had been typed into the option's field.
-   * \throws std::invalid_argument with what is wrong, which is also shown beside the
+   * \throws std::invalid_argument with the reason, which is also shown beside the
    * field */
   void
   edit(Analysis analysis, const std::string& name, const std::string& text);

@@ -28,8 +28,8 @@ struct Options {
   std::string truth, script, shot, dump;
 };
 
-/** \brief Whether there is a display to show a window on. Qt itself ends the program
- * where there is none. */
+/** \brief Whether there is a display for a window. Without one, Qt itself would end the
+ * program. */
 bool
 hasDisplay()
 {
@@ -39,7 +39,7 @@ hasDisplay()
   return false;
 }
 
-/** \brief What is done without hands. \return exit code */
+/** \brief Runs without user interaction. \return exit code */
 int
 runUnattended(Window& window, const Options& options)
 {

@@ -41,7 +41,7 @@ public:
   struct Handle {
     QPointF at;
     QString text;
-    std::function<void(QPointF)> drag; ///< called with the place under the mouse
+    std::function<void(QPointF)> drag; ///< called with the position of the mouse
   };
 
   explicit Plot(QWidget* parent = nullptr);
@@ -59,13 +59,13 @@ public:
   void
   clear();
 
-  /** \brief The range of x and y; else all that is drawn. */
+  /** \brief The range of x and y; otherwise that of all that is drawn. */
   void
   setRange(double x0, double x1, double y0, double y1);
   void
   fitRange();
 
-  /** \brief Where a value is, in pixels, and back. */
+  /** \brief Converts a value to pixels, and back. */
   QPointF
   toPixel(QPointF value) const;
   QPointF

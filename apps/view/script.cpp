@@ -29,7 +29,7 @@ using Verdict = powerline::Review::Verdict;
 
 struct Step {
   const char* meaning;
-  std::size_t words; ///< behind its name, at least
+  std::size_t words; ///< arguments after its name, at least
   std::function<void(Window&, const Words&)> run;
 };
 
@@ -66,7 +66,7 @@ writeText(const std::string& path, const std::string& text)
   file.commit();
 }
 
-/** \brief A click of the left button at a place of the view, through Qt's events. */
+/** \brief A click of the left button at a position in the view, through Qt's events. */
 void
 click(QWidget& widget, QPointF at)
 {

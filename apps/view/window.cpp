@@ -80,7 +80,7 @@ Window::Window()
 
 Window::~Window()
 {
-  // The panels refer to the model, a member, which would be destroyed before them.
+  // The panels refer to the model, a member, which would otherwise be destroyed first.
   timer_->stop();
   delete takeCentralWidget();
   for (QDockWidget* dock : findChildren<QDockWidget*>())

@@ -46,7 +46,7 @@ public:
   void
   compute(Analysis analysis);
 
-  /** \brief Waits for everything that runs, and shows the results.
+  /** \brief Waits for all running work, and shows the results.
    * \return what went wrong, in a sentence; empty: nothing */
   std::string
   settle();
@@ -64,7 +64,8 @@ public:
   void
   selectCurve(int place);
 
-  /** \brief A box of that half width around the selection, or none. */
+  /** \brief Sets the preview box to that half width around the selection, or removes
+   * it. */
   void
   previewAround(double half_width);
   void
@@ -104,7 +105,7 @@ public:
   void
   shoot(const std::string& path);
 
-  /** \brief The displayed state as numbers: the model's and the window's own. */
+  /** \brief The displayed state as numbers: that of the model and of the window. */
   nlohmann::ordered_json
   state() const;
 

@@ -40,7 +40,7 @@ trace(At at, double begin, double end, bool include_end)
   return vertices;
 }
 
-/** \brief Arms from \a center, joined there. */
+/** \brief Arms from \a center, where they are joined. */
 CurveNetwork
 arms(const Point& center, const Points& tips)
 {
@@ -57,7 +57,8 @@ arms(const Point& center, const Points& tips)
 Point
 sCurve(double t)
 {
-  // Half circles of radius 2.5 around (0, 2.5) and (0, -2.5), run through the origin.
+  // Half circles of radius 2.5 around (0, 2.5) and (0, -2.5), passing through the
+  // origin.
   const double angle =
       t < 0.5 ? M_PI / 2 + 2 * M_PI * t : M_PI / 2 - 2 * M_PI * (t - 0.5);
   const Point center(0, t < 0.5 ? 2.5 : -2.5, 0);
@@ -140,7 +141,7 @@ flatTruthOf(Geometry geometry)
   case Geometry::YBranch:
     return arms({0, 0, 0}, {{0, -5, 0}, {4, 3.5, 1}, {-4, 3.5, -1}});
   case Geometry::Tee: {
-    // The bar is one component, so that the arm meets it within an edge.
+    // The bar is one component, so that the arm meets it inside an edge.
     CurveNetwork tee{{open({{-5, 0, 0}, {5, 0, 0}}), open({{0, 0, 0}, {0, -5, 2}})},
                      {}};
     tee.junctions.push_back({{0, 0, 0}, {0, 1}});
@@ -184,7 +185,7 @@ flatTruthOf(Geometry geometry)
   return {};
 }
 
-/** \brief Vertices added along straight edges, so that they can be bent. */
+/** \brief Adds vertices along straight edges, so that they can be bent. */
 void
 refine(Curve& curve, double step)
 {

@@ -16,8 +16,8 @@ namespace linelet::bench {
 /** \brief A known curve of extent about 10 to reconstruct from noisy samples.
  *
  * The first ten are the geometries of Ritter, Schiffner, Harders 2021, which the
- * benchmark grid runs over. The others are kept apart: no parameter is ever chosen by
- * them, so that they tell how a method does on shapes it has not seen. */
+ * benchmark grid runs over. The others are held out: no parameter is ever tuned on
+ * them, so they show how a method performs on unseen shapes. */
 enum class Geometry {
   Circle,      ///< radius 5, closed
   Rectangle,   ///< 10 x 8, closed
@@ -27,7 +27,7 @@ enum class Geometry {
   Crossing,    ///< two diagonals of a square
   Elbow,       ///< three segments, two right angles, in space
   Helix,       ///< two turns of radius 3, height 10
-  Mikado,      ///< four segments that pass each other closely
+  Mikado,      ///< four segments that pass close to each other
   Crossing3d,  ///< three segments along the axes through the origin
   FigureEight, ///< held out: closed, passes over itself at a distance of 3
   YBranch,     ///< held out: three arms from one point
@@ -78,7 +78,7 @@ namespace linelet::bench {
 const std::vector<Geometry>&
 benchmarkGeometries();
 
-/** \brief The shapes that nothing is tuned on. */
+/** \brief The held-out shapes. */
 const std::vector<Geometry>&
 heldOutGeometries();
 
@@ -90,12 +90,12 @@ heldOutGeometries();
 CurveNetwork
 truthOf(Geometry geometry, double out_of_plane = 0);
 
-/** \brief \a network bent like that. */
+/** \brief \a network bent in the same way. */
 CurveNetwork
 bentOutOfPlane(CurveNetwork network, double out_of_plane);
 
-/** \brief Share of the samples per length at arc position t of [0, 1] of \a geometry,
- * relative to its start: 1 but where its density varies. */
+/** \brief Sampling density at arc position t in [0, 1] of \a geometry relative to its
+ * start: 1 except where it varies. */
 double
 densityOf(Geometry geometry, double t);
 

@@ -16,7 +16,7 @@ namespace linelet::bench {
 
 namespace {
 
-/** \brief The curves of a network, laid end to end and run over by arc length. */
+/** \brief The curves of a network laid end to end and parameterized by arc length. */
 class Arc {
 public:
   explicit Arc(const CurveNetwork& network)
@@ -28,7 +28,7 @@ public:
     }
   }
 
-  /** \brief The point at \a t of [0, 1]. */
+  /** \brief The point at \a t in [0, 1]. */
   Point
   at(double t) const
   {
@@ -53,7 +53,7 @@ private:
   std::vector<double> end_; // arc position of to_
 };
 
-/** \brief Turns even positions of [0, 1] into such that follow a density. */
+/** \brief Maps even positions in [0, 1] to positions that follow a density. */
 class DensityWarp {
 public:
   template <class Density>
@@ -121,7 +121,7 @@ sampleAlong(const CurveNetwork& network,
       throwIfCanceled(monitor);
     const double t = static_cast<double>(i) / n;
     const double tau = (1 - settings.distribution) * t + settings.distribution * r[i];
-    // One statement a draw: the order of evaluation is part of the result.
+    // One statement per draw: the order of evaluation is part of the result.
     const double x = 2 * uniform(random) - 1;
     const double y = 2 * uniform(random) - 1;
     const double z = 2 * uniform(random) - 1;

@@ -15,17 +15,17 @@
 namespace linelet::bench {
 
 /** \brief How a test geometry is sampled and disturbed (Ritter, Schiffner, Harders
- * 2021, section 6.1). Lengths are in the unit of the geometry, whose extent is
- * about 10. */
+ * 2021, section 6.1). Lengths are in the unit of the geometry, whose extent is about
+ * 10. */
 struct SamplingSettings {
   std::size_t points = 256; ///< N: samples along the curves, before holes and outliers
-  double distribution = 0;  ///< S_D of [0, 1]: 0 even along the arc, 1 uniformly random
+  double distribution = 0;  ///< S_D in [0, 1]: 0 even along the arc, 1 uniformly random
   double jitter = 0;        ///< S_J: distance by which every sample is displaced
   std::size_t outliers = 0; ///< M: points spread evenly over the enlarged bounding box
   std::array<double, 2> hole = {0, 0}; ///< samples with t in [A, B] of [0, 1] are left
                                        ///< out; A = B: none
   double out_of_plane = 0; ///< S_O: the curve is bent out of its plane by this much
-  std::uint64_t seed = 1;  ///< of everything random
+  std::uint64_t seed = 1;  ///< of all random draws
 };
 
 template <class Visit>
@@ -59,7 +59,7 @@ sample(Geometry geometry,
        const SamplingSettings& settings,
        const ProgressMonitor* monitor = nullptr);
 
-/** \brief The same of any curves, which are not bent here: out_of_plane has no say. */
+/** \brief The same for any curves, which are not bent: out_of_plane is ignored. */
 Points
 sample(const CurveNetwork& network,
        const SamplingSettings& settings,

@@ -79,7 +79,7 @@ nearClass(const Points& points,
           std::uint8_t classification,
           double distance)
 {
-  // Cells as wide as the distance: what is near lies in the nine around a point.
+  // Cells as wide as the distance: whatever is near lies in the nine around a point.
   const auto cellOf = [&](const Point& p) {
     return std::pair<long, long>(std::lround(std::floor(p.x() / distance)),
                                  std::lround(std::floor(p.y() / distance)));

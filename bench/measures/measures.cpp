@@ -18,7 +18,7 @@ namespace {
 
 constexpr double most_samples = 2e6; // of a network
 
-/** \brief Sum, number and largest of the distances from samples to a curve network. */
+/** \brief Sum, number and maximum of the distances from samples to a curve network. */
 struct Directed {
   double sum = 0, squared_max = 0;
   std::size_t count = 0;
@@ -77,7 +77,7 @@ unionLength(std::vector<std::pair<double, double>>& intervals)
   return sum;
 }
 
-/** \brief What of a true curve network is covered by edges of another. */
+/** \brief The part of a true curve network covered by edges of another network. */
 class Coverage {
 public:
   /** \param[in] tree of \a truth; both must outlive this
@@ -89,7 +89,7 @@ public:
       lengths_.push_back(length(curve));
   }
 
-  /** \brief Covers what the edges of \a curve project on. */
+  /** \brief Covers the arcs onto which the edges of \a curve project. */
   void
   add(const Curve& curve)
   {
@@ -104,7 +104,7 @@ public:
     }
   }
 
-  /** \brief Length of the truth that is covered. */
+  /** \brief Length of the covered part of the truth. */
   double
   coveredLength()
   {
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  /** \brief A vertex and the place of the truth that it projects on. */
+  /** \brief A vertex and its projection on the truth. */
   struct Foot {
     Point vertex;
     std::size_t curve = SegmentTree::none; // none: out of reach
@@ -164,8 +164,8 @@ private:
       cover(from.curve, from.arc, to.arc);
   }
 
-  /** \brief Covers the arc between two places, on a closed curve the short way round.
-   */
+  /** \brief Covers the arc between two positions; on a closed curve, the shorter
+   * one. */
   void
   cover(std::size_t curve, double begin, double end)
   {

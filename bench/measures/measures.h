@@ -7,11 +7,11 @@
 
 namespace linelet::bench {
 
-/** \brief Scales of the measures, in the unit of the curves. The defaults are meant for
- * the test geometries, whose extent is about 10. */
+/** \brief Scales of the measures, in the unit of the curves. The defaults suit the test
+ * geometries, whose extent is about 10. */
 struct MeasureSettings {
   double step = 0.05;              ///< spacing of the samples on both curves
-  double reach = 0.5;              ///< farther from the truth nothing counts as covered
+  double reach = 0.5;              ///< vertices farther from the truth cover nothing
   double max_mean_distance = 0.25; ///< largest E_V of a success
 };
 
@@ -29,13 +29,15 @@ describe(MeasureSettings& settings, Visit&& visit)
 /** \brief How far a reconstruction is from the truth (Ritter, Schiffner, Harders 2021,
  * section 6.3). */
 struct Measures {
-  /// Hausdorff distance: the larger of both directed maxima; NaN for no reconstruction.
+  /// Hausdorff distance: the larger of the two directed maxima; NaN for no
+  /// reconstruction.
   double e_h = 0;
-  /// Mean distance of the samples of both curves to the other; NaN for none.
+  /// Mean distance of the samples of each curve to the other; NaN for no
+  /// reconstruction.
   double e_v = 0;
   /// Length of the reconstruction / length of the truth.
   double e_len = 0;
-  /// Share of the truth's length that edges of the reconstruction cover, of [0, 1].
+  /// Share of the truth's length that edges of the reconstruction cover, in [0, 1].
   double e_com = 0;
   /// E_Len in [0.9, 1.2], E_Com in [0.95, 1.05], E_V at most 0.25.
   bool success = false;
@@ -44,10 +46,10 @@ struct Measures {
 /** \brief Compares \a reconstruction with \a truth.
  *
  * Both are sampled evenly, curve by curve, at most `step` apart (farther where a curve
- * would need more than two million samples); distances are those to the other's edges,
- * exact. An edge of the reconstruction covers the arc of the truth between the
- * projections of its two vertices (the short way round on a closed curve) if both lie
- * within `reach` of the truth and project on the same curve of it.
+ * would need more than two million samples); distances to the other's edges are exact.
+ * An edge of the reconstruction covers the arc of the truth between the projections of
+ * its two vertices (the shorter one on a closed curve) if both lie within `reach` of
+ * the truth and project on the same curve of it.
  * \throws std::invalid_argument if the truth has no length or a vertex is not finite */
 Measures
 measure(const CurveNetwork& reconstruction,

@@ -15,8 +15,8 @@ namespace linelet::bench {
 
 namespace {
 
-/** Calls \a visit(point, share) for samples in the middle of even pieces of a curve;
- * share is the length of the piece. */
+/** Calls \a visit(point, share) for the midpoints of even pieces of a curve; share is
+ * the length of the piece. */
 template <class Visit>
 void
 sample(const Curve& curve, double step, Visit&& visit)
@@ -39,8 +39,8 @@ curveOf(Points points)
   return curve;
 }
 
-/** Things with a thickness: whether a place lies within a distance of their surface.
- * One tree for every step of thickness, rounded up. */
+/** Thick things: whether a place lies within a distance of their surface. One tree per
+ * step of thickness, rounded up. */
 class ThickThings {
 public:
   void
@@ -120,7 +120,7 @@ longThings(const SceneScan& truth)
   return things;
 }
 
-/** Adds length and right length of \a curve. */
+/** Adds the length and the correct length of \a curve. */
 void
 scoreFound(const Curve& curve,
            const ThickThings& right,

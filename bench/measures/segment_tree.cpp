@@ -9,7 +9,7 @@ namespace linelet::bench {
 
 namespace {
 
-constexpr std::size_t run = 4; // segments of a leaf
+constexpr std::size_t run = 4; // segments in a leaf
 
 template <class Box>
 double
@@ -99,7 +99,7 @@ SegmentTree::nearest(const Point& query, std::size_t hint) const
 SegmentTree::Nearest
 SegmentTree::nearestOn(std::size_t curve, const Point& query) const
 {
-  // The segments of a curve stand together, in the order of the curves.
+  // The segments of a curve are consecutive, in the order of the curves.
   const auto before = [](const Segment& s, std::size_t c) { return s.curve < c; };
   auto s = std::lower_bound(segments_.begin(), segments_.end(), curve, before);
   Nearest best;

@@ -13,7 +13,7 @@ namespace linelet::bench {
 
 namespace {
 
-/** \brief Between two lines, degrees; NaN where one has no direction. */
+/** \brief Angle between two lines, degrees; NaN if one has no direction. */
 double
 angleBetween(const Point& a, const Point& b)
 {

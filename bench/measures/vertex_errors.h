@@ -13,11 +13,11 @@ namespace linelet::bench {
 /** \brief Error of a reconstructed curve at one of its vertices. */
 struct VertexError {
   double along = 0;    ///< arc length
-  double distance = 0; ///< from the nearest place of the truth; infinite without one
-  double angle = 0; ///< between tangents, degrees of [0, 90]; NaN where there is none
+  double distance = 0; ///< from the nearest point of the truth; infinite without one
+  double angle = 0;    ///< between tangents, degrees in [0, 90]; NaN without one
 };
 
-/** \brief The error of \a curve along itself, compared with \a truth. */
+/** \brief The errors along \a curve, compared with \a truth. */
 std::vector<VertexError>
 vertexErrors(const Curve& curve, const SegmentTree& truth);
 

@@ -17,8 +17,8 @@ namespace linelet::bench {
 
 namespace {
 
-/** Calls \a visit(point, share) for samples in the middle of even pieces of a polyline;
- * share is the length of the piece. */
+/** Calls \a visit(point, share) for the midpoints of even pieces of a polyline; share
+ * is the length of the piece. */
 template <class Visit>
 void
 sample(const Points& line, double step, Visit&& visit)
@@ -41,7 +41,7 @@ lengthOf(const Points& line)
   return sum;
 }
 
-/** For every true wire the middle line of its bundle, or nothing where it is alone. */
+/** For every true wire the center line of its bundle, or nothing if it is single. */
 std::vector<Points>
 middleLines(const std::vector<CorridorWire>& truth)
 {
@@ -80,7 +80,7 @@ coveredBy(const SegmentTree& tree,
 }
 
 /** Distance from an attachment to the nearer end of a vector; for a bundle drawn as one
- * vector, from the middle of its attachments. */
+ * vector, from the center of its attachments. */
 double
 endError(const Curve& curve, const Point& attachment, const Point* middle)
 {
@@ -93,7 +93,7 @@ endError(const Curve& curve, const Point& attachment, const Point* middle)
   return least;
 }
 
-/** Looks for the one vector that is this wire, and at its ends. */
+/** Looks for the single vector that represents this wire, and at its ends. */
 void
 scoreSpan(const SegmentTree& tree,
           const CurveNetwork& found,
@@ -161,7 +161,7 @@ scoreWires(const CurveNetwork& found,
     const double length = lengthOf(wire.points);
     if (length < settings.shortest)
       continue;
-    // A vector on the middle line covers its wires as one on the wire itself does.
+    // A vector on the center line covers its wires like one on the wire itself.
     const bool bundle = middles[i].size() == wire.points.size();
     const double near2 = settings.near * settings.near;
     Points line = wire.points;

@@ -10,7 +10,7 @@
 
 namespace linelet::bench {
 
-/** \brief Wall time and processor time in seconds, each the least of some runs. */
+/** \brief Wall time and processor time in seconds, the minimum of several runs each. */
 struct BestTime {
   double wall = std::numeric_limits<double>::infinity();
   double cpu = std::numeric_limits<double>::infinity();

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// benchmark_centroids prints, as Markdown tables, where the centroids lie beside a
+// benchmark_centroids prints, as Markdown tables, where the centroids lie next to a
 // dense line and how long they take: 500 random points of the unit square and 216 on a
-// line at y = 0 from x = .3 to .5, five seeds, each timed twice (Ritter 2025,
-// Fig. 3.12).
+// line at y = 0 from x = .3 to .5, five seeds, each timed twice (Ritter 2025, Fig.
+// 3.12).
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr unsigned seeds = 5;
 const Point query(0.4, 0.5, 0);
-constexpr double radius = 0.8; // holds the whole square
+constexpr double radius = 0.8; // covers the whole square
 
 Points
 scene(unsigned seed)
@@ -41,7 +41,7 @@ scene(unsigned seed)
   return points;
 }
 
-/** \brief Microseconds of one call, the mean over as many as take 50 ms. */
+/** \brief Microseconds per call, averaged over as many calls as take 50 ms. */
 double
 timeOf(Centroid type, const Points& points)
 {

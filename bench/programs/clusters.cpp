@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Clusters beside pcl::VoxelGrid, pcl::ApproximateVoxelGrid and the centroids of PCL's
-// octree.
+// Clusters compared with pcl::VoxelGrid, pcl::ApproximateVoxelGrid and the centroids of
+// PCL's octree.
 //   benchmark_clusters quality FILE LEAF...     equal numbers of representatives
 //   benchmark_clusters speed FILE POINTS...     copies of a tile side by side
 #include <algorithm>
@@ -44,8 +44,8 @@ cloudOf(const Points& points)
   return cloud;
 }
 
-/** \brief Roof edges: points of a surface from which a fall of two meters or more
- * begins within a meter. */
+/** \brief Roof edges: points of a surface within a meter of a drop of at least two
+ * meters. */
 std::vector<bool>
 edges(const Points& points)
 {
@@ -74,8 +74,8 @@ struct Score {
   double mean = 0, edge_mean = 0, edge_kept = 0;
 };
 
-/** \brief Distances of the points to the planes of what they belong to: mean and
- * smallest eigenvector of the members. */
+/** \brief Distances of the points to the planes of their clusters: mean and smallest
+ * eigenvector of the members. */
 Score
 score(const Points& points,
       const std::vector<bool>& edge,
@@ -114,8 +114,8 @@ score(const Points& points,
   return score;
 }
 
-/** \brief Members of the centers that a filter gave, which has no others: the nearest.
- */
+/** \brief Members of the centers given by a filter, which has no others: the nearest
+ * points. */
 Indices
 nearest(const Points& points, const Points& centers)
 {
@@ -177,7 +177,7 @@ compareQuality(const std::string& file, float leaf)
   report("VoxelGrid, nearest",
          count,
          score(points, edge, nearest(points, pointsOf(out)), count, leaf));
-  // The leaf with which the approximate filter comes to as many.
+  // The leaf for which the approximate filter gives as many.
   float low = leaf / 4, high = leaf * 8;
   Cloud other;
   for (int k = 0; k < 18; ++k) {
@@ -210,7 +210,7 @@ compareQuality(const std::string& file, float leaf)
       }
 }
 
-/** \brief Something to be timed; it returns a number of cells. */
+/** \brief A method to time; it returns the number of cells. */
 struct Candidate {
   std::string name;
   std::function<std::size_t()> work;
@@ -218,8 +218,8 @@ struct Candidate {
   std::size_t cells = 0;
 };
 
-/** \brief All of them in turn, so that other work of the machine meets all alike; of
- * the rounds the fastest counts. */
+/** \brief Times all of them in turn, so that other work on the machine affects all
+ * alike; the fastest round counts. */
 void
 race(std::vector<Candidate>& candidates)
 {
@@ -229,7 +229,7 @@ race(std::vector<Candidate>& candidates)
       candidate.best.run([&] { candidate.cells = candidate.work(); });
 }
 
-/** \brief Copies of a tile in rows, so many points in all. */
+/** \brief Copies of a tile in rows, with that many points in total. */
 Points
 copies(const Points& tile, std::size_t count)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Simulated corridors, extracted and compared with their truth.
+// Power lines extracted from simulated corridors, compared with the truth.
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +33,7 @@ voltage 380 density 10. Without options every scene takes voltage, wind, strips,
 vegetation, houses and density by its seed.
 )";
 
-/** Different scenes by seed. */
+/** A different scene for each seed. */
 CorridorSettings
 sceneOf(std::uint32_t seed)
 {

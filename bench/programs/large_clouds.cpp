@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long the default reconstruction takes on large clouds, among them such as hold no
-// curve at all.
+// Times the default reconstruction on large clouds, including clouds without any curve.
 //   benchmark_large_clouds [POINTS [THREADS [CLOUD...]]]
 #include <chrono>
 #include <cmath>

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How fast the points of a LAZ file are decoded and encoded, without anything around:
+// How fast the points of a LAZ file are decoded and encoded, without any other work:
 //
 //   benchmark_laz FILE.laz [THREADS [RUNS]]
 //
-// One line of JSON: milliseconds with all fields, with x, y, z and class, and of
-// encoding, in THREADS (1) threads; and the bytes encoded. On one thread every chunk
-// counts with the fastest of RUNS (5), as others on the machine only make it slower; on
-// several, the fastest run does. The rivals are in rival_laz.py.
+// One line of JSON: milliseconds with all fields, with x, y, z and class, and for
+// encoding, in THREADS (1) threads; and the encoded bytes. On one thread the fastest of
+// RUNS (5) counts for every chunk, since other work on the machine only makes it
+// slower; on several threads, the fastest run does. The rivals are in rival_laz.py.
 
 #include <algorithm>
 #include <chrono>
@@ -44,8 +44,8 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/** Milliseconds that \a work takes on all chunks: on one thread the sum of the least of
- * \a runs of each, else the least of all. */
+/** Milliseconds that \a work takes on all chunks: on one thread the sum over chunks of
+ * the least of \a runs, otherwise the least of all runs. */
 template <class Work>
 double
 least(std::size_t chunks, int threads, int runs, const Work& work)

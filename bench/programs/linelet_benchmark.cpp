@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// linelet-benchmark --benchmark_filter=tensor/volume prints the table of the README.
+// linelet-benchmark --benchmark_filter=tensor prints the tables of doc/benchmarks.md.
 
 #include <string>
 

@@ -23,13 +23,14 @@ namespace {
 
 constexpr std::size_t point_count = 20000;
 
-/// So many are a surface several largest radii wide, not cut off by its border.
+/// Enough for a surface several largest radii wide, which its border does not cut off.
 constexpr std::size_t wide_count = 200000;
 
-/// Medians are slow: they are measured at some points only.
+/// Medians are slow, so they are measured at some points only.
 constexpr std::ptrdiff_t line_medians = 3000, plane_medians = 60;
 
-/** \brief A wire: one point a unit of length, off it by up to 0.1 a coordinate. */
+/** \brief A wire: one point per unit of length, displaced by up to 0.1 per
+ * coordinate. */
 Points
 line()
 {
@@ -44,7 +45,7 @@ line()
   return made;
 }
 
-/** \brief Lowers \a best to the CPU seconds of \a work. */
+/** \brief Lowers \a best to the CPU time of \a work, if that is less. */
 template <class Work>
 double
 timed(double& best, const Work& work)
@@ -69,13 +70,11 @@ made(Cloud cloud)
                Order::Shuffled);
 }
 
-/** \brief The whole sequence of radii, D measured, beside one pass at its largest
- * radius.
- *
- * x_one_pass: times the cost of that pass on the grid engine, as `linelet multiscale`
- * is to `linelet tensor --radius`. x_one_scale: times the cost of a multi-scale sweep
- * of that radius alone, that is of a pass which looks at every pair and sums nothing by
- * blocks. x_sweep: the engine in double takes so many times the grid's time. */
+/** \brief The whole sequence of radii, D measured, compared with one pass at its
+ * largest radius. x_one_pass: cost relative to that pass on the grid engine, as
+ * `linelet multiscale` is to `linelet tensor --radius`. x_one_scale: cost relative to a
+ * multi-scale sweep of that radius alone, which looks at every pair and sums nothing by
+ * blocks. x_sweep: time of the engine in double relative to the grid's. */
 void
 cost(benchmark::State& state, Cloud cloud, const char* kernel, Centroid centroid)
 {
@@ -97,7 +96,7 @@ cost(benchmark::State& state, Cloud cloud, const char* kernel, Centroid centroid
   const MultiScaleShapes scales = multiScaleRadii(points, all_scales);
   MultiScaleSettings single = all_scales;
   single.radii = {scales.radii.back()};
-  single.scale_unit = scales.scale_unit; // one radius needs no D
+  single.scale_unit = scales.scale_unit; // a single radius needs no D
   MultiScaleSettings given = all_scales;
   given.radii = scales.radii;
   given.scale_unit = scales.scale_unit;
@@ -123,7 +122,7 @@ cost(benchmark::State& state, Cloud cloud, const char* kernel, Centroid centroid
       for (const auto& record : estimateTensorsOnGrid(points, queries, pass))
         neighbors += record.neighbors;
     });
-    // Slow, and no ratio hangs on its last digit.
+    // Slow, and no ratio depends on its last digit.
     if (first && cloud != Cloud::WidePlane)
       timed(all_sweep, shapes(sweep));
     first = false;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // benchmark_noise_rate_table [SEEDS] prints, as a Markdown table, the noise rate and
-// the noise width of the ten geometries of the benchmark, disturbed in several ways:
-// the mean over the seeds 1 to SEEDS (5) of the sampling.
+// the noise width of the ten geometries of the benchmark, disturbed in several ways,
+// averaged over the sampling seeds 1 to SEEDS (5).
 
 #include <cstdio>
 #include <cstdlib>

@@ -17,8 +17,8 @@ namespace linelet::benchmarking {
 
 namespace {
 
-/** \brief CPU seconds per query of the kd-tree engine at some of the points, and of
- * building the tree, a point. */
+/** \brief CPU seconds per query of the kd-tree engine at some of the points, and per
+ * point for building the tree. */
 double
 treeSeconds(const Points& points, const TensorSettings& settings)
 {
@@ -54,7 +54,8 @@ openCl(benchmark::State& state, const Case& c)
     settings.radius = radius;
   settings.weighting = Weighting(c.weight);
   const auto n = static_cast<double>(points.size());
-  // The rivals before and after, the better time of both: the machine may be busy.
+  // The rivals run before and after, and their better time counts: the machine may be
+  // busy.
   double tree = 1e9, pcl = 1e9;
   const auto timeRivals = [&] {
     tree = std::min(tree, treeSeconds(points, settings));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The public cases of 2D curve reconstruction: errors and times beside those of
-// FitConnect and StretchDenoise, measured on one machine and listed with the data.
+// The public cases of 2D curve reconstruction: errors and times compared with those of
+// FitConnect and StretchDenoise, measured on one machine and published with the data.
 //   benchmark_public_cases FOLDER [published]    by the default or published method
 #include <algorithm>
 #include <chrono>
@@ -77,7 +77,7 @@ readTruth(const std::string& file)
       for (std::size_t i = 0; words >> i;)
         curve.points.push_back(vertices.at(i - 1));
       if (curve.points.size() > 2 && curve.points.front() == curve.points.back()) {
-        // An open curve is written there and back.
+        // These files list an open curve forth and back.
         const std::size_t half = curve.points.size() / 2;
         if (std::equal(curve.points.begin(),
                        curve.points.begin() + static_cast<std::ptrdiff_t>(half),
@@ -129,7 +129,7 @@ main(int count, char** arguments)
           std::chrono::steady_clock::now() - begin;
       best = std::min(best, taken.count());
     }
-    // Scales of the measures as for an extent of 10.
+    // Scales of the measures for an extent of 10.
     Point low = points[0], high = points[0];
     for (const Point& p : points) {
       low = low.cwiseMin(p);

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Decoding and encoding of a LAZ file beside PyPI's lazrs and laszip.
+"""Times how fast linelet, lazrs and laszip (PyPI) decode and encode a LAZ file.
 
     rival_laz.py BENCHMARK_LAZ FILE.laz [ROUNDS]
 
-Each round (10) runs benchmark_laz, on one thread and on two, and then the rivals. On one
-thread every chunk of 50,000 points counts with the least of all its times, as other
-work on the machine makes it slower and never faster; two threads count with their
-fastest run. lazrs decodes bytes in memory to bytes in memory; laszip is timed with what
-laspy does around it. Needs laspy, lazrs and laszip.
+Each of ROUNDS (10) runs benchmark_laz, on one thread and on two, and then the rivals. On
+one thread the least of all times counts for every chunk of 50,000 points, since other
+work on the machine only makes it slower; on two threads the fastest run counts. lazrs
+decodes from memory to memory; the time of laszip includes laspy's work around it.
+Needs laspy, lazrs and laszip.
 """
 
 import io
@@ -24,7 +24,7 @@ import numpy
 
 
 class Rival:
-    """The compressed points of a file, as lazrs wants them."""
+    """The compressed points of a file, as lazrs expects them."""
 
     def __init__(self, path):
         self.path = path

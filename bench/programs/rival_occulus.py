@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wire points of tiles as occulus (PyPI) finds them, beside their hidden classes.
+"""Compares the wire points that occulus (PyPI) finds in tiles with their hidden classes.
 
     pip install occulus laspy lazrs scikit-learn
     python rival_occulus.py TILE.las...
 
-occulus needs ground: it is given the tile's own ground and water, and nothing else.
+occulus needs the ground as input: it gets the tile's own ground and water classes.
 """
 import resource
 import sys

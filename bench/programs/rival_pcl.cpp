@@ -44,7 +44,7 @@ pclNormals(const Points& points, double radius, unsigned threads, std::size_t sa
   normals.setSearchMethod(tree);
   normals.setRadiusSearch(radius);
   auto indices = std::make_shared<pcl::Indices>();
-  // In runs, so that sorted input shows its merits.
+  // In consecutive runs, so that sorted input shows its merits.
   constexpr std::size_t run = 100;
   for (std::size_t i = 0; i < sample; ++i)
     indices->push_back(

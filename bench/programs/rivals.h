@@ -9,21 +9,21 @@
 
 namespace linelet::benchmarking {
 
-/** \brief CPU seconds of another library: to build its tree, and a query. */
+/** \brief CPU seconds of another library: to build its tree, and per query. */
 struct RivalTime {
   double build, query;
 };
 
-/** \brief pcl::NormalEstimationOMP with its FLANN kd-tree at \a sample of the points.
- */
+/** \brief pcl::NormalEstimationOMP with its FLANN kd-tree at \a sample of the
+ * points. */
 RivalTime
 pclNormals(const Points& points, double radius, unsigned threads, std::size_t sample);
 
-/** \brief pcl::KdTreeFLANN, radius search, results not sorted. */
+/** \brief pcl::KdTreeFLANN, radius search, unsorted results. */
 RivalTime
 flannSearch(const Points& points, double radius, std::size_t sample);
 
-/** \brief nanoflann in double, radius search, results not sorted. */
+/** \brief nanoflann in double, radius search, unsorted results. */
 RivalTime
 nanoflannSearch(const Points& points, double radius, std::size_t sample);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scene matrix: curves and power lines against the truth, row by row.
+// The scene matrix: curves and power lines compared with the truth, row by row.
 
 #include <algorithm>
 #include <chrono>

@@ -32,7 +32,7 @@ make(Scene scene, std::size_t count, Order order)
         x, y, scene == Scene::Volume ? edge * z : 3 * std::sin(x / 40) + 0.1 * z);
   }
   if (order == Order::Sorted) {
-    // Scan lines 4 units wide, one beside the other.
+    // Scan lines 4 units wide, side by side.
     const auto line = [](const Point& p) { return std::floor(p.y() / 4); };
     std::sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
       return std::make_tuple(line(a), a.x()) < std::make_tuple(line(b), b.x());
@@ -46,7 +46,7 @@ make(Scene scene, std::size_t count, Order order)
 const Points&
 scene(Scene scene, std::size_t count, Order order)
 {
-  // One at a time: the largest take hundreds of megabytes.
+  // One at a time, since the largest take hundreds of megabytes.
   static std::tuple<Scene, std::size_t, Order> last;
   static Points points;
   if (points.empty() || last != std::make_tuple(scene, count, order)) {

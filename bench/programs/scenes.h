@@ -18,24 +18,24 @@ enum class Scene {
 /** \brief The order of the points in memory. */
 enum class Order {
   Shuffled, ///< none: neighbors lie anywhere
-  Sorted    ///< along a scan: neighbors lie close
+  Sorted    ///< along a scan: neighbors are close
 };
 
 /** \brief Points of a scene; the same for the same arguments. */
 const Points&
 scene(Scene scene, std::size_t count, Order order);
 
-/** \brief Radius at which a point away from the border has so many neighbors. */
+/** \brief Radius at which a point away from the border has that many neighbors. */
 double
 radiusFor(Scene scene, double neighbors);
 
-/** \brief Process CPU seconds used so far: what other work does to the machine hardly
- * changes it, as it would wall-clock time. */
+/** \brief Process CPU seconds so far: unlike wall-clock time, they hardly depend on
+ * other work on the machine. */
 double
 cpuSeconds();
 
-/** \brief A clock for work of so many threads: \ref cpuSeconds for one, the wall clock
- * for more, whose wait for each other is no work. */
+/** \brief A clock for work in that many threads: \ref cpuSeconds for one, the wall
+ * clock for more, whose waiting is not work. */
 double
 seconds(unsigned threads);
 

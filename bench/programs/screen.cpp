@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Screen-space normals beside pcl::IntegralImageNormalEstimation, and tensor splats.
+// Screen-space normals compared with pcl::IntegralImageNormalEstimation, and tensor
+// splats.
 //   benchmark_screen [POINTS]
 //
-// Organized clouds of 640 x 480 with noise along the rays; a roof of points with noise,
-// from several sides; a picture of 1600 x 1200 with 8 samples per pixel; POINTS splats
-// (1e6). Of three repetitions the fastest counts.
+// Organized clouds of 640 x 480 with noise along the rays; a roof of noisy points from
+// several sides; a picture of 1600 x 1200 with 8 samples per pixel; POINTS splats
+// (1e6). The fastest of three repetitions counts.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,7 +57,7 @@ fastest(const Work& work)
   return best;
 }
 
-/** \brief Distance along a ray and normal: a plane, or a ball before it. */
+/** \brief Distance along a ray and normal: a plane, or a ball in front of it. */
 std::pair<double, Point>
 hit(const Point& ray, bool curved)
 {

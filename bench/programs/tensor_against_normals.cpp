@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The neighborhood tensor against PCL's own normals, on the points of a file.
+// The neighborhood tensor compared with PCL's own normals on the points of a file.
 //
 //   tensor_against_normals FILE [RADIUS [THREADS [REPETITIONS]]]
 //
-// Both start from the same cloud and find the same neighbors; the building of the
-// search structure is part of the time. Of several repetitions the fastest counts.
+// Both start from the same cloud and find the same neighbors; the time includes the
+// construction of the search structure. The fastest repetition counts.
 
 #include <cstdio>
 #include <cstdlib>

@@ -34,8 +34,8 @@ struct Case {
   Order order = Order::Shuffled;
 };
 
-/** \brief Pairs per second of the inner loop on a list that stays in the cache: what
- * the arithmetic alone allows. */
+/** \brief Pairs per second of the inner loop on a list that stays in the cache: the
+ * limit set by the arithmetic. */
 double
 peak(const Weighting& weighting)
 {
@@ -82,7 +82,8 @@ tensor(benchmark::State& state, const Case& c)
   settings.threads = c.threads;
   const auto n = static_cast<double>(c.points);
 
-  // The rival before and after, the better time of both: the machine may be busy.
+  // The rival runs before and after, and its better time counts: the machine may be
+  // busy.
   const auto sample =
       static_cast<std::size_t>(std::min(n / 4, std::max(2000.0, 4e6 / c.neighbors)));
   const auto rival = [&] {
@@ -110,7 +111,8 @@ tensor(benchmark::State& state, const Case& c)
   state.counters["of_peak"] = pairs / best / peak(settings.weighting);
 }
 
-/** \brief As \ref tensor, on an instruction set that may not be the machine's best. */
+/** \brief The same as \ref tensor with an instruction set other than the machine's
+ * best. */
 void
 tensorOn(benchmark::State& state, const Case& c, std::int64_t instruction_set)
 {
@@ -119,7 +121,7 @@ tensorOn(benchmark::State& state, const Case& c, std::int64_t instruction_set)
   hwy::SetSupportedTargetsForTest(0);
 }
 
-/** \brief Resident bytes by their name in /proc/self/status. */
+/** \brief Resident bytes by name in /proc/self/status. */
 double
 resident(const std::string& name)
 {
@@ -133,7 +135,7 @@ resident(const std::string& name)
   return 0;
 }
 
-/** \brief Time and memory a point as the cloud grows at the same density. */
+/** \brief Time and memory per point as the cloud grows at constant density. */
 void
 growth(benchmark::State& state, const Case& c)
 {
@@ -146,7 +148,7 @@ growth(benchmark::State& state, const Case& c)
   double best = 1e9, bytes = 0;
   for (auto _ : state) {
     malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5"; // the high-water mark starts anew
+    std::ofstream("/proc/self/clear_refs") << "5"; // resets the high-water mark
     const double before = resident("VmRSS:");
     const double start = cpuSeconds();
     const auto records = estimateTensorsOnGrid(points, points, settings);

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How well and how fast wires come out of classified tiles (the classes are the truth
-// and are not shown to the extraction):
+// Accuracy and speed of wire extraction on classified tiles (the classes are the truth
+// and are hidden from the extraction):
 //
 //   benchmark_wires [--thin N [SEED]] TILE.las ...
 //
 // One line per tile: precision, recall and F1 of wire points, their F1 farther than 6 m
-// (in plan) from pylon points, F1 of pylon points, vectors, supports, seconds, and how
-// many vectors are false: most of their points are neither wire nor pylon. --thin takes
-// one point of N, drawn by SEED (1).
+// (in plan) from pylon points, F1 of pylon points, vectors, supports, seconds, and
+// number of false vectors: those with most points neither wire nor pylon. --thin keeps
+// one point in N, drawn with SEED (1).
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ struct Tile {
   std::vector<double> classes;
 };
 
-/** One point of \a thin on average, drawn by \a seed. */
+/** One point in \a thin on average, drawn with \a seed. */
 Tile
 read(const std::string& path, unsigned thin, unsigned seed)
 {

@@ -27,7 +27,7 @@ milliseconds(Clock::duration duration)
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-/** \brief Notes when the features are done. */
+/** \brief Notes when the features are computed. */
 class StageTimer : public ProgressMonitor {
 public:
   explicit StageTimer(const ProgressMonitor* cancel) : cancel_(cancel) {}
@@ -76,8 +76,8 @@ perform(const std::string& method,
   row.feature_ms = milliseconds(timer.featuresDone() - timer.begun);
   row.reconstruction_ms = milliseconds(done - timer.featuresDone());
   row.measures = measure(found, truthOf(run.geometry, run.sampling.out_of_plane));
-  MultiScaleSettings shape; // with the centroid that the noise rate is defined for
-  shape.engine = ScaleEngine::Grid; // exact enough for a rate, and no second job
+  MultiScaleSettings shape; // with the centroid for which the noise rate is defined
+  shape.engine = ScaleEngine::Grid; // accurate enough for a rate, and single-threaded
   shape.threads = 1;
   shape.scale_unit =
       scaleUnit(points, shape.scale_unit_sample, shape.scale_unit_seed, shape.threads);

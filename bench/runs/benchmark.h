@@ -16,9 +16,9 @@
 
 namespace linelet::bench {
 
-/** \brief What came of a run. */
+/** \brief The result of a run. */
 struct BenchmarkRow {
-  std::string method; ///< what reconstructed the curves
+  std::string method; ///< method that reconstructed the curves
   BenchmarkRun run;
   double noise_rate = 0; ///< n_R of the points
   Measures measures;
@@ -26,8 +26,8 @@ struct BenchmarkRow {
   double reconstruction_ms = 0; ///< wall time of everything after them
 };
 
-/** \brief Reconstructs curves in one thread; says monitor->begin("curves", ...) once
- * the features are done, if it computes any beforehand. */
+/** \brief Reconstructs curves in one thread; calls monitor->begin("curves", ...) once
+ * the features are computed, if there are any. */
 using Reconstruct =
     std::function<CurveNetwork(const Points& points, ProgressMonitor* monitor)>;
 
@@ -39,7 +39,7 @@ perform(const std::string& method,
         const ProgressMonitor* cancel = nullptr);
 
 /** \brief Performs \a runs, several at a time.
- * \param[in] sink gets every row as it is done, never from two threads at once
+ * \param[in] sink gets every row as it is finished, never from two threads at once
  * \param[in] threads 0: all
  * \throws Canceled, and whatever a reconstruction throws */
 void
@@ -57,13 +57,13 @@ extern const char* const benchmark_csv_header;
 void
 writeCsv(std::ostream& out, const BenchmarkRow& row);
 
-/** \brief Reads the rows of a file, leaving out lines that are not whole (such as the
- * last one of a benchmark that was ended by force).
- * \throws std::runtime_error where the first line is not \ref benchmark_csv_header */
+/** \brief Reads the rows of a file, skipping incomplete lines (such as the last one of
+ * a benchmark that was killed).
+ * \throws std::runtime_error if the first line is not \ref benchmark_csv_header */
 std::vector<BenchmarkRow>
 readCsv(std::istream& in);
 
-/** \brief Equal for rows of the same run by the same method, and for no others. */
+/** \brief Equal for rows of the same run by the same method, and only for these. */
 std::string
 keyOf(const std::string& method, const BenchmarkRun& run);
 

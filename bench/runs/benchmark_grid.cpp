@@ -19,7 +19,7 @@ constexpr std::size_t levels = 11;  // of S_D and S_J
 constexpr std::size_t outliers = 5; // levels of M
 constexpr std::size_t seeds = 7;
 // A stratum is a geometry, an N and an S_J; what varies within it comes last in a run's
-// number, seed fastest.
+// number, with the seed fastest.
 constexpr std::size_t per_stratum = levels * outliers * seeds;
 
 using Random = boost::random::mt19937_64;
@@ -99,7 +99,7 @@ BenchmarkGrid::stratifiedSample(std::size_t count, std::uint64_t seed) const
   std::unordered_set<std::size_t> taken;
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t inner = (distributions[i] * outliers + m[i]) * seeds + run_seeds[i];
-    // A run that is taken already gives way to the next free one of its stratum.
+    // A run that is already taken is replaced by the next free one of its stratum.
     while (!taken.insert(strata[i] * per_stratum + inner).second)
       inner = (inner + 1) % per_stratum;
     sample.push_back(strata[i] * per_stratum + inner);

@@ -20,7 +20,7 @@ struct BenchmarkRun {
 
 /** \brief The grid of runs: geometry x N x S_D x S_J x M x seed.
  *
- * N of {128, 256, 512}, S_D and S_J of {0, 0.1, ... 1}, M of {0, 0.1 N, ... 0.4 N},
+ * N in {128, 256, 512}, S_D and S_J in {0, 0.1, ... 1}, M in {0, 0.1 N, ... 0.4 N},
  * seeds 1 to 7; with the ten geometries of the benchmark 127,050 runs. */
 class BenchmarkGrid {
 public:
@@ -34,9 +34,9 @@ public:
   BenchmarkRun
   at(std::size_t index) const;
 
-  /** \brief \a count different runs, ascending: every geometry, N and S_J equally often
-   * in combination, every S_D, M and seed equally often (up to rounding). The whole
-   * grid if count is its size or more, or 0. The same for the same seed on every
+  /** \brief \a count different runs, ascending: every combination of geometry, N and
+   * S_J equally often, and every S_D, M and seed equally often (up to rounding). The
+   * whole grid if count is its size or more, or 0. The same for the same seed on every
    * machine. */
   std::vector<std::size_t>
   stratifiedSample(std::size_t count, std::uint64_t seed) const;

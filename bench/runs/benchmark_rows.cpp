@@ -87,7 +87,7 @@ readCsv(std::istream& in)
       rows.push_back(row);
     }
     catch (const std::logic_error&) {
-      continue; // no row
+      continue; // not a row
     }
   }
   return rows;

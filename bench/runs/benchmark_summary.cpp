@@ -28,8 +28,8 @@ meanOf(const Rows& rows, Value&& value)
   return sum / count;
 }
 
-/** \brief Values below which 5, 25, 50, 75 and 95 % of the finite ones lie, between
- * neighbors in proportion. */
+/** \brief Values below which 5, 25, 50, 75 and 95 % of the finite ones lie,
+ * interpolated linearly. */
 template <class Value>
 std::array<double, 5>
 quantilesOf(const Rows& rows, Value&& value)
@@ -152,7 +152,7 @@ summarizeByProperty(const std::vector<BenchmarkRow>& rows)
     }
     SummaryGroup group;
     group.title = title;
-    // As text that is the order of size: numbers of points have three digits.
+    // Sorting as text sorts by size: numbers of points have three digits.
     if (group.title != "geometry")
       std::sort(order.begin(), order.end());
     for (const std::string& name : order)

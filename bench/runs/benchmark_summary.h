@@ -13,13 +13,14 @@
 
 namespace linelet::bench {
 
-/** \brief What came of some runs: means over those where the value is known. */
+/** \brief Results of some runs: means over those where the value is known. */
 struct RunSummary {
   std::size_t runs = 0;
-  double success = 0;                            ///< part of the runs, 0 to 1
+  double success = 0;                            ///< share of the runs, 0 to 1
   double e_v = 0, e_h = 0, e_len = 0, e_com = 0; ///< see measures.h
   double milliseconds = 0;                       ///< of a run
-  /// Of E_V: the part of the runs below each is 5, 25, 50, 75 and 95 %. NaN of none.
+  /// Of E_V: the values below which 5, 25, 50, 75 and 95 % of the runs lie. NaN of
+  /// none.
   std::array<double, 5> e_v_quantiles{};
 
   /** \brief Standard error of \ref success; NaN below two runs. */
@@ -27,13 +28,13 @@ struct RunSummary {
   standardError() const;
 };
 
-/** \brief Runs told apart by one of their properties. */
+/** \brief Runs grouped by one of their properties. */
 struct SummaryGroup {
   std::string title; ///< the property: geometry, points, S_D, S_J, M / N or n_R
-  std::vector<std::pair<std::string, RunSummary>> entries; ///< a value each
+  std::vector<std::pair<std::string, RunSummary>> entries; ///< one group per value
 };
 
-/** \brief All of \a rows in one. */
+/** \brief All \a rows as one group. */
 RunSummary
 summarize(const std::vector<BenchmarkRow>& rows);
 
@@ -42,7 +43,7 @@ summarize(const std::vector<BenchmarkRow>& rows);
 std::vector<SummaryGroup>
 summarizeByProperty(const std::vector<BenchmarkRow>& rows);
 
-/** \brief Both of these as a table of text. */
+/** \brief Both as a table in text form. */
 std::string
 summaryTable(const std::vector<BenchmarkRow>& rows);
 

@@ -68,7 +68,7 @@ check(const CorridorSettings& s)
   within(s.planted, 0, 10000, "planted");
 }
 
-/** The part of a wire that the scan covers; false where that is nothing. */
+/** The part of a wire that the scan covers; false if that is empty. */
 bool
 clip(CorridorWire& wire, const CorridorSettings& settings)
 {
@@ -110,7 +110,7 @@ clip(CorridorWire& wire, const CorridorSettings& settings)
   return wire.points.size() >= 2;
 }
 
-/** Drops wires outside of the scan and renumbers what refers to them. */
+/** Drops wires outside the scan and renumbers references to them. */
 void
 clipWires(CorridorScan& scan,
           std::vector<CorridorWire> wires,
@@ -127,7 +127,7 @@ clipWires(CorridorScan& scan,
       wire = place[static_cast<std::size_t>(wire)];
 }
 
-/** Where the scene lies: a heading and a place in northern Germany. */
+/** Places the scene: a heading and a location in northern Germany. */
 struct Placement {
   explicit Placement(Random& random)
   {
@@ -155,7 +155,7 @@ toWorld(CorridorScan& scan,
   };
   for (Point& p : scan.points) {
     turn(p);
-    p = (p * 1000).array().round() / 1000; // a point file says millimeters
+    p = (p * 1000).array().round() / 1000; // a point file stores millimeters
   }
   for (CorridorWire& wire : scan.wires)
     for (Point& p : wire.points)
@@ -180,7 +180,8 @@ simulateCorridor(const CorridorSettings& settings, ProgressMonitor* monitor)
   addObjects(scene, settings, random);
   std::vector<PlantedHazard> planted = plantHazards(scene, settings, random);
   throwIfCanceled(monitor);
-  // Before the scan, so that another scan of the same scene lies at the same place.
+  // Drawn before the scan, so that another scan of the same scene has the same
+  // location.
   const Placement placement(random);
   CorridorScan result = scan(scene, settings, random, monitor);
   clipWires(result, std::move(scene.wires), settings);

@@ -45,7 +45,7 @@ namespace linelet::bench {
 struct CorridorSettings {
   double length = 500; ///< extent along the flight
   double width = 80;   ///< extent across the flight
-  double density = 25; ///< pulses per square meter, all strips together
+  double density = 25; ///< pulses per square meter over all strips
   double altitude = 400;
   double divergence = 0.5;   ///< full opening angle of the beam, mrad
   unsigned strips = 1;       ///< parallel flight lines
@@ -58,7 +58,7 @@ struct CorridorSettings {
   unsigned bundle = 0;      ///< sub-conductors, 1 or 2; 0: by voltage
   unsigned earth_wires = 1; ///< 0 to 2
   double angle = 8;         ///< the line's change of direction at one pylon, degrees
-  double wind = 0;          ///< angle by which wires are blown out, degrees
+  double wind = 0;          ///< angle by which wind swings the wires, degrees
   unsigned low_voltage = 1; ///< pole lines that cross below the high-voltage line
   unsigned low_voltage_wires = 4;
   double relief = 6;  ///< height differences of the terrain
@@ -67,10 +67,10 @@ struct CorridorSettings {
   unsigned houses = 6;
   unsigned cranes = 1;
   unsigned fences = 2;
-  double gaps = 4;          ///< stretches of wire that return nothing, per kilometer
+  double gaps = 4;          ///< stretches of wire without returns, per kilometer
   double outliers = 2e-5;   ///< fraction of pulses that return from empty air
   unsigned thin_ground = 1; ///< keep one ground point in n
-  unsigned planted = 0;     ///< trees and houses put too near to wires
+  unsigned planted = 0;     ///< trees and houses placed too near to wires
   std::uint32_t seed = 1;
 };
 
@@ -112,7 +112,7 @@ describe(CorridorSettings& s, Visit&& visit)
   visit("seed", s.seed, "the same seed gives the same scene");
 }
 
-/** \brief What a true wire is. */
+/** \brief The kind of a true wire. */
 enum class WireKind { Conductor, Earth, LowVoltage };
 
 /** \brief A wire of the scene in one span, where the scan covers it. */
@@ -120,17 +120,17 @@ struct CorridorWire {
   WireKind kind = WireKind::Conductor;
   int line = 0;   ///< 0: the high-voltage line, then the pole lines
   int span = 0;   ///< along its line
-  int number = 0; ///< across its span; the sub-conductors of a bundle share it
+  int number = 0; ///< across its span; sub-conductors of a bundle share it
   Points points;  ///< vertices about 2 m apart, less than 1 mm off the catenary
   bool front_attached = false; ///< points.front() is an attachment (else: cut by the
                                ///< border of the scan)
   bool back_attached = false;  ///< the same of points.back()
 };
 
-/** \brief Something that was put too near to a wire. */
+/** \brief Something placed too near to a wire. */
 struct PlantedHazard {
   std::uint8_t classification = 0; ///< 5 tree, 6 house
-  Point wire = Point::Zero();      ///< place on the wire
+  Point wire = Point::Zero();      ///< the nearest place on the wire
   double distance = 0;             ///< from there to its surface, meters
 };
 
@@ -154,16 +154,16 @@ struct CorridorScan {
 
   std::vector<CorridorWire> wires;
   std::vector<PlantedHazard> planted; ///< as many of CorridorSettings::planted as fit
-  double beam_radius = 0; ///< at the altitude: how far a return may lie beside a wire
+  double beam_radius = 0; ///< at the altitude: how far a return may lie from its wire
 };
 
 /** \brief Builds a corridor with a high-voltage line and scans it from the air.
  *
  * Every pulse is a ray from the moving sensor: it meets wires, lattice members, leaves,
  * roofs and terrain in turn and gives a return where enough of its footprint is
- * covered; what is left of it goes on. A return lies on the axis of the beam, as that
- * of a real scanner does, so that points of a wire scatter by the radius of the beam.
- * Deterministic in the settings.
+ * covered; the rest continues. As with a real scanner, a return lies on the axis of the
+ * beam, so that points of a wire scatter by the radius of the beam. Deterministic in
+ * the settings.
  * \throws std::invalid_argument for a setting out of range
  * \throws Canceled */
 CorridorScan

@@ -13,7 +13,7 @@ namespace linelet::bench::corridor {
 
 namespace {
 
-/** A place on a cross-arm where a conductor hangs. */
+/** A place on a cross-arm where a conductor is attached. */
 struct Arm {
   double offset, height;
 };
@@ -65,7 +65,7 @@ struct Pylon {
   Point base = Point::Zero();
   Point along = Point::UnitX(), across = Point::UnitY(); ///< unit vectors in plan
   double extension = 0; ///< of the body, so that neighbors differ
-  bool tension = false; ///< strings in the direction of the wires
+  bool tension = false; ///< strings in line with the wires
 };
 
 /** The corners of a square of half width \a half around a pylon's axis. */
@@ -119,7 +119,7 @@ addPylon(Scene& scene, const TowerPlan& plan, const Pylon& pylon, unsigned earth
     if (!pylon.tension)
       scene.beam(tip, tip - plan.insulator * Point::UnitZ(), 0.08, PylonClass, 0.4);
   }
-  if (earth_wires == 2) // two short horns carry them
+  if (earth_wires == 2) // carried by two short horns
     for (const double side : {-1.0, 1.0})
       scene.beam(pylon.base + (peak - 1.5 * f) * Point::UnitZ(),
                  pylon.base + side * 2 * f * pylon.across + peak * Point::UnitZ(),
@@ -140,7 +140,7 @@ placePylons(const Scene& scene,
   xs.insert(xs.begin(), xs.front() - span * random.uniform(0.85, 1.15));
   while (xs.back() < settings.length)
     xs.push_back(xs.back() + span * random.uniform(0.85, 1.15));
-  // The pylon nearest to the middle takes the turn; both legs lean by half of it.
+  // The pylon nearest to the middle makes the turn, half of it for each leg.
   std::size_t turn = 0;
   for (std::size_t i = 0; i < xs.size(); ++i)
     if (std::abs(xs[i] - settings.length / 2) <
@@ -166,7 +166,7 @@ placePylons(const Scene& scene,
   return pylons;
 }
 
-/** Wires of one circuit place from pylon to pylon. */
+/** Wires at one circuit position from pylon to pylon. */
 struct Conductor {
   WireKind kind;
   double a, radius;

@@ -21,7 +21,7 @@ addWire(Scene& scene,
   const double a = parameters.a;
   const double span = std::hypot(to.x() - from.x(), to.y() - from.y());
   const double rise = to.z() - from.z();
-  // Where the lowest point lies: sinh of the middle follows from the rise.
+  // The lowest point: the sinh of the middle follows from the rise.
   const double middle = a * std::asinh(rise / (2 * a * std::sinh(span / (2 * a))));
   const double lowest = 0.5 * span - middle;
   const double phi = parameters.wind * pi / 180;
@@ -43,7 +43,7 @@ addWire(Scene& scene,
   const auto index = static_cast<std::int32_t>(scene.wires.size());
   const double strings[2] = {parameters.front_string, span - parameters.back_string};
   for (int i = 0; i < pieces; ++i) {
-    // Insulators take the first and last meters at a tension pylon.
+    // Insulators take up the first and last meters at a tension pylon.
     const double s0 = span * i / pieces, s1 = span * (i + 1) / pieces;
     const double w0 = std::clamp(strings[0], s0, s1),
                  w1 = std::clamp(strings[1], s0, s1);
@@ -81,7 +81,7 @@ addGaps(Scene& scene, double per_kilometer, Random& random)
     const Points& points = scene.wires[w].points;
     const double length = (points.back() - points.front()).norm();
     const double mean = per_kilometer * length / 1000;
-    // The whole part for certain, the rest by chance.
+    // The integer part for certain, the rest by chance.
     int count = static_cast<int>(mean);
     if (random.uniform(0, 1) < mean - count)
       ++count;

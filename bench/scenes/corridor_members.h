@@ -10,14 +10,13 @@ namespace linelet::bench::corridor {
 /** \brief How a wire hangs between two attachments. */
 struct WireParameters {
   double a = 1000;        ///< catenary constant, meters
-  double wind = 0;        ///< blown out of the vertical, degrees
+  double wind = 0;        ///< swung out of the vertical, degrees
   double radius = 0.0135; ///< of the wire
   double front_string = 0,
          back_string = 0; ///< insulators in line with the wire, meters
 };
 
-/** \brief Adds a wire from attachment to attachment, and the members that a beam can
- * hit. */
+/** \brief Adds a wire between two attachments, and the members that a beam can hit. */
 void
 addWire(Scene& scene,
         CorridorWire wire,
@@ -34,7 +33,7 @@ addLattice(Scene& scene,
            double radius,
            std::uint8_t classification);
 
-/** \brief Takes wire members away so that stretches of wire return nothing. */
+/** \brief Removes wire members, so that stretches of wire give no returns. */
 void
 addGaps(Scene& scene, double per_kilometer, Random& random);
 

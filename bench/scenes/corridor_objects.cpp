@@ -209,8 +209,8 @@ public:
               std::clamp(other.y() + dy, -half_, half_));
   }
 
-  /** Asks \a put for every one of \a count objects to stand at a place, some places one
-   * after the other, until it does. */
+  /** Calls \a put for each of \a count objects, at one place after another until it
+   * finds room. */
   template <class Put>
   void
   scatter(unsigned count, Put&& put)
@@ -249,7 +249,7 @@ putHouse(Scene& scene, const Point& p, Random& random)
 bool
 putCrane(Scene& scene, const Point& p, Random& random)
 {
-  // The jib runs along the line: across it would be in the wires.
+  // The jib runs along the line: across, it would be in the wires.
   const double sense = random.integer(0, 1) * pi;
   const double turn = sense + random.uniform(-0.15, 0.15);
   bool clear = true;
@@ -268,13 +268,13 @@ addTrees(Scene& scene, int count, Ground& ground, Random& random)
 {
   Point last = ground.anywhere();
   for (int i = 0; i < count; ++i) {
-    // Every other tree stands close to the previous one: groves, rows and lone trees.
+    // Every other tree is close to the previous one: groves, rows and lone trees.
     Point p = ground.anywhere();
     if (random.integer(0, 1) == 0)
       p = ground.near(last);
     last = p;
     double height = random.uniform(5, 22);
-    // Below and beside wires they are cut now and then, not always in time.
+    // Below and beside wires they are trimmed now and then, not always in time.
     const double room = scene.lowestWire(p.x(), p.y(), 0.25 * height + 3) - p.z() -
                         random.uniform(2, 9);
     height = std::min(height, room);

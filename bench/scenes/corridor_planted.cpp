@@ -10,7 +10,7 @@ namespace linelet::bench::corridor {
 
 namespace {
 
-constexpr double rim = 8; // meters inside of the scan
+constexpr double rim = 8; // meters inside the scan
 
 bool
 isInside(const Point& p, const CorridorSettings& settings)
@@ -19,7 +19,7 @@ isInside(const Point& p, const CorridorSettings& settings)
          std::abs(p.y()) < 0.5 * settings.width - rim;
 }
 
-/** A round crown on a trunk, as far below or beside the wire as is said. */
+/** A round crown on a trunk, at the given distance below or beside the wire. */
 bool
 plantTree(Scene& scene, const Point& at, double distance, Random& random)
 {
@@ -37,7 +37,7 @@ plantTree(Scene& scene, const Point& at, double distance, Random& random)
   return true;
 }
 
-/** A house with a flat roof as far below the wire. */
+/** A house with a flat roof at the given distance below the wire. */
 bool
 plantHouse(Scene& scene, const Point& at, double distance, Random& random)
 {

@@ -117,7 +117,7 @@ RayCaster::meetMember(const Member& member, const Ray& ray)
   const double d = (ray.at(t) - on).norm(), r = member.radius;
   if (d >= beam_ + r)
     return;
-  // The strip's share of the disc: its width across, the chord at its place.
+  // The strip's share of the disc: its width times the chord at its position.
   const double width = std::min(d + r, beam_) - std::max(d - r, -beam_);
   const double place = std::min(d, beam_) / beam_;
   const double chord = r >= beam_ ? 1 : std::sqrt(std::max(0.0, 1 - place * place));
@@ -160,7 +160,7 @@ RayCaster::meetCrown(const Crown& crown, const Ray& ray, Random& random)
 double
 RayCaster::terrainAlong(const Ray& ray) const
 {
-  // Fixed point: gentle slopes and steep rays make it contract fast.
+  // Fixed-point iteration: gentle slopes and steep rays make it contract fast.
   double t = -ray.origin.z() / ray.direction.z();
   for (int i = 0; i < 8; ++i) {
     const Point p = ray.at(t);

@@ -27,14 +27,14 @@ struct Hit {
   double t; ///< meters along the ray
   std::uint8_t classification;
   float reflectivity;
-  double fraction; ///< of the beam's cross-section that is covered
+  double fraction; ///< share of the beam's cross-section that is covered
   std::int32_t wire;
 };
 
-/** \brief Finds what beams meet: the scene's things in plan cells. */
+/** \brief Finds what beams hit: the scene's objects in plan cells. */
 class RayCaster {
 public:
-  /** \param[in] beam radius of a beam where it meets things, meters */
+  /** \param[in] beam radius of a beam at the objects, meters */
   RayCaster(const Scene& scene, double beam);
 
   /** \brief All hits of a beam, nearest first, down to the terrain as the last one. */
@@ -66,7 +66,7 @@ private:
   double beam_, top_ = 0;
   Point low_, high_; ///< bounds of all things, in plan
   PlanCells cells_;
-  std::vector<std::uint32_t> seen_; ///< number of the ray that met a thing last
+  std::vector<std::uint32_t> seen_; ///< number of the ray that last hit an object
   std::uint32_t ray_ = 0;
   std::vector<Hit> hits_;
 };

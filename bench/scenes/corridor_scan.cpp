@@ -13,14 +13,14 @@ namespace linelet::bench::corridor {
 namespace {
 
 constexpr double gain = 22; ///< signal over the detection threshold at reflectivity 1
-constexpr double dead_zone = 0.5; ///< two returns of a pulse are further apart, meters
+constexpr double dead_zone = 0.5; ///< least distance of returns of a pulse, meters
 constexpr int most_returns = 5;
 
 /** One strip: where the aircraft is and how it sways. */
 struct Flight {
   std::uint16_t number;
   double y, tilt, roll_phase, start_time;
-  Point error; ///< what the strip adjustment left over
+  Point error; ///< residual offset of the strip adjustment
 };
 
 class Scanner {
@@ -40,7 +40,7 @@ public:
   {
     const double spacing = std::sqrt(settings_.strips / settings_.density);
     const double half = 0.5 * settings_.width, reach = half + 5;
-    // High things at the ends are met by rays whose ground point lies outside.
+    // Tall objects at the ends are hit by rays whose ground point lies outside.
     const double margin = 5 + caster_.top() * std::abs(std::tan(flight.tilt));
     const auto lines =
         static_cast<std::size_t>((settings_.length + 2 * margin) / spacing);
@@ -97,7 +97,7 @@ private:
       record(flight, ray, time, i);
   }
 
-  /** What the receiver hears: every hit takes its share of the beam's energy. */
+  /** The receiver: every hit takes its share of the beam's energy. */
   void
   collect(const std::vector<Hit>& hits)
   {

@@ -7,7 +7,7 @@
 
 namespace linelet::bench::corridor {
 
-/** \brief Scans the scene strip by strip. Points are those of the scene's own frame. */
+/** \brief Scans the scene strip by strip. Points are in the scene's own frame. */
 CorridorScan
 scan(const Scene& scene,
      const CorridorSettings& settings,

@@ -13,7 +13,7 @@ Terrain::Terrain(Random& random, double relief)
     : slope_x_(relief / 400 * random.uniform(-0.5, 0.5)),
       slope_y_(relief / 400 * random.uniform(-0.5, 0.5))
 {
-  // Long waves carry the relief; short ones stay low, as on fields and meadows.
+  // Long waves carry the relief; short ones stay low, as in fields and meadows.
   for (const double length : {420.0, 260.0, 170.0, 95.0, 45.0, 22.0}) {
     const double direction = random.uniform(0, 2 * pi);
     const double k = 2 * pi / (length * random.uniform(0.8, 1.2));

@@ -58,7 +58,7 @@ struct Panel {
 struct Crown {
   Point center;
   Point radii;
-  double free_path; ///< mean way of a beam between leaves, meters
+  double free_path; ///< mean free path of a beam between leaves, meters
 };
 
 /** \brief Everything that can be hit. x runs along the flight, y to its left; the
@@ -87,7 +87,7 @@ struct Scene {
   double
   lowestWire(double x, double y, double reach) const;
 
-  /** \brief Whether a disc is free of what must stay clear; if so, it is taken. */
+  /** \brief Whether a disc is free; if so, it becomes occupied. */
   bool
   take(double x, double y, double radius);
 };

@@ -12,7 +12,7 @@
 
 namespace linelet::bench {
 
-/** \brief Which things of a scene a ray may meet: their numbers in square cells of the
+/** \brief Which objects of a scene a ray may hit: their numbers in square cells of the
  * plan. */
 class PlanCells {
 public:
@@ -22,11 +22,12 @@ public:
    * \param[in] cell width of a cell, meters */
   PlanCells(const Point& low, const Point& high, double cell);
 
-  /** \brief Puts \a id into every cell that a box touches. */
+  /** \brief Adds \a id to every cell that a box touches. */
   void
   insert(std::uint32_t id, const Point& low, const Point& high);
 
-  /** \brief Those of the cell at a place; outside of the bounds of the nearest one. */
+  /** \brief The objects in the cell at a place; outside the bounds, in the nearest
+   * one. */
   const std::vector<std::uint32_t>&
   at(double x, double y) const
   {
@@ -43,8 +44,8 @@ private:
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
-/** \brief Where a ray along a unit \a direction meets the triangle a b c: meters along
- * it (Moeller and Trumbore 1997, without culling). */
+/** \brief Where a ray along a unit \a direction hits the triangle a b c: distance in
+ * meters (Moeller and Trumbore 1997, without culling). */
 std::optional<double>
 meetTriangle(const Point& origin,
              const Point& direction,

@@ -14,8 +14,8 @@ namespace linelet::bench {
 
 constexpr double pi = 3.14159265358979323846;
 
-/** \brief Random numbers that are the same on every machine, as long as no expression
- * draws two of them in an order that the language leaves open. */
+/** \brief Random numbers that are the same on every machine, provided that no
+ * expression draws two of them in unspecified order. */
 class Random {
 public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}

@@ -32,7 +32,7 @@ enum class SceneKind {
   Forest,        ///< a narrow cutting, crowns around the wires, a third hidden
   Crossings,     ///< lines of three voltages one over the other
   Turns,         ///< turns of 60 degrees
-  Strips,        ///< strips that do not fit each other
+  Strips,        ///< misaligned strips
   Clutter,       ///< a line among cranes, gantries, pipe bridges, guyed masts, halls
   Town,          ///< blocks of houses, pole lines along two streets
   ClutterEmpty,  ///< the clutter without a line
@@ -78,10 +78,9 @@ struct Names<bench::SceneKind> {
 
 namespace linelet::bench {
 
-/** \brief Which scene, and what of its scan is not left to the seed.
- *
- * Seeds 1 to 99 are for development. Final figures use seeds of 1,000 and more, drawn
- * once at the end; no method is run on them before. */
+/** \brief Which scene, and which parameters of its scan are not left to the seed. Seeds
+ * 1 to 99 are for development. Final figures use seeds of 1,000 and more, drawn once at
+ * the end; no method is run on them before. */
 struct SceneSettings {
   SceneKind kind = SceneKind::Standard;
   std::uint32_t seed = 1;
@@ -147,7 +146,7 @@ struct SceneScan {
   Point shift = Point::Zero(); ///< world coordinates (ETRS89 / UTM 32N) of the origin
   double density = 0;          ///< pulses per square meter
   double noise = 0;            ///< standard deviation along each axis, meters
-  double aside = 0;            ///< returns lie beside their wire, meters at most
+  double aside = 0;            ///< largest distance of returns from their wire, meters
   Points points;               ///< in the order of pulses and returns
 
   /// \name One entry per point
@@ -165,14 +164,13 @@ struct SceneScan {
   std::vector<SceneStructure> structures;
 };
 
-/** \brief Builds a scene of the matrix and scans it from the air.
- *
- * Pulses come in scan lines whose spacing along and across the flight differs; the
- * flight's heading over the scene, the scene's heading and its place are drawn. A pulse
- * meets wires, lattice members, leaves, branches, roofs and ground in turn and gives up
- * to five returns. Leaves fill the outer part of a crown, in clumps; branches run
- * inside. A wire is met within a width that gives its points per meter, whatever the
- * density of the pulses. Deterministic in the settings.
+/** \brief Builds a scene of the matrix and scans it from the air. Pulses come in scan
+ * lines whose spacing along and across the flight differs; the flight's heading over
+ * the scene, and the scene's heading and location, are drawn. A pulse hits wires,
+ * lattice members, leaves, branches, roofs and ground in turn and gives up to five
+ * returns. Leaves fill the outer part of a crown, in clumps; branches run inside. A
+ * wire is hit within a width that gives its points per meter, whatever the density of
+ * the pulses. Deterministic in the settings.
  * \throws std::invalid_argument for a setting out of range
  * \throws Canceled */
 SceneScan

@@ -60,7 +60,7 @@ Camera::showAll(const Box& box)
   camera->SetViewUp(0, 0, 1);
   const Point size = box.high - box.low;
   lookAt((box.low + box.high) / 2, std::max(0.33 * size.norm(), 1e-3));
-  look(size.x() >= size.y() ? 20 : 290, 30); // what is long lies across
+  look(size.x() >= size.y() ? 20 : 290, 30); // the long side lies across
 }
 
 void

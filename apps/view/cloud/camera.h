@@ -17,15 +17,15 @@
 
 namespace linelet::view {
 
-/** \brief The camera of a renderer, upright, in a widget whose pixels count from the
- * upper left. */
+/** \brief The camera of a renderer, kept upright, in a widget whose pixels count from
+ * the upper left. */
 class Camera {
 public:
   /** Both must outlive this. */
   Camera(vtkRenderer& renderer, const QWidget& widget);
 
-  /** \brief Turns it about its focal point: degrees clockwise from north, and above the
-   * horizon. */
+  /** \brief Rotates it about its focal point: degrees clockwise from north, and above
+   * the horizon. */
   void
   look(double azimuth, double elevation);
   void
@@ -33,7 +33,7 @@ public:
   void
   showAll(const Box& box);
 
-  /** \brief Turns it with the mouse. */
+  /** \brief Rotates it with the mouse. */
   void
   turn(QPoint step);
   /** \brief Pans it so that its focal point follows the mouse. */
@@ -47,7 +47,7 @@ public:
   QPointF
   pixelOf(const Point& p) const;
 
-  /** \brief The ray of a pixel, and how deep \a box goes along it. */
+  /** \brief The ray of a pixel, and how far \a box extends along it. */
   std::pair<Ray, double>
   rayAt(QPointF pixel, const Box& box) const;
 

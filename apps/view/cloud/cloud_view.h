@@ -18,9 +18,9 @@ namespace linelet::view {
 
 class Camera;
 
-/** \brief The cloud in space, with curves, wires, selection and preview box over it. A
- * random part of the points while it moves, all when it is still. Left button: turn,
- * click: pick; right or middle: pan; wheel: zoom. */
+/** \brief The cloud in space, overlaid with curves, wires, selection and preview box.
+ * Draws a random subset of the points while it moves, all when it is still. Left
+ * button: rotate, click: pick; right or middle: pan; wheel: zoom. */
 class CloudView : public QVTKOpenGLNativeWidget {
 public:
   explicit CloudView(const Model& model, QWidget* parent = nullptr);
@@ -29,7 +29,7 @@ public:
   /** \brief Handles a click; the ray is in the coordinates of the cloud. */
   std::function<void(const Ray&, double depth)> on_click;
 
-  /** \brief What the model shows now: another scene. Sets the camera. */
+  /** \brief Shows another scene of the model. Resets the camera. */
   void
   showScene();
 
@@ -46,9 +46,9 @@ public:
   void
   showEllipsoids(bool everywhere);
 
-  Points drawn_line; ///< the line that the user is drawing
+  Points drawn_line; ///< the line being drawn by the user
 
-  /** \brief Turns the camera: degrees clockwise from north, and above the horizon. */
+  /** \brief Rotates the camera: degrees clockwise from north, and above the horizon. */
   void
   look(double azimuth, double elevation);
   void
@@ -60,11 +60,11 @@ public:
   QPointF
   pixelOf(const Point& p) const;
 
-  /** \brief The ray of a pixel, and how deep the cloud goes along it. */
+  /** \brief The ray of a pixel, and how far the cloud extends along it. */
   std::pair<Ray, double>
   rayAt(QPointF pixel) const;
 
-  /** \brief All points, now; for pictures. */
+  /** \brief Draws all points now; for pictures. */
   void
   renderStill();
 

@@ -14,11 +14,11 @@
 
 namespace linelet::view {
 
-/** \brief A cloud of dots that takes positions and colors. */
+/** \brief A cloud of dots with given positions and colors. */
 struct Dots {
   vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
   vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
-  Indices indices; ///< points of the cloud, those with a place
+  Indices indices; ///< points of the cloud that are drawn
 
   Dots();
 

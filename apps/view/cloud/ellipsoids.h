@@ -29,7 +29,7 @@ struct Ellipsoids {
 
   void
   clear();
-  /** \brief That of \a tensor at a place; none if it is undefined. */
+  /** \brief Adds that of \a tensor at a position; none if it is undefined. */
   void
   add(const Point& at, const PointDistributionTensor& tensor);
   /** \brief Shows what was added. */

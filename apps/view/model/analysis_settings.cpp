@@ -19,7 +19,7 @@ namespace linelet::view {
 
 namespace {
 
-/** \brief Calls visit for every option that \a settings have of \a analysis. */
+/** \brief Calls visit for every option of \a analysis in \a settings. */
 template <class Settings, class Visit>
 void
 describeAll(Settings& settings, Analysis analysis, Visit&& visit)
@@ -117,7 +117,7 @@ unitIn(const std::string& meaning)
   return {};
 }
 
-/** \brief Lists what it visits. */
+/** \brief Collects what it visits. */
 class Lister {
 public:
   explicit Lister(std::vector<Parameter>& list) : list_(list) {}
@@ -198,7 +198,7 @@ appFor(AnalysisSettings& settings, Analysis analysis)
   return app;
 }
 
-/** \brief Lets the app of a copy of \a settings parse, which then takes their place. */
+/** \brief Parses with the app of a copy of \a settings, which then replaces them. */
 template <class Parse>
 void
 parseInto(AnalysisSettings& settings, Analysis analysis, const Parse& parse)
@@ -214,7 +214,7 @@ parseInto(AnalysisSettings& settings, Analysis analysis, const Parse& parse)
   settings = std::move(copy);
 }
 
-/** \brief What the options that differ from their defaults are on a command line. */
+/** \brief The options that differ from their defaults, as on a command line. */
 std::vector<std::string>
 differences(const AnalysisSettings& settings, Analysis analysis)
 {
@@ -269,7 +269,7 @@ AnalysisSettings::set(Analysis analysis,
 std::string
 AnalysisSettings::config(Analysis analysis) const
 {
-  // Parsed once more, so that numbers are written as exactly as they were given.
+  // Parsed once more, so that numbers are as exact as they were given.
   AnalysisSettings defaults;
   const auto app = appFor(defaults, analysis);
   std::vector<std::string> arguments = differences(*this, analysis);

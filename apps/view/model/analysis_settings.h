@@ -19,7 +19,7 @@
 
 namespace linelet::view {
 
-/** \brief What the viewer can compute, each a command of the tool. */
+/** \brief The analyses of the viewer, each a command of the tool. */
 enum class Analysis { Tensor, MultiScale, Curves, PowerLines };
 
 /** \brief An option of an analysis, from its description. */
@@ -28,13 +28,13 @@ struct Parameter {
   std::string name, heading, meaning;
   Kind kind = Kind::Text;
   std::string value, standard;      ///< as on the command line; standard: the default
-  std::vector<std::string> choices; ///< of Kind::Choice; others may be typed for some
+  std::vector<std::string> choices; ///< of Kind::Choice; some allow others, too
   std::string range;                ///< in words
   std::string unit;                 ///< empty: none, or unknown
 };
 
-/** \brief Everything that can be set of the four analyses, by the names, meanings and
- * checks of the tool's own options. */
+/** \brief All settings of the four analyses, with the names, meanings and checks of the
+ * tool's own options. */
 class AnalysisSettings {
 public:
   io::ReadOptions read;
@@ -47,8 +47,9 @@ public:
   std::vector<Parameter>
   parameters(Analysis analysis) const;
 
-  /** \brief Sets an option by its text, as the tool would.
-   * \throws std::invalid_argument what is wrong, in one sentence; nothing is changed */
+  /** \brief Sets an option from text, as the tool would.
+   * \throws std::invalid_argument with the reason in one sentence; nothing is
+   * changed */
   void
   set(Analysis analysis, const std::string& name, const std::string& text);
 
@@ -58,7 +59,7 @@ public:
 
   /** \brief Reads an option file of the tool, whole or in part.
    * \return names in it that have no meaning here (such as outputs)
-   * \throws std::invalid_argument what is wrong; nothing is changed */
+   * \throws std::invalid_argument with the reason; nothing is changed */
   std::vector<std::string>
   loadConfig(Analysis analysis, const std::string& path);
 

@@ -64,7 +64,7 @@ constexpr std::array<ClassLook, 20> class_looks = {
      {18, "high noise", {1.00, 0.40, 0.90}},
      {26, "crane", {0.10, 0.65, 0.70}}}};
 
-/** \brief Colors that are told apart, over and over. */
+/** \brief Distinct colors, repeated. */
 Color
 colorOfNumber(int number)
 {
@@ -93,7 +93,7 @@ colorOfClass(int number)
 Coloring
 colorsByValue(const std::vector<float>& values, const std::string& title)
 {
-  constexpr std::size_t most = 200000; // values that tell the range
+  constexpr std::size_t most = 200000; // values that determine the range
   std::vector<float> known;
   const std::size_t step = values.size() / most + 1;
   for (std::size_t i = 0; i < values.size(); i += step)

@@ -10,7 +10,7 @@
 
 namespace linelet::view {
 
-/** \brief What the colors of a picture mean. */
+/** \brief The meaning of the colors of a picture. */
 struct Legend {
   struct Entry {
     std::array<double, 3> color;
@@ -45,11 +45,11 @@ colorsByShape(const std::vector<float>& linearity,
 Coloring
 colorsByClass(const std::vector<float>& classes, const std::string& title);
 
-/** \brief Colors by number, 0 being gray: wires, spans. */
+/** \brief Colors by number, with 0 gray: wires, spans. */
 Coloring
 colorsByNumber(const std::vector<float>& numbers, const std::string& title);
 
-/** \brief Red, green, blue as the file has them, of 8 or 16 bits. */
+/** \brief Red, green, blue as stored in the file, with 8 or 16 bits. */
 Coloring
 colorsAsGiven(const std::vector<float>& red,
               const std::vector<float>& green,

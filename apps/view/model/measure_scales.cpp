@@ -23,7 +23,7 @@ measureScales(const Points& points,
 {
   const MultiScaleShapes plan = multiScaleRadii(points, settings, monitor);
   settings.radii = plan.radii;
-  settings.stop_change = 0; // it has had its say
+  settings.stop_change = 0; // already applied to the radii
   settings.engine = chosenScaleEngine(points, points, plan.radii.back(), settings);
   const std::size_t scales = plan.radii.size();
   ShapeGraphSink sink;

@@ -9,8 +9,8 @@
 
 namespace linelet::view {
 
-/** \brief The shapes of \a points, in the steps of `multiscale --graphs`; their graphs
- * go to \a store, unless it is null or they would take too much room. */
+/** \brief The shapes of \a points, like `multiscale --graphs`; their graphs go to
+ * \a store, unless it is null or they would take too much memory. */
 MultiScaleShapes
 measureScales(const Points& points,
               MultiScaleSettings settings,

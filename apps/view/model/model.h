@@ -25,7 +25,8 @@
 
 namespace linelet::view {
 
-/** \brief What was computed, each on the points of a box or on all; null: not yet. */
+/** \brief What was computed, each analysis on the points of a box or on all; null: not
+ * yet. */
 struct Results {
   std::shared_ptr<const std::vector<PointDistributionTensor>> tensors;
   std::shared_ptr<const MultiScaleShapes> shapes;
@@ -34,9 +35,9 @@ struct Results {
   std::shared_ptr<const powerline::PowerLineNetwork> lines;
 };
 
-/** \brief What all views show and may change: cloud, fields, selection, settings,
- * results, and reviews of wires. Independent of any window. Belongs to one thread; long
- * work runs in others, whose results \ref poll takes over. */
+/** \brief Everything that views show and may change: cloud, fields, selection,
+ * settings, results, and reviews of wires. Independent of any window. Belongs to one
+ * thread; long work runs in others, whose results \ref poll takes over. */
 class Model {
 public:
   AnalysisSettings settings;
@@ -48,7 +49,7 @@ public:
   void
   open(const std::vector<std::string>& paths, const std::string& truth = {});
 
-  /** \brief What is open; empty before anything is. */
+  /** \brief The open scene; empty before anything is opened. */
   const Scene&
   scene() const
   {
@@ -59,9 +60,9 @@ public:
   /** \name Work in other threads
    * @{ */
 
-  /** \brief Begins to compute \a analysis with the settings as they are, on the points
-   * within the preview box if there is one.
-   * \throws std::invalid_argument if there is nothing to compute on */
+  /** \brief Begins to compute \a analysis with the current settings, on the points in
+   * the preview box if there is one.
+   * \throws std::invalid_argument if there are no points */
   void
   compute(Analysis analysis);
 
@@ -95,7 +96,7 @@ public:
     return results_;
   }
 
-  /** \brief Whether the result of \a analysis exists but with other settings. */
+  /** \brief Whether the result of \a analysis was computed with other settings. */
   bool
   stale(Analysis analysis) const;
   /** @} */
@@ -118,19 +119,18 @@ public:
   fields() const;
 
   /** \brief The values of a field; NaN where there is none.
-   * \throws std::invalid_argument for a name that is not of \ref fields */
+   * \throws std::invalid_argument for a name not in \ref fields */
   std::vector<float>
   values(const std::string& field) const;
 
   Coloring
   coloring(const std::string& field) const;
 
-  /** \brief Curves that were computed, else those that were opened. */
+  /** \brief The computed curves, otherwise those that were opened. */
   const CurveNetwork&
   curves() const;
 
-  /** \brief The power lines that were computed, else those that were opened; null:
-   * none. */
+  /** \brief The computed power lines, otherwise those that were opened; null: none. */
   const powerline::PowerLineNetwork*
   lines() const;
 
@@ -158,8 +158,8 @@ public:
     return graphs_.get();
   }
 
-  /** \brief The tensor at the selection: at the radius of `tensor` where one is set,
-   * else at the point's own scale; none without a selection. */
+  /** \brief The tensor at the selection: at the radius of `tensor` if one is set,
+   * otherwise at the point's optimal scale; none without a selection. */
   std::optional<PointDistributionTensor>
   tensorAtSelection() const;
 
@@ -178,7 +178,7 @@ public:
   void
   imageAlong(Points line, std::size_t columns = 200);
 
-  /** \brief Begins the image of the neighborhood of the selection, along e3. */
+  /** \brief Starts the image of the neighborhood of the selection, along e3. */
   void
   imageAround(std::size_t columns = 200);
 
@@ -196,7 +196,7 @@ public:
   std::vector<int>
   wiresByConfidence() const;
 
-  /** \brief The wire that is looked at, 0: none. */
+  /** \brief The current wire, 0: none. */
   int
   wire() const
   {
@@ -205,25 +205,25 @@ public:
   void
   selectWire(int id);
 
-  /** \brief What was said of wire \a id. */
+  /** \brief The review of wire \a id. */
   const powerline::Review&
   review(int id) const;
 
-  /** \brief Says something of wire \a id, and saves it at once.
-   * \throws io::FileError where it cannot be saved; it is said all the same */
+  /** \brief Reviews wire \a id, and saves the review at once.
+   * \throws io::FileError if it cannot be saved; the review is kept all the same */
   void
   setReview(int id, const powerline::Review& review);
 
-  /** \brief Where that is saved: in the folder, or beside the first input. */
+  /** \brief Where reviews are saved: in the folder, or beside the first input. */
   std::string
   reviewFile() const;
 
-  /** \brief The network with all that was said. */
+  /** \brief The network with all reviews applied. */
   powerline::PowerLineNetwork
   reviewed() const;
   /** @} */
 
-  /** \brief The command that does \a analysis without a window. */
+  /** \brief The command that runs \a analysis without a window. */
   std::string
   commandLine(Analysis analysis) const;
 
@@ -231,7 +231,7 @@ public:
   std::string
   config(Analysis analysis) const;
 
-  /** \brief What is shown, in numbers. */
+  /** \brief The displayed state, in numbers. */
   nlohmann::ordered_json
   state() const;
 
@@ -256,7 +256,7 @@ private:
   std::optional<Index> selected_;
   std::shared_ptr<const PointGraphs> graphs_;
   std::shared_ptr<const ScaleImage> image_;
-  // Radii of the whole cloud, by what they depend on.
+  // Radii of the whole cloud, by the settings they depend on.
   struct KnownRadii {
     std::string of;
     std::vector<double> radii;
@@ -265,7 +265,7 @@ private:
   int wire_ = 0;
   std::vector<powerline::Review> reviews_; // one per wire of lines()
   Changes changes_;
-  Worker analysis_, probe_, imager_; // joined before all that they use goes
+  Worker analysis_, probe_, imager_; // joined before anything it uses is destroyed
 };
 
 } // namespace linelet::view

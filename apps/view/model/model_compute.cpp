@@ -30,7 +30,7 @@ finiteOnes(const Points& points)
   return finite;
 }
 
-/** \brief As the tool: 3 D where neither a radius nor a number is set. */
+/** \brief As in the tool: 3 D if neither a radius nor a number is set. */
 void
 chooseRadius(TensorSettings& settings, double scale_unit)
 {

@@ -41,8 +41,8 @@ constexpr std::array<Member<S>, 8> shape_members = {
      {"linearity_max", &S::linearity_max},
      {"min_sphericity", &S::min_sphericity}}};
 
-/** \brief The values that \a name, behind \a prefix, has in \a records; none where it
- * is not theirs. */
+/** \brief The values of \a name, without \a prefix, in \a records; none if it is not
+ * one of their fields. */
 template <class Record, std::size_t N>
 bool
 take(const std::string& name,

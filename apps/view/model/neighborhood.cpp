@@ -13,12 +13,12 @@ namespace linelet::view {
 
 namespace {
 
-/// Up to so many points a search over all of them is made for a click: a moment's work
-/// that leaves every sum in the order of a run over the whole cloud.
+/// With at most that many points, a click builds a search over all of them: it takes a
+/// moment, and every sum keeps the order of a run over the whole cloud.
 constexpr std::size_t few_points = 4000000;
 
-/** \brief The points of \a scene that are nearer than \a reach to any place of a box
- * around \a places, in their order: all that graphs there depend on. */
+/** \brief The points of \a scene within \a reach of a box around \a places, in order:
+ * graphs there depend on no others. */
 Points
 surfaceAround(const Scene& scene, const Points& places, double reach)
 {
@@ -46,8 +46,8 @@ MultiScaleSettings
 inDouble(const std::vector<double>& radii, MultiScaleSettings settings)
 {
   settings.radii = radii;
-  settings.stop_change = 0; // it has had its say
-  settings.scale_unit = 1;  // is not asked for where there are radii
+  settings.stop_change = 0; // already applied to the radii
+  settings.scale_unit = 1;  // not needed with given radii
   settings.engine = ScaleEngine::Sweep;
   return settings;
 }

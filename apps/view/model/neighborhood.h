@@ -16,7 +16,7 @@
 
 namespace linelet::view {
 
-/** \brief The graphs of all points, as a run over them gave them. */
+/** \brief The graphs of all points, from a run over them. */
 struct GraphStore {
   std::vector<double> radii;
   std::vector<ScaleShape> shapes; ///< point by point, radius by radius
@@ -30,11 +30,11 @@ struct GraphStore {
   }
 };
 
-/** \brief The graphs of one point, and what is read from them. */
+/** \brief The graphs of one point, and what is derived from them. */
 struct PointGraphs {
   std::vector<double> radii;
-  /// From a store: those of that run. Else those of `multiscale --graphs` with engine
-  /// sweep: to the last digit up to 4 million points, to rounding beyond.
+  /// From a store: those of that run. Otherwise those of `multiscale --graphs` with
+  /// engine sweep: to the last digit up to 4 million points, to rounding beyond.
   ShapeGraph graph;
   bool stored = false;                      ///< whether they are from a store
   LinearityGraph reading;                   ///< maxima and their scores
@@ -64,7 +64,7 @@ graphsAt(const Scene& scene,
          const GraphStore* store = nullptr,
          ProgressMonitor* monitor = nullptr);
 
-/** \brief Where radii go in a picture and what there is to see: one column a place. */
+/** \brief A multi-scale image and its axes: one column per position. */
 struct ScaleImage {
   std::vector<double> along; ///< arc length of every column
   std::vector<double> radii; ///< of every row
@@ -73,7 +73,7 @@ struct ScaleImage {
   std::vector<MultiScaleShape> shapes; ///< one per column
 };
 
-/** \brief The multi-scale image along \a line: \a columns places, evenly spread.
+/** \brief The multi-scale image along \a line, at \a columns evenly spaced positions.
  * \throws Canceled */
 ScaleImage
 scaleImageAlong(const Scene& scene,
@@ -83,7 +83,7 @@ scaleImageAlong(const Scene& scene,
                 const MultiScaleSettings& settings,
                 ProgressMonitor* monitor = nullptr);
 
-/** \brief The same of the points within \a radius of \a point, sorted along \a axis;
+/** \brief The same for the points within \a radius of \a point, sorted along \a axis;
  * at most \a columns of them. */
 ScaleImage
 scaleImageAround(const Scene& scene,
@@ -99,8 +99,8 @@ scaleImageAround(const Scene& scene,
 PointDistributionTensor
 tensorAt(const Scene& scene, Index point, double radius, TensorSettings settings);
 
-/** \brief How many neighbors lie how far from \a point: counts of equal steps of
- * distance / \a radius from 0 to 1, the point itself left out. */
+/** \brief A histogram of the distances of neighbors from \a point: counts for equal
+ * steps of distance / \a radius from 0 to 1, without the point itself. */
 std::vector<std::size_t>
 distanceHistogram(const Scene& scene, Index point, double radius, std::size_t bins);
 

@@ -15,15 +15,15 @@
 
 namespace linelet::view {
 
-/** \brief The points that an analysis works on, and where its results belong. */
+/** \brief The points that an analysis works on, and where its results go. */
 struct Part {
   Indices indices; ///< in the cloud; empty: all of it
   bool all = true;
 
-  /** \throws std::invalid_argument where no point lies in \a box */
+  /** \throws std::invalid_argument if no point lies in \a box */
   Part(const Scene& scene, const std::optional<Box>& box);
 
-  /** \brief Those values of \a whole. */
+  /** \brief The values of \a whole at these points. */
   template <class T>
   std::vector<T>
   of(const std::vector<T>& whole) const
@@ -37,7 +37,7 @@ struct Part {
     return part;
   }
 
-  /** \brief The values of \a part in their places, \a elsewhere in all others. */
+  /** \brief The values of \a part at their points, \a elsewhere at all others. */
   template <class T>
   std::vector<T>
   spread(std::vector<T> part, std::size_t count, const T& elsewhere) const
@@ -51,11 +51,12 @@ struct Part {
   }
 };
 
-/** \brief The points with what decides whether they take part. */
+/** \brief The points, with the attributes that decide whether they take part. */
 io::Cloud
 cloudOf(const Scene& scene, const Part& part);
 
-/** \brief The points of \a part that \a classes let take part; NaN for the others. */
+/** \brief The points of \a part that take part according to \a classes; NaN for the
+ * others. */
 Points
 usablePoints(const Scene& scene, const Part& part, const io::ClassFilter& classes);
 

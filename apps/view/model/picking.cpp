@@ -25,9 +25,10 @@ pick(const UniformGrid& grid, const Ray& ray, double depth)
   const Points& points = grid.sortedPoints();
   const auto reachAt = [&](double s) { return ray.radius + ray.spread * s; };
   std::vector<Candidate> candidates;
-  double deepest = depth; // where there is nothing more to find
+  double deepest = depth; // where nothing more can be found
   const double least = 1e-6 * depth;
-  // Balls along the axis, each around a slice of the cone as long as it is wide.
+  // Balls along the axis, each around a slice of the cone that is as long as it is
+  // wide.
   for (double s = 0; s <= deepest;) {
     const double step = std::max(least, 2 * reachAt(s));
     const Point center = ray.origin + (s + step / 2) * ray.direction;

@@ -17,7 +17,7 @@ using powerline::PowerLineNetwork;
 
 constexpr double beside = 3, beyond = 4; ///< meters around the wires that are shown
 
-/** \brief Keeps \a most of \a places, evenly. */
+/** \brief Keeps \a most of \a places, evenly spread. */
 void
 thin(std::vector<SpanProfile::Place>& places, std::size_t most)
 {

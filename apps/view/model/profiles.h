@@ -21,7 +21,7 @@ struct SpanProfile {
     int id = 0;
     double confidence = 1;
     std::vector<Place> curve;
-    std::vector<Place> points; ///< that it explains
+    std::vector<Place> points; ///< that belong to it
   };
   struct Measure { ///< a clearance
     Place from, to;
@@ -32,13 +32,13 @@ struct SpanProfile {
   int span = 0;
   double length = 0;
   std::vector<Wire> wires;
-  std::vector<Place> others; ///< points beside that belong to no wire of the span
-  std::vector<Place> ground; ///< terrain along the axis, empty where none is known
+  std::vector<Place> others; ///< points nearby that belong to no wire of the span
+  std::vector<Place> ground; ///< terrain along the axis, empty where it is unknown
   std::vector<Measure> clearances;
 };
 
-/** \brief The profile of the span with number \a span of \a network.
- * \param[in] most points that are kept, evenly thinned */
+/** \brief The profile of span number \a span of \a network.
+ * \param[in] most number of points kept, evenly thinned */
 SpanProfile
 profileOf(const Scene& scene,
           const powerline::PowerLineNetwork& network,

@@ -23,8 +23,8 @@ using powerline::PowerLineNetwork;
 using powerline::Support;
 using powerline::Wire;
 
-/** \brief Reads summary.json, whose coordinates are those of the file, back into
- * meters from the cloud's origin. */
+/** \brief Reads summary.json, whose coordinates are those of the file, back into meters
+ * relative to the cloud's origin. */
 class SummaryReader {
 public:
   explicit SummaryReader(const io::Cloud& cloud) : shift_(cloud.shift), frame_(cloud) {}

@@ -28,8 +28,8 @@ endingOf(const std::string& path)
   return ending;
 }
 
-/** \brief Whether a file holds curves rather than points: by its ending, or by its
- * first lines where the ending serves both. */
+/** \brief Whether a file holds curves rather than points: by its extension, or by its
+ * first lines if the extension serves both. */
 bool
 holdsCurves(const std::string& path)
 {
@@ -107,8 +107,8 @@ boundsOf(const Scene& scene)
   return (box.low.array() <= box.high.array()).all() ? box : Box();
 }
 
-/** \brief Width of rows of the search grid: about a neighborhood, or a thousandth of
- * the extent where the points have no scale. */
+/** \brief Width of rows in the search grid: about a neighborhood, or a thousandth of
+ * the extent if the points have no scale. */
 double
 rowSize(const Scene& scene)
 {

@@ -28,14 +28,14 @@ struct Box {
   }
 };
 
-/** \brief What was opened. Never changes once made, so that threads may share it. */
+/** \brief The opened data. Never changes once made, so that threads may share it. */
 struct Scene {
   std::vector<std::string> inputs; ///< as the user named them
-  std::string folder;              ///< of results of `powerlines`, empty: none
+  std::string folder;              ///< folder of results of `powerlines`, empty: none
   io::Cloud cloud;
   Points points; ///< those of the cloud, NaN where they take no part
-  std::unique_ptr<UniformGrid> grid; ///< over \ref points; null without any
-  double scale_unit = 0;             ///< D, NaN where the points have none
+  std::unique_ptr<UniformGrid> grid; ///< over \ref points; null without points
+  double scale_unit = 0;             ///< D, NaN if the points have none
   Box bounds;                        ///< of points and curves
   CurveNetwork curves, truth;        ///< relative to the shift of the cloud
   std::shared_ptr<const powerline::PowerLineNetwork> lines; ///< null: none
@@ -43,8 +43,7 @@ struct Scene {
 };
 
 /** \brief Opens everything that linelet reads: point files, folders and lists of them,
- * curves, and folders that `linelet powerlines` wrote, all in one system of
- * coordinates.
+ * curves, and folders written by `linelet powerlines`, all in one coordinate system.
  * \param[in] truth file of true curves, empty: none
  * \throws io::FileError, Canceled */
 std::shared_ptr<const Scene>
@@ -58,8 +57,8 @@ openScene(const std::vector<std::string>& paths,
 bool
 isPowerLineFolder(const std::string& folder);
 
-/** \brief The network that summary.json and the classified cloud of a folder tell;
- * without terrain.
+/** \brief The network in the summary.json and classified cloud of a folder, without
+ * terrain.
  * \throws io::FileError */
 powerline::PowerLineNetwork
 readNetwork(const std::string& folder, const io::Cloud& classified);

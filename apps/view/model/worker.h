@@ -14,14 +14,14 @@
 
 namespace linelet::view {
 
-/** \brief How far work has come. */
+/** \brief The progress of work. */
 struct Progress {
   std::string stage;
-  double part = 0; ///< of [0, 1]; 0 where the length is not known
+  double part = 0; ///< in [0, 1]; 0 if the length is not known
 };
 
 /** \brief Runs one piece of work at a time in a thread of its own, with progress and
- * cancel. All functions are for one thread, that of the window. */
+ * cancellation. All functions are to be called from one thread, that of the window. */
 class Worker {
 public:
   Worker() = default;
@@ -30,21 +30,20 @@ public:
   Worker&
   operator=(const Worker&) = delete;
 
-  /** \brief What work does in its thread, and what is then done with it in the thread
-   * of \ref poll; that is left out where the work was canceled or failed. */
+  /** \brief What work does in its thread, and what \ref poll then does with it in its
+   * own thread; the latter is skipped if the work was canceled or failed. */
   using Work = std::function<void(ProgressMonitor*)>;
   using Finish = std::function<void()>;
 
-  /** \brief Ends what runs, which is not waited for longer than it takes to hear of
-   * it, and begins \a work. */
+  /** \brief Cancels running work, waiting only until it reacts, and starts \a work. */
   void
   start(Work work, Finish finish);
 
-  /** \brief Asks what runs to stop. */
+  /** \brief Asks running work to stop. */
   void
   cancel();
 
-  /** \brief Whether something was started whose end \ref poll has not told yet. */
+  /** \brief Whether something was started whose end \ref poll has not yet reported. */
   bool
   busy() const
   {
@@ -54,8 +53,8 @@ public:
   Progress
   progress() const;
 
-  /** \brief Takes over what has come to its end, if anything has.
-   * \param[out] error what went wrong, in a sentence; empty where nothing did or it was
+  /** \brief Takes over finished work, if any.
+   * \param[out] error what went wrong, in a sentence; empty if nothing did or it was
    * canceled
    * \return whether something ended */
   bool

@@ -8,7 +8,8 @@
 
 namespace linelet::view {
 
-/** \brief Graphs of linearity, planarity, sphericity over radius at the selection. */
+/** \brief Graphs of linearity, planarity and sphericity over radius at the
+ * selection. */
 class GraphsPanel : public Plot {
 public:
   explicit GraphsPanel(const Model& model);

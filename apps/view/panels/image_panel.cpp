@@ -65,7 +65,7 @@ ImagePanel::paintEvent(QPaintEvent*)
   const auto x = [&](std::size_t i) {
     return in.left() + (static_cast<double>(i) + 0.5) / columns * in.width();
   };
-  // The optimal scale of every place, and the area under its linearity graph.
+  // The optimal scale at every position, and the area under its linearity graph.
   float most = 1e-9F;
   for (const MultiScaleShape& shape : image->shapes)
     most = std::max(most, std::isnan(shape.linearity_sum) ? 0 : shape.linearity_sum);

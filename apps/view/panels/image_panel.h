@@ -10,8 +10,8 @@
 
 namespace linelet::view {
 
-/** \brief The multi-scale image: radii upwards, places to the right, colors of shape.
- */
+/** \brief The multi-scale image: radii upward, positions to the right, colors by
+ * shape. */
 class ImagePanel : public QWidget {
 public:
   explicit ImagePanel(const Model& model);

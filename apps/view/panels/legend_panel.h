@@ -9,7 +9,7 @@
 
 namespace linelet::view {
 
-/** \brief What the colors mean. */
+/** \brief The legend of the colors. */
 class LegendPanel : public QWidget {
 public:
   explicit LegendPanel(QWidget* parent = nullptr);

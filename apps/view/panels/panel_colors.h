@@ -11,7 +11,7 @@
 
 namespace linelet::view {
 
-/** \name Of lines and text in charts
+/** Colors of lines and text in charts
  * @{ */
 inline const QColor linear_color(110, 114, 120), planar_color(33, 84, 217),
     spherical_color(26, 158, 51), yellow(222, 165, 0), red(205, 30, 30),

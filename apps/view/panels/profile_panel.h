@@ -8,7 +8,7 @@
 
 namespace linelet::view {
 
-/** \brief The span of the wire that is looked at, from the side. */
+/** \brief The span of the current wire, seen from the side. */
 class ProfilePanel : public Plot {
 public:
   explicit ProfilePanel(const Model& model);

@@ -17,8 +17,8 @@ class QTableWidget;
 
 namespace linelet::view {
 
-/** \brief The wires, the least certain first, to be accepted, rejected, given another
- * class or a note. */
+/** \brief The wires, least certain first, to be accepted, rejected, reclassified or
+ * annotated. */
 class WiresPanel : public QWidget {
 public:
   explicit WiresPanel(Model& model);
@@ -30,11 +30,11 @@ public:
   void
   fill();
 
-  /** \brief Shows what was said of them, and which is looked at. */
+  /** \brief Shows their reviews, and which one is current. */
   void
   refresh();
 
-  /** \name What the buttons do, of the wire that is looked at
+  /** Actions of the buttons, on the current wire
    * @{ */
   void
   judge(powerline::Review::Verdict verdict);
@@ -43,7 +43,7 @@ public:
   void
   setNote(const std::string& note);
   void
-  step(int by); ///< to the next wire of the table
+  step(int by); ///< go to the next wire of the table
   /** @} */
 
 private:

@@ -96,7 +96,7 @@ addStand(World& world, Random& random)
   addForest(world, stand, random);
 }
 
-/** The line along the extent that most scenes have. */
+/** The line along the extent, as in most scenes. */
 void
 addMainLine(World& world, LinePlan plan, double span, double bend, Random& random)
 {
@@ -112,7 +112,7 @@ addFields(World& world, Random& random)
   addHouses(world, random.integer(2, 12), random);
   addFences(world, random.integer(1, 3), random);
   addHedges(world, random.integer(1, 3), random);
-  // From a few lone trees to groves that hang together.
+  // From a few lone trees to connected groves.
   const double trees = 15 * std::exp(random.uniform(0, 2.8));
   const double bushes = random.uniform(10, 120);
   scatterTrees(world, trees, bushes, random);
@@ -157,7 +157,7 @@ buildUav(World& world, double bend, Random& random)
   addFences(world, 1, random);
 }
 
-/** A pylon in the middle of an extent that ends a few meters on. */
+/** A pylon in the middle, with an extent that ends a few meters beyond. */
 void
 buildStubs(World& world, Random& random)
 {
@@ -275,7 +275,7 @@ linePlaces(const World& world,
            const std::vector<double>& bends,
            Random& random)
 {
-  // Back to one span before the extent, then ahead to one behind it.
+  // Back to one span before the extent, then on to one beyond it.
   const double reach = std::abs(std::cos(angle)) * through.x() +
                        std::abs(std::sin(angle)) * 0.5 * world.width;
   const double total = std::abs(std::cos(angle)) * world.length +

@@ -37,7 +37,7 @@ addWalls(World& world, const Plot& p, double l, double w, double low, double hig
   }
 }
 
-/** A gabled roof over the strip of half width \a w about \a middle across. */
+/** A gabled roof over the strip of half width \a w, shifted by \a middle across. */
 void
 addGables(World& world,
           const Plot& p,
@@ -61,7 +61,7 @@ addGables(World& world,
   }
 }
 
-/** A solid block, as of a chimney. */
+/** A solid block, such as a chimney. */
 void
 addBlock(World& world,
          const Plot& p,

@@ -14,7 +14,7 @@ struct House {
   double eaves; ///< height above its base
 };
 
-/** \brief A dwelling with a gabled roof, eaves, chimney and now and then an aerial. */
+/** \brief A dwelling with a gabled roof, eaves, chimney and sometimes an aerial. */
 House
 addHouse(World& world, const Plot& plot, Random& random);
 
@@ -33,7 +33,7 @@ addGantry(World& world, const Plot& plot, Random& random);
 void
 addPipeBridge(World& world, const Plot& plot, double length, Random& random);
 
-/** \brief A slim mast held by guys. */
+/** \brief A slim guyed mast. */
 void
 addGuyedMast(World& world, const Plot& plot, Random& random);
 

@@ -103,7 +103,7 @@ Caster::meetRod(const Rod& rod, const Pulse& pulse, Random& random)
   double u = 0;
   if (across > 1e-9 * length2)
     u = (off.dot(axis) - off.dot(pulse.direction) * slant) / across;
-  // Pieces of a wire follow each other: what lies beyond an end belongs to the next
+  // Pieces of a wire are consecutive: whatever lies beyond an end belongs to the next
   // one.
   if (rod.wire >= 0 && (u < 0 || u > 1))
     return;
@@ -147,7 +147,7 @@ Caster::meetCrown(const Crown& crown, const Pulse& pulse, Random& random)
     t -= crown.free_path * std::log(1 - random.uniform(0, 1));
     if (t >= end)
       return;
-    // Free paths are drawn for the densest place; elsewhere leaves are left out.
+    // Free paths are drawn for the highest density; elsewhere leaves are skipped.
     const Point place = pulse.at(t);
     const double r = (o + t * d).norm();
     const double clump = smoothNoise(place / 0.7, seed_);

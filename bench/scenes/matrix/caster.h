@@ -12,7 +12,8 @@
 
 namespace linelet::bench::scenes {
 
-/** \brief A pulse: from high above along a unit direction down to a known place. */
+/** \brief A pulse: from high above along a unit direction down to a known ground
+ * point. */
 struct Pulse {
   Point origin, direction;
   double ground; ///< where it reaches the terrain, meters along it
@@ -24,7 +25,7 @@ struct Pulse {
   }
 };
 
-/** \brief Something a pulse meets on its way. */
+/** \brief Something hit by a pulse. */
 struct Hit {
   double t; ///< meters along the pulse
   Point place;
@@ -33,7 +34,7 @@ struct Hit {
   std::int32_t wire;
 };
 
-/** \brief Finds what pulses meet: the world's things in plan cells. */
+/** \brief Finds what pulses hit: the world's objects in plan cells. */
 class Caster {
 public:
   Caster(const World& world, std::uint32_t seed);
@@ -63,7 +64,7 @@ private:
   std::uint32_t seed_;
   Point low_, high_; ///< bounds of all things
   PlanCells cells_;
-  std::vector<std::uint32_t> seen_; ///< number of the pulse that met a thing last
+  std::vector<std::uint32_t> seen_; ///< number of the pulse that last hit an object
   std::uint32_t pulse_ = 0;
   std::vector<Hit> hits_;
 };

@@ -11,7 +11,7 @@
 
 namespace linelet::bench::scenes {
 
-/** \brief A place on a cross-arm where a conductor hangs. */
+/** \brief A place on a cross-arm where a conductor is attached. */
 struct Arm {
   double offset, height; ///< across the line; above the lowest arm
 };
@@ -43,7 +43,7 @@ drawTower(LinePlan& plan, double voltage, Random& random);
 
 /** \brief Supports and wires of a line; the supports are raised until the wires clear
  * the ground.
- * \return tops of the supports (where the lowest arm is) */
+ * \return tops of the supports (at the lowest arm) */
 std::vector<Point>
 addLine(World& world, const LinePlan& plan, Random& random);
 

@@ -10,12 +10,12 @@
 
 namespace linelet::bench::scenes {
 
-/** \brief What a scene of a kind is made of, before anything is built. */
+/** \brief What a scene of a kind consists of, before anything is built. */
 struct Recipe {
   double length = 400, width = 80; ///< of the extent, meters
   ScanPlan scan;
   double wire_density = 5; ///< points per meter of phase in the open
-  double beam = 0.15;      ///< radius of a pulse where it meets things, meters
+  double beam = 0.15;      ///< radius of a pulse at the objects, meters
   bool aside = false;      ///< returns of wires lie on the axes of their pulses
   ReliefPlan relief;
 };
@@ -28,9 +28,9 @@ drawRecipe(SceneKind kind, Random& random);
 void
 build(World& world, SceneKind kind, const Recipe& recipe, Random& random);
 
-/** \brief Places every \a span or so, from before the extent to behind it, on a line
- * through \a through with direction \a angle; \a bends are changes of direction, in
- * radians, one after the other from the second place on. */
+/** \brief Places every \a span or so, from before the extent to beyond it, on a line
+ * through \a through with direction \a angle; \a bends are changes of direction in
+ * radians, at the second place and those after it. */
 std::vector<Point>
 linePlaces(const World& world,
            const Point& through,

@@ -10,7 +10,7 @@ namespace linelet::bench::scenes {
 
 namespace {
 
-/** A value of [0, 1] for a corner of the grid (finalizer of MurmurHash3). */
+/** A value in [0, 1] for a corner of the grid (finalizer of MurmurHash3). */
 double
 cornerValue(std::int64_t x, std::int64_t y, std::int64_t z, std::uint32_t seed)
 {
@@ -67,7 +67,7 @@ Relief::Relief(const ReliefPlan& plan, Random& random) : plan_(plan)
 double
 Relief::bank(double x, double y) const
 {
-  // How far inside of the river; its banks meander by some meters.
+  // Distance into the river; its banks meander by some meters.
   const double bend = 6 * std::sin(y / 23 + 1);
   return std::min(x - plan_.river_from - bend, plan_.river_to + bend - x);
 }

@@ -11,8 +11,8 @@
 
 namespace linelet::bench::scenes {
 
-/** \brief Smooth noise in [0, 1], about one hill per unit: random values at the corners
- * of a unit grid, blended between them. */
+/** \brief Smooth noise in [0, 1] with about one hill per unit: random values at the
+ * corners of a unit grid, interpolated between them. */
 double
 smoothNoise(const Point& p, std::uint32_t seed);
 

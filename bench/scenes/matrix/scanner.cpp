@@ -12,11 +12,12 @@ namespace linelet::bench::scenes {
 
 namespace {
 
-constexpr double dead_zone = 0.5; ///< two returns of a pulse are farther apart, meters
+constexpr double dead_zone = 0.5; ///< least distance of returns of a pulse, meters
 constexpr std::size_t most_returns = 5;
 constexpr double outliers = 1e-5; ///< share of pulses that return from empty air
 
-/** One strip: where the aircraft is and what the strip adjustment left over. */
+/** One strip: the aircraft's position and the residual offset of the strip
+ * adjustment. */
 struct Flight {
   std::uint16_t number = 1;
   double across = 0; ///< of the aircraft, in the frame of the flight
@@ -36,7 +37,7 @@ public:
         across_(-along_.y(), along_.x(), 0),
         middle_(world.relief.at(0.5 * world.length, 0))
   {
-    // Lines are farther apart than the pulses of a line, or closer.
+    // Lines are farther apart than the pulses of a line, or closer together.
     aspect_ = std::exp(random.uniform(-0.7, 1.4));
     zigzag_ = random.integer(0, 1) == 0;
   }
@@ -63,7 +64,7 @@ public:
       const double u = -reach + line_step * static_cast<double>(line);
       const double phase = random_.uniform(0, pulse_step);
       for (double v = -reach + phase; v < reach; v += pulse_step) {
-        // A mirror that swings lays lines that lean to and fro.
+        // An oscillating mirror lays alternately leaning lines.
         const double lean =
             zigzag_ ? (line % 2 == 0 ? 0.5 : -0.5) * line_step * v / reach : 0;
         const double aside = random_.normal(0.1 * pulse_step);
@@ -73,15 +74,15 @@ public:
   }
 
 private:
-  /** Meters from the ground in the middle to the top of all things. */
+  /** Height of the tallest object above the ground in the middle, in meters. */
   double
   tallest() const
   {
     return std::max(0.0, caster_.top() - middle_.z());
   }
 
-  /** What stands high is met by pulses that reach the ground outside of the extent: so
-   * many meters outside where they are aimed at \a v. */
+  /** Tall objects are hit by pulses whose ground point lies outside the extent: the
+   * distance outside for pulses aimed at \a v. */
   double
   marginAt(const Flight& flight, double v) const
   {
@@ -118,7 +119,7 @@ private:
       record(flight, i);
   }
 
-  /** What the receiver hears: every hit takes its share of the pulse's energy. */
+  /** The receiver: every hit takes its share of the pulse's energy. */
   void
   listen(const Pulse& pulse, const Point& target)
   {

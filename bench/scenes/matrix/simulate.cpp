@@ -35,7 +35,7 @@ check(const SceneSettings& s)
   demand(s.noise >= 0 && s.noise <= 1, "--noise from 0 to 1");
 }
 
-/** The longest run of a wire inside the extent; empty where there is none. */
+/** The longest stretch of a wire inside the extent; empty if there is none. */
 Points
 clip(const Points& all, double length, double width)
 {
@@ -79,7 +79,7 @@ clip(const Points& all, double length, double width)
   return best;
 }
 
-/** Takes the truth over into \a scan, cut to the extent. */
+/** Copies the truth into \a scan, clipped to the extent. */
 void
 keepTruth(World& world, SceneScan& scan, double noise)
 {
@@ -103,7 +103,7 @@ keepTruth(World& world, SceneScan& scan, double noise)
   }
 }
 
-/** Turns and moves everything to a heading and a place in northern Germany. */
+/** Turns and moves everything to a heading and location in northern Germany. */
 void
 toWorld(SceneScan& scan, const World& world, Random& random)
 {
@@ -119,7 +119,7 @@ toWorld(SceneScan& scan, const World& world, Random& random)
   };
   for (Point& p : scan.points) {
     turn(p);
-    p = (p * 1000).array().round() / 1000; // a point file says millimeters
+    p = (p * 1000).array().round() / 1000; // a point file stores millimeters
   }
   for (SceneWire& wire : scan.wires)
     for (Point& p : wire.points)
@@ -136,7 +136,7 @@ SceneScan
 simulateScene(const SceneSettings& settings, ProgressMonitor* monitor)
 {
   check(settings);
-  // Kinds of the same seed have nothing in common.
+  // Different kinds with the same seed have nothing in common.
   Random random(settings.seed * 64 + static_cast<std::uint32_t>(settings.kind));
   Recipe recipe = drawRecipe(settings.kind, random);
   if (settings.density > 0)

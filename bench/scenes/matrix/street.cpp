@@ -44,8 +44,8 @@ addRow(World& world, double y, double side, Random& random)
   return all;
 }
 
-/** Poles along the street: wires on a crossarm or one below the other, and a cable of
- * telephones below. */
+/** Poles along the street: wires on a crossarm or one below the other, and a telephone
+ * cable below. */
 LinePlan
 streetLine(const World& world, double y, int line, Random& random)
 {
@@ -107,7 +107,7 @@ addStreet(World& world, double y, int line, bool wires, Random& random)
     wire.share = random.uniform(0.6, 1);
     addWire(world, wire, nearest - 0.3 * Point::UnitZ(), house.place, random);
   }
-  // Trees of the street stand among the poles and reach the wires.
+  // Street trees stand among the poles and reach the wires.
   for (double x = random.uniform(0, 15); x < world.length; x += random.uniform(9, 30)) {
     const Point base = world.relief.at(x, curb + random.normal(0.7));
     const double height = random.uniform(5, 12);
@@ -120,7 +120,7 @@ addStreet(World& world, double y, int line, bool wires, Random& random)
 void
 addClutter(World& world, Random& random)
 {
-  // Places for the bulky things, clear of wires above \a room.
+  // Locations for bulky objects, clear of wires above \a room.
   const auto place = [&](double radius, double room, auto&& put) {
     for (int attempt = 0; attempt < 40; ++attempt) {
       const double x = random.uniform(0.03, 0.97) * world.length;
@@ -136,7 +136,7 @@ addClutter(World& world, Random& random)
   const auto turned = [&](const Point& p) {
     return Plot(p, random.uniform(0, 2 * pi));
   };
-  const auto along = [&](const Point& p) { // the line's direction, give or take
+  const auto along = [&](const Point& p) { // approximately the line's direction
     const double sense = random.integer(0, 1) * pi;
     return Plot(p, sense + random.normal(0.1));
   };

@@ -10,7 +10,7 @@ namespace linelet::bench::scenes {
 
 namespace {
 
-/** A branch in two pieces that bends upwards. */
+/** A branch in two pieces that bends upward. */
 void
 addBranch(World& world,
           const Point& from,
@@ -145,7 +145,8 @@ addForest(World& world, const ForestPlan& plan, Random& random)
       if (room < 0 || x < plan.from || x > plan.to || y * plan.side < 0)
         continue;
       Point base = world.relief.at(x, y);
-      // Those at the border lean over the cutting, or their crowns would stop there.
+      // Trees at the border lean over the cutting; otherwise their crowns would stop
+      // there.
       if (room < plan.spacing && random.uniform(0, 1) < plan.overhang)
         base.y() -= std::copysign(std::min(0.45 * plan.cutting, 0.8 * plan.spacing), y);
       else if (room < crown && plan.cutting > 0)
@@ -178,7 +179,7 @@ scatterTrees(World& world,
   Point last = anywhere();
   for (int i = 0; i < static_cast<int>(per_hectare * hectares); ++i) {
     Point p = anywhere();
-    // Every other one stands close to the last: groves and rows as well as lone trees.
+    // Every other one is close to the previous one: groves, rows and lone trees.
     if (random.integer(0, 1) == 0) {
       const double x = last.x() + random.normal(5), y = last.y() + random.normal(5);
       p = world.relief.at(x, y);

@@ -27,11 +27,11 @@ addBush(World& world, const Point& base, Random& random);
 void
 addHedge(World& world, const Plot& plot, double length, Random& random);
 
-/** \brief Where a wood stands and how close. */
+/** \brief Location and density of a wood. */
 struct ForestPlan {
   double spacing = 5; ///< of the trees, meters
   double low = 14, high = 26;
-  double cutting = 0;      ///< width without trees about the x axis
+  double cutting = 0;      ///< width of the treeless strip about the x axis
   double overhang = 0;     ///< share of the trees beside the cutting that lean over it
   double understory = 0.3; ///< bushes per tree
   double from = -1e9;      ///< along x
@@ -39,12 +39,12 @@ struct ForestPlan {
   int side = 0; ///< of the cutting, 1 or -1; 0: both
 };
 
-/** \brief Trees at closed cover, all over the extent but for the cutting. */
+/** \brief Trees with closed canopy, all over the extent except the cutting. */
 void
 addForest(World& world, const ForestPlan& plan, Random& random);
 
-/** \brief Trees in the open, lone and in groves; below and beside wires they are cut
- * now and then, not always in time.
+/** \brief Trees in the open, lone and in groves; below and beside wires they are
+ * trimmed now and then, not always in time.
  * \param[in] per_hectare how many of each */
 void
 scatterTrees(World& world,

@@ -14,10 +14,10 @@ namespace linelet::bench::scenes {
 namespace {
 
 constexpr double wire_cover = 0.3; ///< share of a pulse's energy that a wire takes
-constexpr double chance = 0.6;     ///< of a wire to answer a pulse within its reach
+constexpr double chance = 0.6;     ///< probability that a wire in reach answers a pulse
 
-/** Places of the conductors of a bundle in the plane across it: an even polygon whose
- * sides are \a spacing. */
+/** Positions of the conductors of a bundle in the plane across it: a regular polygon
+ * with sides of \a spacing. */
 std::vector<std::pair<double, double>>
 bundleOffsets(int conductors, double spacing)
 {
@@ -25,7 +25,7 @@ bundleOffsets(int conductors, double spacing)
   if (conductors == 1)
     return {{0, 0}};
   const double radius = 0.5 * spacing / std::sin(pi / conductors);
-  // Twins lie side by side, three stand on a side, four on an edge of the square.
+  // Twins lie side by side, a triangle stands on a side, four form an upright square.
   const double turn = conductors == 2 ? 0 : (conductors == 3 ? pi / 2 : pi / 4);
   for (int i = 0; i < conductors; ++i) {
     const double angle = turn + 2 * pi * i / conductors;
@@ -34,7 +34,7 @@ bundleOffsets(int conductors, double spacing)
   return offsets;
 }
 
-/** Stretches, as shares of the wire, that return nothing. */
+/** Stretches without returns, as shares of the wire. */
 std::vector<std::pair<double, double>>
 drawHidden(double share, double length, Random& random)
 {
@@ -56,7 +56,7 @@ hangingPoint(const Point& from, const Point& to, double a, double share)
 {
   const double span = std::hypot(to.x() - from.x(), to.y() - from.y());
   const double rise = to.z() - from.z();
-  // Where the lowest point lies: sinh of the middle follows from the rise.
+  // The lowest point: the sinh of the middle follows from the rise.
   const double middle = a * std::asinh(rise / (2 * a * std::sinh(span / (2 * a))));
   const double lowest = 0.5 * span - middle;
   Point p = from + share * (to - from);
@@ -89,8 +89,8 @@ addWire(World& world,
     wire.points.push_back(at(span * i / pieces));
 
   const auto index = static_cast<std::int32_t>(world.wires.size());
-  // Four stand in two columns, and of a column a pulse hears the upper one or the
-  // lower.
+  // Four form two columns, and a pulse hears either the upper or the lower one of a
+  // column.
   const bool square = strung.conductors == 4;
   const double answers =
       square ? 2 * (1 - (1 - chance) * (1 - chance)) : strung.conductors * chance;
@@ -108,7 +108,7 @@ addWire(World& world,
     if (w1 < s1)
       world.add(StructureKind::Insulator, at(w1), at(s1), 0.1);
     const double middle = 0.5 * (w0 + w1) / span;
-    // Returns come and go along a wire, within some meters.
+    // Returns come and go along a wire over some meters.
     const double fading = 0.5 + smoothNoise(Point(middle * span / 8, 0, 0), seed);
     const bool seen =
         std::none_of(hidden.begin(), hidden.end(), [&](const auto& stretch) {

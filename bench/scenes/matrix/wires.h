@@ -17,7 +17,7 @@ struct Strung {
   double share = 1;        ///< of the scene's points per meter
   double front_string = 0; ///< insulators in line with the wire, meters
   double back_string = 0;
-  double hidden = 0; ///< share of its length that returns nothing
+  double hidden = 0; ///< share of its length without returns
 };
 
 /** \brief Hangs a wire or bundle from \a from to \a to. */

@@ -24,7 +24,7 @@ enum : std::uint8_t {
   InsulatorClass = 16
 };
 
-/** \brief A straight round piece that pulses can meet. */
+/** \brief A straight round piece that pulses can hit. */
 struct Rod {
   Point from, to;
   double radius;
@@ -32,7 +32,7 @@ struct Rod {
   double cover; ///< share of a pulse's energy that it takes
   std::uint8_t classification;
   std::int32_t wire = -1;
-  double chance = 1;  ///< of answering a pulse within reach
+  double chance = 1;  ///< probability of answering a pulse within reach
   bool aside = false; ///< returns lie on the axis of their pulse
 };
 
@@ -44,7 +44,7 @@ struct Facet {
 /** \brief Leaves in an ellipsoid, axes along x, y, z: dense outside, sparse inside. */
 struct Crown {
   Point center, radii;
-  double free_path; ///< mean way of a pulse between leaves in the sphere, meters
+  double free_path; ///< mean free path of a pulse between leaves in the sphere, meters
 };
 
 /** \brief A disc in plan where nothing else may stand. */
@@ -52,12 +52,12 @@ struct Disc {
   double x, y, radius;
 };
 
-/** \brief Everything of a scene. x runs along its main line; the extent is
- * [0, length] x [-width/2, width/2]. */
+/** \brief Everything in a scene. x runs along its main line; the extent is [0, length]
+ * x [-width/2, width/2]. */
 struct World {
   double length, width;
   Relief relief;
-  double beam;       ///< radius of a pulse where it meets things, meters
+  double beam;       ///< radius of a pulse at the objects, meters
   double wire_reach; ///< of a wire that answers every pulse and gives all points of
                      ///< its phase, meters
   bool aside;        ///< a return of a wire lies on the axis of its pulse, up to the
@@ -73,7 +73,7 @@ struct World {
   void
   add(StructureKind kind, const Point& from, const Point& to, double radius);
 
-  /** \brief Whether a disc is free; if so, it is taken. */
+  /** \brief Whether a disc is free; if so, it becomes occupied. */
   bool
   take(double x, double y, double radius);
 
