@@ -51,7 +51,7 @@ readCamera(const std::string& path, const Point& shift)
     camera.far = json.value("far", camera.far);
   }
   catch (const std::exception& error) {
-    throw std::runtime_error(path + ": no camera: " + error.what() +
+    throw std::runtime_error(path + ": not a camera: " + error.what() +
                              "; it is JSON like {\"eye\": [0, 0, 10], \"target\": "
                              "[5, 5, 0], \"field_of_view\": 60}");
   }

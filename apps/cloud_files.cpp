@@ -22,8 +22,8 @@ warnOfDegrees(const io::Cloud& cloud, const std::string& path, Frame& frame)
 {
   if (const std::string why = io::degreesIn(cloud); !why.empty())
     frame.warn(path + ": " + why +
-               ", which are no lengths: distances, shapes and densities in its plan "
-               "mean nothing; " +
+               ", so that distances, shapes and densities in plan are "
+               "meaningless; " +
                projection_help);
 }
 
@@ -124,8 +124,8 @@ CloudInput::headers()
 {
   if (!options_.bounds.empty() || !options_.bounds_3d.empty() ||
       options_.resolution > 0)
-    frame_.warn("--bounds, --bounds-3d and --resolution have no effect on what headers "
-                "say");
+    frame_.warn("--bounds, --bounds-3d and --resolution have no effect on figures from "
+                "headers");
   return summaries();
 }
 
@@ -160,7 +160,7 @@ CloudInput::checkUnits(const io::Cloud& cloud, const std::string& path)
     warnOfDegrees(cloud, path, frame_);
   else if (const std::string why = io::degreesIn(cloud);
            use_ == Use::Lengths && !why.empty())
-    throw io::FileError(path + ": " + why + ", and it needs lengths; " +
+    throw io::FileError(path + ": " + why + ", but lengths are needed; " +
                         projection_help);
 }
 

@@ -45,7 +45,7 @@ number(const std::string& word)
     read = 0;
   }
   if (read == 0 || read != word.size())
-    throw std::invalid_argument("'" + word + "' is no number");
+    throw std::invalid_argument("'" + word + "' is not a number");
   return value;
 }
 
@@ -206,11 +206,11 @@ steps()
         0,
         [](Window& w, const Words&) { w.wires().step(1); }}},
       {"accept",
-       {": the wire that is looked at",
+       {": the current wire",
         0,
         [](Window& w, const Words&) { w.wires().judge(Verdict::Accepted); }}},
       {"reject",
-       {": the wire that is looked at",
+       {": the current wire",
         0,
         [](Window& w, const Words&) { w.wires().judge(Verdict::Rejected); }}},
       {"class",

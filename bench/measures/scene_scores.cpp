@@ -199,7 +199,7 @@ calibrate(const CurveNetwork& found,
           const SceneScoreSettings& s)
 {
   if (confidence.size() != found.curves.size())
-    throw std::invalid_argument("calibration needs one confidence a wire");
+    throw std::invalid_argument("calibration needs one confidence per wire");
   const ThickThings right = trueWires(truth);
   for (std::size_t i = 0; i < confidence.size(); ++i) {
     SceneScores own;

@@ -95,7 +95,7 @@ describe(CorridorSettings& s, Visit&& visit)
   visit("bundle", s.bundle, "subconductors per bundle, 1 or 2; 0: by voltage");
   visit("earth-wires", s.earth_wires, "number of earth wires, 0 to 2");
   visit("angle", s.angle, "change of direction at one pylon, degrees");
-  visit("wind", s.wind, "angle by which wires are blown out, degrees");
+  visit("wind", s.wind, "angle by which wind swings the wires, degrees");
   visit("low-voltage", s.low_voltage, "number of pole lines crossing below");
   visit("low-voltage-wires", s.low_voltage_wires, "wires per pole line, 1 to 6");
   visit("relief", s.relief, "height differences of the terrain, meters");

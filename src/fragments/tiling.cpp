@@ -80,7 +80,7 @@ Tiling::Tiling(std::vector<Cut> cuts) : cuts_(std::move(cuts))
     for (const int side : {cut.below, cut.above})
       if (side >= static_cast<int>(cuts_.size()) ||
           side < -1 - static_cast<int>(cuts_.size()) || cut.axis < 0 || cut.axis > 1)
-        throw std::invalid_argument("cuts that make no tiling");
+        throw std::invalid_argument("these cuts do not make a tiling");
 }
 
 Tiling::Tiling(const std::vector<Extent>& inputs, const TilingSettings& settings)
@@ -155,7 +155,7 @@ Tiling::box(std::size_t number) const
     while (k < cuts_.size() && cuts_[k].below != inside && cuts_[k].above != inside)
       ++k;
     if (k == cuts_.size())
-      throw std::out_of_range("no box of this tiling");
+      throw std::out_of_range("not a box of this tiling");
     const Cut& cut = cuts_[k];
     const auto a = static_cast<std::size_t>(cut.axis);
     if (cut.below == inside)

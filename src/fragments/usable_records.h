@@ -50,8 +50,8 @@ forEachRecord(const Plan& plan,
       const double value = world[static_cast<Eigen::Index>(a)];
       if (value < area.low[a] || value > area.high[a])
         throw io::FileError(input.path +
-                            ": has points outside of the bounds that its header "
-                            "names; rewrite it with linelet convert");
+                            ": has points outside the bounds in its header; "
+                            "rewrite it with linelet convert");
     }
     use(PieceRecord{p.x(),
                     p.y(),

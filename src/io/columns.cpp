@@ -216,7 +216,7 @@ cloudFromColumns(const Source& source, std::vector<Column> columns)
     appendNumber(apart, gap);
     source.warn("coordinates are floats of 4 bytes, which lie " + apart +
                 " apart this far from the origin: finer detail, if there was any, is "
-                "lost; store them in 8 bytes, or less a shift (linelet convert "
+                "lost; store them in 8 bytes, or minus a shift (linelet convert "
                 "--shifted)");
   }
   unpackColors(columns);

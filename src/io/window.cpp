@@ -32,7 +32,7 @@ limit(Window& window,
     const double low = numbers[static_cast<std::size_t>(axis)];
     const double high = numbers[static_cast<std::size_t>(axes + axis)];
     if (!(low <= high))
-      throw FileError(name + " bounds nothing in " + "xyz"[axis] +
+      throw FileError(name + " is empty in " + "xyz"[axis] +
                       ": the first corner must be the lower one; give " + form);
     window.low[axis] = std::max(window.low[axis], low);
     window.high[axis] = std::min(window.high[axis], high);

@@ -16,7 +16,7 @@ MetricFrame::MetricFrame(const io::Cloud& cloud)
   if (std::isnan(units_.plan))
     throw std::invalid_argument("its reference system " + io::referenceName(cloud.wkt) +
                                 " has the unit " + units_.plan_name +
-                                ", and power lines are looked for in lengths");
+                                ", but power lines need a unit of length");
 }
 
 } // namespace linelet::powerline

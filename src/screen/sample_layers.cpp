@@ -97,7 +97,7 @@ sampleLayers(const Points& points,
     throw std::invalid_argument("points of size " + textOf(point_size) +
                                 " cannot be seen");
   if (camera.width < 1 || camera.height < 1)
-    throw std::invalid_argument("a picture needs a pixel at least");
+    throw std::invalid_argument("a picture needs at least one pixel");
   const int count = threadCount(threads);
   const std::vector<Spot> spots = project(points, camera, point_size, diameter, count);
 

@@ -161,7 +161,7 @@ TEST_F(WindowsOfCommands, AreRefusedWhereTheyBoundNothing)
 {
   io::writeCloud(path("cloud.laz"), cloud_);
   expectOneLineOf("info " + path("cloud.laz") + " --bounds 1,2,3", "X0,Y0,X1,Y1");
-  expectOneLineOf("info " + path("cloud.laz") + " --bounds 2,2,1,3", "bounds nothing");
+  expectOneLineOf("info " + path("cloud.laz") + " --bounds 2,2,1,3", "is empty in");
   expectOneLineOf("info " + path("cloud.laz") + " --resolution -1", "--resolution");
 }
 

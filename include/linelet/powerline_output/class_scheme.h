@@ -34,7 +34,7 @@ void
 describe(ClassScheme& s, Visit&& visit)
 {
   visit("wire-class", s.wire, "class of wires in classified.las (ASPRS: 14)");
-  visit("tower-class", s.tower, "class of towers and poles there (ASPRS: 15)");
+  visit("tower-class", s.tower, "class of pylons and poles there (ASPRS: 15)");
   visit("existing-classes",
         s.existing,
         "what to do with points that had one of these classes but belong to no wire or "

@@ -182,7 +182,7 @@ private:
           continue;
         const StoredColumn raw(group, rawName(e));
         if (raw.rows() != count() * extra.bytes || raw.width() != 1)
-          throw Error("its LAS extra bytes are not as many as its points");
+          throw Error("its LAS extra bytes do not match its points");
         extra.raw.resize(number * extra.bytes);
         raw.read({"", ValueType::UInt8},
                  first * extra.bytes,

@@ -81,7 +81,8 @@ checkFront(const Source& source, LasHeader& header, LasOrigin& origin)
                 std::to_string(header.minor) +
                 " at byte 24 is not known; linelet reads 1.0 to 1.4");
   if (header.minor == 5)
-    source.warn("LAS version 1.5 is read as 1.4; what is new in it is kept unread");
+    source.warn(
+        "LAS version 1.5 is read as 1.4; its additions are kept but not interpreted");
 
   // The upper two bits tell that the points are compressed.
   const unsigned format = static_cast<unsigned char>(bytes[las_at::format]) & 0x3FU;

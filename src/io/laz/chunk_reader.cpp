@@ -89,7 +89,7 @@ checkEnd(const Decoder& decoder, const std::uint8_t* end, std::size_t number)
     endsEarly();
   if (decoder.next() != end)
     throw Error("layer " + std::to_string(number) +
-                " of its compressed data goes on behind its last point");
+                " of its compressed data continues after its last point");
 }
 
 std::size_t

@@ -29,7 +29,7 @@ makeItemCoder(const Item& item, const std::uint8_t* first)
   case Item::Byte:
     return std::make_unique<Bytes<Coder>>(first, item.size);
   default:
-    throw Error("item type " + std::to_string(item.type) + " is one of layers");
+    throw Error("item type " + std::to_string(item.type) + " belongs to layers");
   }
 }
 

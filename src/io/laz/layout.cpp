@@ -101,7 +101,7 @@ parseLayout(std::string_view data, int format, std::size_t record_length)
   if (compressor < Layout::Pointwise || compressor > Layout::Layered ||
       (compressor == Layout::Layered) != layered)
     throw Error("its LAZ record names compressor " + std::to_string(compressor) +
-                ", which is none of point format " + std::to_string(format));
+                ", which does not belong to point format " + std::to_string(format));
   layout.compressor = static_cast<Layout::Compressor>(compressor);
   if (load<std::uint16_t>(at + 2) != 0)
     throw Error("its LAZ record names coder " +

@@ -18,7 +18,7 @@ gunzip(const Source& source, std::string_view packed, std::size_t size)
 {
   // Deflate makes at most 1032 bytes of one.
   if (size / 1032 > packed.size())
-    source.fail("the header says more numbers than " + std::to_string(packed.size()) +
+    source.fail("the header claims more numbers than " + std::to_string(packed.size()) +
                 " packed bytes can hold");
   std::string bytes(size, '\0');
   z_stream stream{};

@@ -104,14 +104,14 @@ private:
   {
     std::string_view line;
     if (!lines_.next(line) || line.substr(0, 6) != "NRRD00")
-      source_.fail("is no NRRD file: it does not begin with NRRD000");
+      source_.fail("not an NRRD file: it does not begin with NRRD000");
     while (lines_.next(line) && !line.empty()) {
       const std::size_t colon = line.find(':');
       if (line.front() == '#' || line.substr(colon, 2) == ":=")
         continue;
       if (colon == std::string_view::npos)
         source_.fail("line " + std::to_string(lines_.number()) +
-                     " of the header is no 'field: value'");
+                     " of the header is not 'field: value'");
       fields_[line.substr(0, colon)] = trimmed(line.substr(colon + 1));
     }
   }
@@ -170,7 +170,7 @@ private:
         whole = parseNumber(takeWord(inside, ", \t"), vector[a]) && whole;
       if (!whole || !takeWord(inside, ", \t").empty() || !vector.allFinite())
         source_.fail("'" + std::string(name) +
-                     "' is no list of vectors of three numbers, (x,y,z)");
+                     "' is not a list of vectors of three numbers, (x,y,z)");
       result.emplace_back(vector);
       text.remove_prefix(end + 1);
     }
@@ -188,8 +188,8 @@ private:
       return SampleKind::MaskedSymmetric;
     if (kind == "3D-matrix" || (kind.empty() && size == 9))
       return SampleKind::Matrix;
-    source_.fail("its fourth axis is no tensor: a 3D-symmetric-matrix, "
-                 "3D-masked-symmetric-matrix or 3D-matrix");
+    source_.fail("its fourth axis is not a tensor (3D-symmetric-matrix, "
+                 "3D-masked-symmetric-matrix or 3D-matrix)");
   }
 
   void
@@ -216,7 +216,7 @@ private:
     if (kinds.size() != sizes.size() ||
         (!directions.empty() && directions.size() != sizes.size()))
       source_.fail("the header has " + std::to_string(sizes.size()) +
-                   " sizes and another number of kinds or space directions");
+                   " sizes but a different number of kinds or space directions");
     std::size_t tensor = sizes.size(); // its axis
     if (sizes.size() == 4) {
       tensor = 0;
@@ -268,7 +268,7 @@ private:
     if (fields_.count("space origin") > 0) {
       const auto origin = vectors("space origin");
       if (origin.size() != 1 || !origin.front())
-        source_.fail("'space origin' is not one place");
+        source_.fail("'space origin' is not a single vector");
       result_.origin = *origin.front();
     }
     if (fields_.count("measurement frame") > 0) {

@@ -22,7 +22,7 @@ numbersOf(const Source& source, const NrrdHeader& header)
   const std::size_t count = header.numbers(), width = sizeOf(header.type);
   const auto check = [&](std::size_t there) {
     if (there < count)
-      source.fail("the header says " + std::to_string(count) +
+      source.fail("the header claims " + std::to_string(count) +
                   " numbers, but the file ends after " + std::to_string(there));
   };
   std::vector<double> numbers;

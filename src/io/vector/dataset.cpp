@@ -22,7 +22,7 @@ openDataset(const std::string& path, const Complaints& complaints)
   std::unique_ptr<GDALDataset> dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (dataset == nullptr)
-    throw FileError(path + ": cannot be read as what its ending says (" +
+    throw FileError(path + ": cannot be read in the format of its ending (" +
                     complaints.first() + "); check that it is whole");
   return dataset;
 }

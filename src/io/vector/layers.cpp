@@ -247,9 +247,10 @@ writeLayers(const std::string& path,
   const bool unknown = !isSystem(wkt);
   if (unknown && (ending == ".geojson" || ending == ".kml") && warnings != nullptr &&
       !isEmpty(layers))
-    warnings->push_back(path + ": the input has no reference system, so readers of " +
-                        (ending == ".kml" ? "KML" : "GeoJSON") +
-                        " take the coordinates for degrees; .gpkg says it is unknown");
+    warnings->push_back(
+        path + ": the input has no reference system, so readers of " +
+        (ending == ".kml" ? "KML" : "GeoJSON") +
+        " take the coordinates for degrees; a .gpkg records it as unknown");
   if (ending == ".geojson" && (options.keep_crs || unknown)) {
     OutputFile file(path);
     file.write(layersAsGeoJson(layers, wkt, monitor));

@@ -48,7 +48,7 @@ readLine(const std::string& line, const std::string& where, Conductor& conductor
                                 " of a conductor; write area, diameter, mass, modulus, "
                                 "expansion, creep or name");
   if (!(words >> *value) || words >> rest || !std::isfinite(*value))
-    throw std::invalid_argument(where + ": " + key + " wants one number");
+    throw std::invalid_argument(where + ": " + key + " needs one number");
 }
 
 } // namespace

@@ -61,7 +61,7 @@ private:
       if (read && value < 0)
         value += count + 1; // counted back from the newest
       if (!read || value < 1 || value > count)
-        fail("'" + cleanName(word) + "' is none of the " + std::to_string(count) +
+        fail("'" + cleanName(word) + "' is not one of the " + std::to_string(count) +
              " vertices before it");
       places.push_back(static_cast<std::size_t>(value - 1));
     }

@@ -41,7 +41,7 @@ plyElements(const Source& source, ScannedWords& words)
     }
     else if (word == "property" && !elements.empty()) {
       if (takeWord(rest) == "list")
-        source.fail("has lists (faces?), of which no curves are made");
+        source.fail("has lists (faces?), which cannot be read as curves");
       elements.back().properties.emplace_back(takeWord(rest));
     }
     else if (word == "end_header") {
@@ -50,7 +50,7 @@ plyElements(const Source& source, ScannedWords& words)
       return elements;
     }
   }
-  source.fail("its header has no end");
+  source.fail("its header does not end");
 }
 
 /** Rows of the elements of a PLY file, as numbers by name. */
