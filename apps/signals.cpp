@@ -12,7 +12,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <linelet/io/output_file.h>
+#include <linelet/io/unfinished_files.h>
 
 namespace linelet::apps {
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <linelet/curves/refined_reconstruction.h>
 #include <linelet/io/cloud_sink.h>
 #include <linelet/io/point_stream.h>
 

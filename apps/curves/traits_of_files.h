@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
 #include <linelet/support/progress_monitor.h>
 
 #include "cloud_files.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include <linelet/fragments/records.h>
-#include <linelet/io/output_file.h>
+#include <linelet/io/unfinished_files.h>
 
 #include "fragment_run.h"
 #include "quiet_monitor.h"

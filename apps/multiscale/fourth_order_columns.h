@@ -7,9 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/io/cloud.h>
 #include <linelet/support/names.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::apps {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <linelet/features/multi_scale.h>
 #include <linelet/io/output_file.h>
 
 namespace linelet::apps {

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
+#include <linelet/features/multi_scale_types.h>
 #include <linelet/support/progress_monitor.h>
 
 namespace linelet::apps {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
+#include <linelet/features/multi_scale_types.h>
 
 namespace linelet::apps {
 

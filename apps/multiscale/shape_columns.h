@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_types.h>
 #include <linelet/io/cloud.h>
 
 namespace linelet::apps {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/io/cloud.h>
 #include <linelet/screen/screen_normals.h>
 #include <linelet/support/names.h>

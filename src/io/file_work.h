@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/file_error.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet::io {
 

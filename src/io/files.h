@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include <linelet/io/output_file.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 

@@ -43,7 +43,7 @@ filesOfFolder(const std::string& folder)
   return files;
 }
 
-/** Lines of the list \a path, as paths; nothing where the first is no file. */
+/** Lines of the list \a path, as paths; nothing if the first is not a file. */
 std::vector<std::string>
 filesOfList(const std::string& path)
 {

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <linelet/io/output_check.h>
+#include <linelet/io/output_file.h>
 
 #include "files.h"
 #include "hdf5/cloud_reader.h"

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <linelet/io/file_error.h>
+#include <linelet/io/output_file.h>
 
 #include "files.h"
 #include "io/text/text_scan.h"

@@ -10,6 +10,8 @@
 
 #include <boost/endian/conversion.hpp>
 
+#include <linelet/io/cloud.h>
+#include <linelet/io/file_options.h>
 #include <linelet/support/visibility.h>
 
 #include "file_work.h"

@@ -18,8 +18,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <linelet/io/output_file.h>
-#include <linelet/io/point_file.h>
+#include <linelet/io/file_error.h>
+#include <linelet/io/unfinished_files.h>
 
 #include "files.h"
 
@@ -159,7 +159,7 @@ void
 removeUnfinishedFiles()
 {
   Register& all = Register::instance();
-  all.mutex.lock(); // for good: nothing is made or published any more
+  all.mutex.lock(); // never unlocked: nothing is made or published any more
   for (const std::string& place : all.places)
     removeWithCompanions(place);
 }

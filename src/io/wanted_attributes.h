@@ -5,7 +5,8 @@
 
 #include <string_view>
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/cloud.h>
+#include <linelet/io/file_options.h>
 
 namespace linelet::io {
 

@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+#include <linelet/io/file_error.h>
+
 #include "io/las/las_format.h"
 
 namespace linelet::io {

@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include <linelet/io/point_file.h>
+#include <linelet/io/cloud.h>
+#include <linelet/io/file_options.h>
 
 namespace linelet::io {
 

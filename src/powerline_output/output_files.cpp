@@ -36,26 +36,6 @@ unexplainedWarning(const PowerLineNetwork& network)
 
 } // namespace
 
-std::vector<std::string>
-powerLineFiles(const std::string& folder, bool compress)
-{
-  std::vector<std::string> paths;
-  for (const char* name : {compress ? "classified.laz" : "classified.las",
-                           "wires.geojson",
-                           "wires.gpkg",
-                           "wires.dxf",
-                           "hazards.geojson",
-                           "hazards.gpkg",
-                           "hazards.dxf",
-                           "clearances.csv",
-                           "crossings.csv",
-                           "fall_in.csv",
-                           "summary.json",
-                           "report.html"})
-    paths.push_back((std::filesystem::path(folder) / name).string());
-  return paths;
-}
-
 void
 makeOutputFolder(const std::string& folder, bool compress)
 {

@@ -17,7 +17,7 @@
 
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/powerline_output/below_clearance.h>
-#include <linelet/powerline_output/output_files.h>
+#include <linelet/powerline_output/result_files.h>
 
 #include "hazard_summary.h"
 

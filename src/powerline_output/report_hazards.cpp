@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "report_hazards.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,9 +10,7 @@
 
 #include <linelet/powerline_output/below_clearance.h>
 
-#include "report_page.h"
-#include "report_sections.h"
-#include "report_space.h"
+#include "report_marks.h"
 #include "report_table.h"
 
 namespace linelet::powerline::report {
@@ -36,8 +36,8 @@ distance(const Content& content,
           key.empty() ? key : spaceLink(key)};
 }
 
-/** Key of a hazard in the view in space, which shows the wires as scanned; empty for
- * those of other states. */
+/** Key of a hazard in the 3D view, which shows the wires as scanned; empty for other
+ * states. */
 std::string
 keyOf(const Content& content, const Hazards& hazards, const char* kind, int id)
 {

@@ -197,7 +197,7 @@ addJumpers(Markup& page,
     if (jumper.support == 0 ||
         (jumper.support != span.from_support && jumper.support != span.to_support))
       continue;
-    Points shown; // it goes on into the next span
+    Points shown; // it continues into the next span
     for (const Point& p : jumper.course)
       if (const double s = frame.along(p); s >= view.from && s <= view.to)
         shown.push_back(p);

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "report_image.h"
-#include "report_sections.h"
+#include "report_marks.h"
 
 namespace linelet::powerline::report {
 
@@ -200,47 +200,6 @@ stillPicture(const Content& content, const Frame& frame, const Indices& shown)
 
 } // namespace
 
-std::vector<SpaceMark>
-spaceMarks(const Content& content)
-{
-  std::vector<SpaceMark> marks;
-  const auto add = [&](const Clearance& found,
-                       const std::string& key,
-                       const std::string& what,
-                       double meters) {
-    marks.push_back(
-        {found.wire, found.other, key, content.length(meters, 2) + " m " + what});
-  };
-  if (content.options.hazards.empty()) {
-    for (const LowWire& low : lowWires(content))
-      add(*low.found,
-          std::to_string(marks.size() + 1),
-          std::string("to ") + low.what + ", span " + std::to_string(low.wire->span) +
-              ", wire " + std::to_string(low.wire->number),
-          low.found->distance);
-    return marks;
-  }
-  const Hazards& hazards = content.options.hazards.front();
-  for (const Encroachment& one : hazards.clearances)
-    add(one.nearest,
-        "c" + std::to_string(one.id),
-        "to " + std::string(nameOf(one.kind)) + ", span " + std::to_string(one.span) +
-            ", wire " + std::to_string(content.wire(one.wire).number),
-        one.nearest.distance);
-  for (const Crossing& one : hazards.crossings)
-    add(one.nearest,
-        "x" + std::to_string(one.id),
-        "between crossing wires",
-        one.nearest.distance);
-  for (const FallIn& one : hazards.fall_in)
-    marks.push_back({one.at,
-                     one.top,
-                     "t" + std::to_string(one.id),
-                     "a tree of " + content.length(one.height, 1) + " m, span " +
-                         std::to_string(one.span)});
-  return marks;
-}
-
 Section
 spaceSection(const Content& content)
 {
@@ -275,7 +234,7 @@ spaceSection(const Content& content)
                      {"lines", base64(lineBytes(content, frame))},
                      {"hazards", std::move(hazards)}};
   return {"space",
-          "In space",
+          "3D view",
           {{"shown", shown.size()},
            {"points", content.cloud.points.size()},
            {"hazards", std::move(anchors)},

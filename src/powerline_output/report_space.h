@@ -3,41 +3,13 @@
 
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "report_page.h"
+#include "report_section.h"
 
 namespace linelet::powerline::report {
 
-/** \brief A hazard in the 3D view: a line between two places. */
-struct SpaceMark {
-  Point from, to;   ///< meters, as the network
-  std::string key;  ///< which it is
-  std::string text; ///< what it is, in words
-};
-
-/** \brief Every wire that is nearer to the ground or to an object than the limit, the
- * closest first; keys 1, 2, ... */
-struct LowWire {
-  const Wire* wire;
-  const Clearance* found;
-  const char* what; ///< that is too close, in words
-};
-std::vector<LowWire>
-lowWires(const Content& content);
-
-/** \brief Marks of all hazards: those of the wires as scanned, with the keys c, x and t
- * (clearance, crossing, tree) and their ids, else those of \ref lowWires. */
-std::vector<SpaceMark>
-spaceMarks(const Content& content);
-
-/** \brief The link to the hazard of that key in the 3D view.
- */
-inline std::string
-spaceLink(const std::string& key)
-{
-  return "#space-" + key;
-}
+/** \brief Cloud and lines as a 3D view that can be rotated; a still picture without
+ * WebGL 2. */
+Section
+spaceSection(const Content& content);
 
 } // namespace linelet::powerline::report

@@ -9,8 +9,7 @@
 
 #include <linelet/powerline_output/below_clearance.h>
 
-#include "report_sections.h"
-#include "report_space.h"
+#include "report_marks.h"
 #include "report_table.h"
 
 namespace linelet::powerline::report {
@@ -92,7 +91,7 @@ spanTable(const Content& content)
   Table table({{"span"},
                {"circuit"},
                {"no."},
-               {"pylons"},
+               {"supports"},
                {"length m"},
                {"azimuth °"},
                {"wires"},
@@ -128,24 +127,6 @@ spanTable(const Content& content)
                {percent(confidence)}});
   }
   return table.json();
-}
-
-std::vector<LowWire>
-lowWires(const Content& content)
-{
-  const double limit = content.options.clearance;
-  std::vector<LowWire> hazards;
-  for (const Wire& wire : content.network.wires) {
-    if (wire.ground.distance < limit)
-      hazards.push_back({&wire, &wire.ground, "ground"});
-    if (wire.vegetation.distance < limit)
-      hazards.push_back({&wire, &wire.vegetation, "object (tree, bush, building)"});
-  }
-  std::stable_sort(
-      hazards.begin(), hazards.end(), [](const LowWire& a, const LowWire& b) {
-        return a.found->distance < b.found->distance;
-      });
-  return hazards;
 }
 
 Section

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report_page.h"
+#include "report_section.h"
 
 namespace linelet::powerline::report {
 
@@ -16,5 +16,9 @@ wireTable(const Content& content, const Span& span);
 /** \brief Table of all spans. */
 nlohmann::ordered_json
 spanTable(const Content& content);
+
+/** \brief Everything below the clearance limit, the closest first. */
+Section
+clearancesSection(const Content& content);
 
 } // namespace linelet::powerline::report

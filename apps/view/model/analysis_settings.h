@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <linelet/curves/reconstruct_curves.h>
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/features/tensor_settings.h>
 #include <linelet/io/point_file.h>
 #include <linelet/io/usable_points.h>

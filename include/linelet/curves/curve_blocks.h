@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <linelet/curves/curve_parts.h>
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
 #include <linelet/support/points.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <linelet/curves/curve_network.h>
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
 #include <linelet/curves/streamline_settings.h>
 #include <linelet/search/neighbor_search.h>
 #include <linelet/support/names.h>

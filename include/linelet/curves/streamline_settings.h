@@ -11,7 +11,7 @@
 
 #include <linelet/curves/integration_scheme.h>
 #include <linelet/features/centroid_shift.h>
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/support/names.h>
 #include <linelet/support/points.h>
 #include <linelet/support/visibility.h>

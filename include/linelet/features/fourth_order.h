@@ -11,8 +11,10 @@
 
 #include <Eigen/Core>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/support/names.h>
+#include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 #include <linelet/tensor/neighborhood_tensor.h>
 

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -55,5 +57,16 @@ struct ScaleShape {
 
 /** \brief The graphs of one point: a shape at every radius, small to large. */
 using ShapeGraph = std::vector<ScaleShape>;
+
+/** \brief The multi-scale shape feature of a set of points. */
+struct MultiScaleShapes {
+  double scale_unit = 0;     ///< D; NaN where the points have none (see scaleUnit)
+  std::vector<double> radii; ///< of the scales, ascending
+  std::vector<MultiScaleShape> shapes; ///< one per query
+};
+
+/** \brief Receives the graphs of every query, in the order of the queries and never
+ * from two threads at once. The graph is valid during the call. */
+using ShapeGraphSink = std::function<void(std::size_t query, const ShapeGraph& graph)>;
 
 } // namespace linelet

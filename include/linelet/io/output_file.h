@@ -54,16 +54,5 @@ private:
 void
 checkWritable(const std::string& path);
 
-/** \brief Removes unfinished files that killed processes of this machine left in \a
- * folder. */
-void
-removeLeftovers(const std::string& folder);
-
-/** \brief Removes all files under construction, whatever their writer; none is created
- * or published afterwards. For a program that is about to exit, from any of its
- * threads. */
-void
-removeUnfinishedFiles();
-
 } // namespace io
 } // namespace linelet

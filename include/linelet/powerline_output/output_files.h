@@ -15,15 +15,12 @@
 #include <linelet/powerline_output/power_line_layers.h>
 #include <linelet/powerline_output/power_line_report.h>
 #include <linelet/powerline_output/power_line_summary.h>
+#include <linelet/powerline_output/result_files.h>
 #include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
-
-/** \brief The files of \a folder that \ref writePowerLineFiles writes, in its order. */
-std::vector<std::string>
-powerLineFiles(const std::string& folder, bool compress = false);
 
 /** \brief Creates \a folder if it does not exist and checks that files can be written
  * there, so that failures come before long work.

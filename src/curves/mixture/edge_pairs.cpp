@@ -15,7 +15,7 @@ namespace {
 // Pairs of a point and an edge count up to this many standard deviations.
 constexpr double pair_reach = 3.5;
 constexpr double pair_margin = 0.3;
-// The pairs are collected anew when the noise has changed by these factors.
+// The pairs are collected again once the noise has changed by these factors.
 constexpr double stale_share = 0.6;
 constexpr double grown_share = 1.2;
 

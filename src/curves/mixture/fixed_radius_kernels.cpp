@@ -24,7 +24,7 @@ using V = hn::Vec<D>;
 
 // Shares below this one are left out.
 constexpr double least_share = 1e-5;
-// In widths of the sphere: beyond it there is no density, and within it the density is
+// In widths of the sphere: beyond it the density is zero, and within it the density is
 // as good as linear.
 constexpr double reach = 4;
 constexpr double narrow = 0.3;

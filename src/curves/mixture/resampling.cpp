@@ -47,7 +47,7 @@ resample(MixtureState& mixture, double spacing, const ScaleField* scales)
     else
       for (std::size_t e = 0; e < mixture.curves[c].curve.edges(); ++e)
         share[c] += mixture.edge_count[mixture.curves[c].first_edge + e];
-    // What has lost its points or its length is no curve any more.
+    // A curve without points or without length is dropped.
     const bool lost = !mixture.edge_count.empty() && share[c] < least_points;
     const double narrow =
         scales ? scales->at(mixture.curves[c].curve.nodes.front()) : 1;

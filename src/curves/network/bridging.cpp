@@ -71,7 +71,7 @@ freeEnds(const ModelCurves& curves, double reach)
 }
 
 /** \brief Angle between the unit vector \a direction and \a gap, which is \a width
- * long; 0 where there is no gap. */
+ * long; 0 without a gap. */
 double
 angleOff(const Point& direction, const Point& gap, double width)
 {

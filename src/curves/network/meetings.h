@@ -7,7 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "junctions.h"
+#include <linelet/curves/curve_network.h>
+
+#include "end_reach.h"
 
 namespace linelet {
 

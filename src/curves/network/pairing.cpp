@@ -26,7 +26,7 @@ struct Center {
 using End = std::size_t;
 constexpr End no_end = static_cast<End>(-1);
 
-/** \brief How an end goes on: over \a via to the end \a other (or nowhere). */
+/** \brief How an end continues: over \a via to the end \a other (or nowhere). */
 struct Link {
   End other = no_end;
   Points via; // from this end outwards
@@ -248,7 +248,7 @@ Joiner::chains() const
 {
   ModelCurves result;
   std::vector<char> used(pieces_.size(), 0);
-  // Chains with a beginning first, then what is left: rings.
+  // Chains with a beginning first; rings remain.
   for (int rings = 0; rings < 2; ++rings)
     for (std::size_t p = 0; p < pieces_.size(); ++p)
       for (std::size_t first = 0; first < 2; ++first) {

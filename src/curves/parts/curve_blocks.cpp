@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include <linelet/curves/refined_reconstruction.h>
+
 #include "curves/network/model_network.h"
 #include "curves/ridges/distinct_points.h"
 #include "curves/selection/cloud_kind.h"

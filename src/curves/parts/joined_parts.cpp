@@ -80,7 +80,7 @@ public:
     curve_.density = points_ / length_;
     curve_.evidence = evidence_;
     for (CurveEnd* end : {&curve_.front, &curve_.back})
-      if (end->kind == EndKind::Bounds) // of its part, but it goes on nowhere
+      if (end->kind == EndKind::Bounds) // of its part, but it continues nowhere
         end->kind = EndKind::Support;
     if (!curve_.closed && isBefore(curve_.points.back(), curve_.points.front())) {
       std::reverse(curve_.points.begin(), curve_.points.end());

@@ -74,7 +74,7 @@ public:
     return cut(end).neighbor != CurvePiece::whole;
   }
 
-  /** \brief Whether it ends for no reason but that nothing goes on. */
+  /** \brief Whether it ends only because nothing continues it. */
   bool
   isOpen(std::size_t end) const
   {
@@ -149,7 +149,7 @@ private:
                         : Point(points.back() - points[points.size() - 2]);
   }
 
-  /** From \a end to where \a to goes on, at \a nearest of its course. */
+  /** From \a end to where \a to continues, at \a nearest of its course. */
   PieceLink
   linkTo(std::size_t to, std::size_t end, const NearestPlace& nearest) const
   {

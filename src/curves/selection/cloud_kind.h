@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
 
 namespace linelet {
 

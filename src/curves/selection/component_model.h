@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
 
 #include "curves/mixture/em_fit.h"
 #include "curves/mixture/model_score.h"

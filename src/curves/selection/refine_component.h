@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
 
 #include "curves/mixture/em_fit.h"
 

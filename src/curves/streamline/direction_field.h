@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include <linelet/curves/streamline_settings.h>
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_types.h>
 #include <linelet/support/points.h>
 #include <linelet/tensor/neighborhood_tensor.h>
 

@@ -63,7 +63,7 @@ propose(GrowingEnd& growing,
                         CloudNeighbors::none;
 }
 
-/** \brief Takes the step of \a growing. \return whether the end goes on growing */
+/** \brief Takes the step of \a growing. \return whether the end keeps growing */
 bool
 advance(const GrowingEnd& growing, LineLets& lets, GrowthLimits& limits)
 {

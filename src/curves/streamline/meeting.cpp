@@ -11,7 +11,7 @@ namespace linelet {
 namespace {
 
 constexpr Index none = LineLetVertex::none;
-// A line-let's own last steps, and those it branched from, are no encounter.
+// A line-let's own last steps, and those it branched from, do not count as encounters.
 constexpr double near_steps = 5;
 
 /** \brief The open end whose last vertex is \a vertex, or null. */

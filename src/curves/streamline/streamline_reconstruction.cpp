@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <linelet/features/multi_scale.h>
 #include <linelet/search/uniform_grid.h>
 
 #include "cloud_neighbors.h"
@@ -131,7 +132,7 @@ public:
     if (settings.start_centroid == shape.centroid || !settings.starts.empty())
       return;
     shape.radii = features.radii;
-    shape.stop_change = 0; // it has had its say
+    shape.stop_change = 0; // already applied to the radii
     shape.centroid = settings.start_centroid;
     for_starts_ = measure();
   }

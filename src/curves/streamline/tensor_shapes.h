@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <linelet/curves/streamline_settings.h>
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_types.h>
 
 namespace linelet {
 

@@ -3,7 +3,9 @@
 
 #pragma once
 
-#include <linelet/curves/refined_reconstruction.h>
+#include <linelet/curves/refined_settings.h>
+#include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 #include "curves/ridges/model_curve.h"
 

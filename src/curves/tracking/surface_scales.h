@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_types.h>
 #include <linelet/search/uniform_grid.h>
 
 namespace linelet {

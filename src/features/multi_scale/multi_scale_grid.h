@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <linelet/features/cloud_piece.h>
 #include <linelet/features/fourth_order.h>
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
+#include <linelet/features/multi_scale_types.h>
 
 namespace linelet {
 

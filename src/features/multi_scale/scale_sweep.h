@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
+#include <linelet/support/points.h>
 #include <linelet/tensor/neighborhood_tensor.h>
 #include <linelet/tensor/shape_factors.h>
 

@@ -12,6 +12,7 @@
 #include <features/multi_scale/multi_scale_grid.h>
 #include <features/multi_scale/sweep_queries.h>
 #include <features/simd_grid/multi_scale/multi_scale_engine.h>
+#include <linelet/features/scale_engine.h>
 #include <linelet/tensor/shape_factors.h>
 
 namespace linelet {

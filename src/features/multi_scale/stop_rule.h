@@ -5,8 +5,9 @@
 
 #include <vector>
 
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/search/neighbor_search.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet {
 

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <linelet/io/cloud.h>
+
 #include "io/file_work.h"
 
 namespace linelet::io {

@@ -62,7 +62,8 @@ isPossible(std::uint64_t points, std::size_t bytes, std::size_t record_length)
                          points <= most_points_per_byte * std::uint64_t{bytes});
 }
 
-/** The chunks by the table at \a place; \a problem says where it is no such table. */
+/** The chunks listed in the table at \a place; \a problem says why it is not a
+ * table. */
 ChunkTable
 readTable(std::string_view file,
           std::size_t begin,

@@ -8,8 +8,8 @@
 
 #include "bytes.h"
 #include "encoder.h"
-#include "item_coder.h"
 #include "layers.h"
+#include "make_item_coder.h"
 #include "records.h"
 
 namespace linelet::laz {

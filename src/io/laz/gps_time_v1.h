@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "bytes.h"
+#include "decoder.h"
 #include "integers.h"
 #include "item_coder.h"
 

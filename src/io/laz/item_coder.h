@@ -4,11 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-
-#include "decoder.h"
-#include "encoder.h"
-#include "layout.h"
 
 namespace linelet::laz {
 
@@ -23,13 +18,5 @@ public:
   virtual void
   code(Coder& coder, std::uint8_t* at) = 0;
 };
-
-/** \brief A decoder of \a item that knows its bytes \a first in the first point. */
-std::unique_ptr<ItemCoder<Decoder>>
-makeItemDecoder(const Item& item, const std::uint8_t* first);
-
-/** \brief The same for the version that is written. */
-std::unique_ptr<ItemCoder<Encoder>>
-makeItemEncoder(const Item& item, const std::uint8_t* first);
 
 } // namespace linelet::laz

@@ -9,6 +9,7 @@
 
 #include "bytes.h"
 #include "colors.h"
+#include "decoder.h"
 #include "gps_time.h"
 #include "integers.h"
 #include "item_coder.h"

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "bytes.h"
+#include "decoder.h"
 #include "integers.h"
 #include "item_coder.h"
 #include "model_bank.h"

@@ -211,7 +211,7 @@ private:
     names_ = canonicalNames(names_);
   }
 
-  /** Inspects the first line that is no comment; true if it holds names. */
+  /** Inspects the first line that is not a comment; true if it holds names. */
   bool
   begin(std::string_view line)
   {

@@ -11,6 +11,7 @@
 #include <ogrsf_frmts.h>
 
 #include <linelet/io/file_error.h>
+#include <linelet/io/output_file.h>
 
 #include "geojson.h"
 #include "io/files.h"

@@ -48,7 +48,7 @@ struct Vertices {
     ++lines;
   }
 
-  /** \brief A ring ends with its first vertex, which is no other point. */
+  /** \brief A ring ends with its first vertex, which is not counted twice. */
   void
   operator()(const OGRLineString& vertices)
   {

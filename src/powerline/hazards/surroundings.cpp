@@ -3,11 +3,10 @@
 
 #include <linelet/powerline/surroundings.h>
 
-#include <linelet/powerline/hazards.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include <linelet/powerline/clearance_limits.h>
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>

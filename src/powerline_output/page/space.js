@@ -1,6 +1,6 @@
 /* SPDX-FileCopyrightText: 2026 the linelet authors */
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The view in space: WebGL 2 and nothing else. There is no "smaller than" in it, which
+/* The 3D view: WebGL 2 and nothing else. There is no "smaller than" in it, which
    HTML would take for a tag. */
 (function () {
 "use strict";
@@ -97,7 +97,7 @@ const eye = {turn: 0.6, rise: 0.5, away: 1, middle: [0, 0, 0]};
 const radius = Math.hypot(...size) / 2;
 function look(how) {
   eye.middle = size.map(s => s / 2);
-  // What is long lies along the longer side of the picture.
+  // The long side of the scene lies along the longer side of the picture.
   const wide = canvas.clientWidth > canvas.clientHeight, across = (size[0] > size[1]) === wide;
   eye.away = (how === "above" && !wide ? 2.6 : wide ? 1.25 : 2) * radius;
   eye.turn = (how === "all" ? 0.35 : 0) - (across ? 0 : 1.5708);

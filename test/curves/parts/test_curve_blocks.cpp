@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <linelet/curves/reconstruct_curves.h>
+#include <linelet/curves/refined_reconstruction.h>
 
 #include "random_seed.h"
 

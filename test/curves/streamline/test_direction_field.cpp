@@ -13,6 +13,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <linelet/features/multi_scale.h>
+
 #include "curves/streamline/direction_field.h"
 #include "random_seed.h"
 

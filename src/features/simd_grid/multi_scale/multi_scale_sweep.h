@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <features/multi_scale/scale_sweep.h>
-#include <linelet/features/multi_scale.h>
+#include <linelet/features/multi_scale_settings.h>
 #include <linelet/support/progress_monitor.h>
 
 #include "features/simd_grid/kernels/multi_scale_kernels.h"

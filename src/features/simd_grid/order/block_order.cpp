@@ -34,7 +34,7 @@ BlockFrame::BlockFrame(const Point& low, const Point& high, double edge)
     const auto a = static_cast<Eigen::Index>(axis);
     first_[axis] = floorOf(low[a] * inverse_edge_) - 1;
     counts_[axis] = floorOf(high[a] * inverse_edge_) + 2 - first_[axis];
-    // Room for the block behind the last one, which is asked for.
+    // Room for the block after the last one, which is also looked up.
     while ((std::int64_t{1} << bits_[axis]) <= counts_[axis])
       ++bits_[axis];
   }

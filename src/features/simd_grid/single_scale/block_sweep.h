@@ -9,7 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include <linelet/features/tensor_estimation.h>
+#include <linelet/features/tensor_record.h>
+#include <linelet/features/tensor_settings.h>
 #include <linelet/support/progress_monitor.h>
 
 #include "features/simd_grid/kernels/quadratic_moments.h"

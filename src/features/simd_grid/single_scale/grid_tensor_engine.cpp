@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include <linelet/features/tensor_search.h>
 #include <linelet/search/grid_search.h>
 #include <linelet/support/threads.h>
 

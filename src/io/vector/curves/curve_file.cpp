@@ -9,6 +9,7 @@
 
 #include <linelet/io/hdf5_file.h>
 #include <linelet/io/output_check.h>
+#include <linelet/io/output_file.h>
 
 #include "csv_curves.h"
 #include "io/files.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "item_coder.h"
+#include "make_item_coder.h"
 
 #include "bytes.h"
 #include "gps_time_v1.h"
