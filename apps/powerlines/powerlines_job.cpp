@@ -86,7 +86,9 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
   settings_.threads = output_.threads = frame_.threads;
   settings_.points = output_.points = input_.classes();
   output_.clearance = settings_.clearance;
-  output_.source = std::filesystem::path(input_.path()).filename().string();
+  const std::filesystem::path input(input_.path());
+  output_.source = // of a folder "tiles/", too
+      (input.has_filename() ? input : input.parent_path()).filename().string();
   output_.provenance = {
       "linelet " LINELET_VERSION, runDate(), input_.files(), frame_.settings()};
 }

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include <Eigen/Eigenvalues>
+#include <linelet/tensor/eigen_analysis.h>
 
 namespace linelet::clustering {
 
@@ -29,7 +29,7 @@ normalOf(const Representative& of,
          const CellFrame& frame,
          const std::vector<char>& is_filled)
 {
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  SymmetricTensor moments;
   Point sum = Point::Zero();
   double count = 0;
   for (std::int32_t dx = -reach; dx <= reach; ++dx)
@@ -44,7 +44,7 @@ normalOf(const Representative& of,
         if (slot != CellDirectory::none && is_filled[slot] != 0)
           continue;
         const Point way = (frame.middle(cell) - frame.middle(of.cell)).normalized();
-        moments += way * way.transpose();
+        moments.add(1, way);
         sum += way;
         ++count;
       }
@@ -54,8 +54,7 @@ normalOf(const Representative& of,
   // cancel, and only their axis is left.
   if (sum.norm() > one_sided * count)
     return sum.normalized();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
-  const Point axis = axes.eigenvectors().col(2);
+  const Point axis = eigenAnalysis(moments).major();
   return axis.dot(sum) < 0 ? -axis : axis;
 }
 

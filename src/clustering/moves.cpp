@@ -91,7 +91,7 @@ planeOf(const CellSums& sums, const CellOrigin& origin)
     return plane;
   const CellMoments moments = momentsOf(sums, origin);
   const EigenSystem system = eigenAnalysis(moments.tensor);
-  // Offsets are rounded to integers: a spread below one unit is no spread.
+  // Offsets are rounded to integers: a spread below one unit is rounding.
   const double unit = 1 / origin.scale[0];
   if (!(system.values[1] > unit * unit))
     return plane;

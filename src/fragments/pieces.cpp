@@ -181,7 +181,7 @@ Pieces::load(std::size_t number, ProgressMonitor* monitor) const
     if (section.count > 0)
       fragment.sections.push_back(section);
   }
-  // Cutting an input anew leaves out fragments that are done: empty, but no error.
+  // Cutting an input again skips fragments that are done: empty, but not an error.
   refuseIfDone(number);
   return fragment;
 }

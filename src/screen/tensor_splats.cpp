@@ -86,7 +86,7 @@ splatOf(const TensorGlyph& glyph,
   Eigen::Vector2d across = print.axes.col(1).head<2>();
   const double length = print.axes.col(2).norm();
   const double width = print.axes.col(1).norm();
-  // A disc seen edge-on is no thinner than a needle.
+  // A disc seen edge-on still has a minimum width.
   const double least = std::max(settings.narrowest * length, 0.7);
   if (width > 0 && width < least)
     across *= least / width;

@@ -128,7 +128,7 @@ fermiDiracAt(double x, double m, double temperature)
   return 1 / (std::exp((x - m) / temperature) + 1);
 }
 
-/** \brief The comma-separated numbers of \a text; empty if it is no such list. */
+/** \brief The comma-separated numbers of \a text; empty if it is not such a list. */
 std::vector<double>
 numbers(std::string_view text)
 {

@@ -5,11 +5,12 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSphereSource.h>
+
+#include <linelet/tensor/eigen_analysis.h>
 
 #include "picture/color.h"
 
@@ -57,14 +58,12 @@ Ellipsoids::add(const Point& at, const PointDistributionTensor& t)
 {
   if (std::isnan(t.linearity))
     return;
-  Eigen::Matrix3d tensor;
-  tensor << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+  const EigenSystem system = eigenAnalysis({t.xx, t.xy, t.xz, t.yy, t.yz, t.zz});
   // A floor, so that a flat ellipsoid still has a surface to light.
   const Eigen::Vector3d axes =
-      solver.eigenvalues().cwiseMax(1e-4 * solver.eigenvalues()[2]).cwiseSqrt();
+      system.values.cwiseMax(1e-4 * system.values[2]).cwiseSqrt();
   const Eigen::Matrix3d root =
-      solver.eigenvectors() * axes.asDiagonal() * solver.eigenvectors().transpose();
+      system.vectors * axes.asDiagonal() * system.vectors.transpose();
   points->InsertNextPoint(at.x(), at.y(), at.z());
   tensors->InsertNextTuple(root.data());
   linearity->InsertNextValue(t.linearity);

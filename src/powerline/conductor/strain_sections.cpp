@@ -62,7 +62,7 @@ isDeadEnd(const Link& a, const Link& b, const StateSettings& settings)
              4 * std::hypot(deviation(*a.wire), deviation(*b.wire));
 }
 
-/** The wire that goes on from the end of \a link. */
+/** The wire that continues from the end of \a link. */
 bool
 findNext(const std::vector<Wire>& wires, const Link& link, Link& next)
 {

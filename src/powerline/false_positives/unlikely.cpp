@@ -70,7 +70,7 @@ gatherFamilies(const std::vector<WireWithEnds>& wires)
 
 /** What happens at the ends of a wire. */
 struct Surroundings {
-  bool joined = false; ///< another wire goes on there
+  bool joined = false; ///< another wire continues there
   bool border = false; ///< the data end there
 };
 

@@ -46,7 +46,7 @@ public:
         touch(i);
   }
 
-  /** The shortest way, from point to near point, that is no jumper yet. */
+  /** The shortest path from point to nearby point that is not a jumper yet. */
   bool
   next(Way& best, const std::vector<WireEnd>& ends) const
   {

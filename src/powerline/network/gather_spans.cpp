@@ -58,7 +58,7 @@ add(WiresOfSpan& span, const std::vector<WireWithEnds>& wires, std::size_t w)
 /** An end of a span that meets an end of another: span, side, span, side. */
 using Link = std::tuple<std::size_t, int, std::size_t, int>;
 
-// All links between spans and how many wires go on over them, the most first.
+// All links between spans with the number of wires that continue over them, most first.
 std::vector<std::pair<int, Link>>
 countLinks(const std::vector<WiresOfSpan>& spans,
            const std::vector<WireWithEnds>& wires)
@@ -95,7 +95,7 @@ countLinks(const std::vector<WiresOfSpan>& spans,
   return sorted;
 }
 
-// Links every end of a span with the span that most of its wires go on to.
+// Links every end of a span with the span in which most of its wires continue.
 void
 linkSpans(std::vector<WiresOfSpan>& spans, const std::vector<WireWithEnds>& wires)
 {

@@ -107,7 +107,7 @@ private:
         if (owned || isBeside(parts_[p], middle, border_part * wire.length))
           offers.push_back({p, w, owned, wire.length});
       }
-    // What is cut short lies on what is not.
+    // A piece that was cut short lies on one that was not.
     std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
       return std::tuple(!a.owned, -a.length) < std::tuple(!b.owned, -b.length);
     });

@@ -93,7 +93,7 @@ public:
   std::vector<int>
   run()
   {
-    // Lines with a loose end first; what is left are rings.
+    // Lines with a loose end first; rings remain.
     for (const bool rings : {false, true})
       for (std::size_t k = 0; k < spans_.size(); ++k) {
         const auto& next = spans_[k].next;

@@ -74,7 +74,7 @@ growAll(Growth& growth,
         continue;
       tried[seeds[k].candidate] = 1;
       for (Piece& piece : growth.grow(seeds[k])) {
-        // What shows as a bundle is no single wire in a wide beam.
+        // What looks like a bundle is not a single wire in a wide beam.
         bool found = !weigh(growth, piece, settings).accepted &&
                      isBundle(growth, piece, bundle_density, settings);
         if (!found) {

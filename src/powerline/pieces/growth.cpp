@@ -18,7 +18,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double lock_length = 8;    // meters, from which bundles are told apart
+constexpr double lock_length = 8;    // meters, from which bundles are resolved
 constexpr double lock_reach = 0.7;   // meters, around the model
 constexpr double lock_kernel = 0.12; // meters
 constexpr double seed_tube = 0.3;    // meters

@@ -27,7 +27,7 @@ constexpr double tube = 0.3;         // meters, around a place that is tried
 constexpr double tension_spread = 2; // ratio of bends along a line, at most
 constexpr double end_reach = 0.5;    // meters from the ends of the wires beside it
 
-/** An end of a wire with nothing to go on. */
+/** An end of a wire that nothing continues. */
 struct FreeEnd {
   std::size_t wire;
   int side;

@@ -193,7 +193,7 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
   if (!tower.seen)
     return;
   fitBody(tower, all);
-  // Upwards from the highest wire as long as something follows.
+  // Upward from the highest wire as long as points follow.
   std::vector<double> heights;
   for (const Local& p : all)
     if (p.z > tower.top && std::abs(p.v) < body_search &&
