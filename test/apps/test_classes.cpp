@@ -47,7 +47,7 @@ protected:
 
 } // namespace
 
-TEST_F(Classes, NoiseTakesNoPartUnlessAsked)
+TEST_F(Classes, NoiseIsLeftOutByDefault)
 {
   const std::string cloud = twoLines(), out = path("out.csv");
   const auto neighbors = [&](const std::string& options) {
@@ -101,7 +101,7 @@ TEST_F(Classes, SurviveAnOptionFile)
 }
 
 // Points of a noise class near a wire must not become a hazard.
-TEST_F(Classes, BirdsUnderAWireAreNoHazard)
+TEST_F(Classes, BirdsUnderAWireAreNotAHazard)
 {
   io::Cloud cloud = io::readCloud(corridor_);
   runWell("powerlines " + corridor_ + " " + path("plain"));
@@ -171,7 +171,7 @@ TEST_F(Classes, AWireAboveNothingHasNoKnownClearance)
   EXPECT_TRUE(totals["wires_below_clearance"].is_null());
 }
 
-TEST_F(Classes, OfPowerLinesAreThoseAskedFor)
+TEST_F(Classes, OfPowerLinesAreConfigurable)
 {
   const std::string plain = path("plain"), other = path("other");
   runWell("powerlines " + corridor_ + " " + plain + " --existing-classes reset");
@@ -187,7 +187,7 @@ TEST_F(Classes, OfPowerLinesAreThoseAskedFor)
                   "choose different classes");
 }
 
-TEST_F(Classes, ThatCameWithTheFileStayOrGo)
+TEST_F(Classes, OfTheInputAreKeptOrReset)
 {
   io::Cloud cloud = io::readCloud(corridor_);
   // A patch of ground misclassified as wire.

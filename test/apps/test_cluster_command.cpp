@@ -107,7 +107,7 @@ TEST_F(ClusterCommand, WritesTheFacesOfItsCellsAsAMesh)
   EXPECT_EQ(json(path("out.json")).at("faces"), 25);
 }
 
-TEST_F(ClusterCommand, SaysInOneLineWhatIsWrong)
+TEST_F(ClusterCommand, ReportsErrorsInOneLine)
 {
   const std::string in = cloud(), start = "cluster " + in + " " + path("out.ply");
   expectOneLineOf(start, "grid");

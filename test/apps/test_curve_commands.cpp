@@ -37,7 +37,7 @@ TEST_F(CurveCommands, TheSameSeedGivesTheSameBytes)
   EXPECT_NE(contents(path("a.xyz")), contents(path("c.xyz")));
 }
 
-TEST_F(CurveCommands, TheTruthIsFoundToBeTrue)
+TEST_F(CurveCommands, TheTruthScoresPerfectly)
 {
   const std::string truth = path("truth.obj"), result = path("result.json");
   runWell("generate helix " + path("helix.xyz") + " --truth " + truth);
@@ -133,7 +133,7 @@ TEST_F(CurveCommands, ACircleIsOneClosedCurveInEveryFormat)
   EXPECT_THAT(contents(path("circle.dxf")), HasSubstr("POLYLINE"));
 }
 
-TEST_F(CurveCommands, WhereThereIsNoCurveTheOutputIsEmptyButValid)
+TEST_F(CurveCommands, WithoutCurvesTheOutputIsEmptyButValid)
 {
   const std::string empty = write("empty.csv", "x,y,z\n"),
                     one = write("one.csv", "x,y,z\n1,2,3\n"),
@@ -181,7 +181,7 @@ TEST_F(CurveCommands, TensorsOfAVolumeAreFollowed)
                   "no attribute 'xx'");
 }
 
-TEST_F(CurveCommands, OnlyTheChosenClassesAreLookedAt)
+TEST_F(CurveCommands, OnlyTheChosenClassesAreUsed)
 {
   std::string text = "x,y,z,classification\n";
   for (int i = 0; i < 100; ++i)
@@ -209,7 +209,7 @@ TEST_F(CurveCommands, ABenchmarkIsDrawn)
   EXPECT_THAT(contents(path("success.png")), StartsWith("\x89PNG"));
 }
 
-TEST_F(CurveCommands, ABenchmarkGoesOnWhereItWasStopped)
+TEST_F(CurveCommands, ABenchmarkResumesWhereItStopped)
 {
   const std::string rows = path("rows.csv");
   const std::string command =
@@ -236,7 +236,7 @@ TEST_F(CurveCommands, ABenchmarkGoesOnWhereItWasStopped)
   EXPECT_EQ(lines(contents(rows)), 21);
 }
 
-TEST_F(CurveCommands, RowsOfOtherSettingsAreNotTakenForThese)
+TEST_F(CurveCommands, RowsOfOtherSettingsAreKeptApart)
 {
   const std::string command = "benchmark --sample 10 --seed 3 --out " +
                               path("rows.csv") + " --json " + path("runs.json") +

@@ -64,7 +64,7 @@ TEST_F(CurvesFragmentsTest, VerbsAndKilledRunsWriteTheSameBytes)
   EXPECT_TRUE(contents(path("a.obj")) == contents(path("c.obj")));
 }
 
-TEST_F(CurvesFragmentsTest, WhatDoesNotWorkInFragmentsIsRefused)
+TEST_F(CurvesFragmentsTest, UnsupportedOptionsAreRefused)
 {
   const std::string in = "curves --chunk 90 " + path("tiles") + " ";
   expectOneLineOf(in + path("a.obj") + " --preset published", "--preset");
@@ -72,7 +72,7 @@ TEST_F(CurvesFragmentsTest, WhatDoesNotWorkInFragmentsIsRefused)
 }
 
 // Without the warning nobody would know why memory ran out.
-TEST_F(CurvesFragmentsTest, WhatCannotBeCutForMemoryIsTold)
+TEST_F(CurvesFragmentsTest, UncuttableCloudsAreReported)
 {
   std::string helix;
   for (int k = 0; k < 8000; ++k) {

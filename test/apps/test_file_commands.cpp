@@ -51,7 +51,7 @@ expectSame(const io::Cloud& a, const io::Cloud& b)
 
 } // namespace
 
-TEST_F(FileCommands, InfoTellsWhatAFileHolds)
+TEST_F(FileCommands, InfoListsTheContentsOfAFile)
 {
   const std::string cloud = writeSmallCloud();
   const Outcome info = runWell("info " + cloud + " --json " + path("info.json"));
@@ -85,7 +85,7 @@ TEST_F(FileCommands, InfoOfFewPointsIsValidJson)
   }
 }
 
-TEST_F(FileCommands, WhatCannotBeReadIsNamedInOneLine)
+TEST_F(FileCommands, UnreadableFilesAreNamedInOneLine)
 {
   expectOneLineOf("info " + path("none.las"), path("none.las"));
   expectOneLineOf("info " + path(""), "is a folder");
@@ -115,7 +115,7 @@ TEST_F(FileCommands, ConversionsKeepPointsAndAttributes)
   }
 }
 
-TEST_F(FileCommands, AFileThatEndsTooEarlyIsReadOnlyOnRequest)
+TEST_F(FileCommands, ATruncatedFileIsReadOnlyOnRequest)
 {
   const std::string whole = path("whole.las"), output = path("out.xyz");
   runWell("generate helix " + whole + " --points 64");
@@ -131,7 +131,7 @@ TEST_F(FileCommands, AFileThatEndsTooEarlyIsReadOnlyOnRequest)
   EXPECT_EQ(io::readCloud(output).points.size(), 62u);
 }
 
-TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
+TEST_F(FileCommands, UnwritableOutputsAreRefusedBeforeTheWork)
 {
   // With input and output both bad, the output is reported: nothing has been read yet.
   for (const std::string command : {"tensor ", "multiscale ", "curves "})
@@ -158,7 +158,7 @@ TEST_F(FileCommands, LongWorkIsNotBegunForAnOutputThatCannotBeWritten)
   EXPECT_EQ(std::distance(begin(files), end(files)), 3) << "kept.ply, stdout, stderr";
 }
 
-TEST_F(FileCommands, AFailureLeavesNoOutputBehind)
+TEST_F(FileCommands, AFailureLeavesNoOutput)
 {
   const std::string cloud = writeSmallCloud();
   write("kept.las", "what was here before");

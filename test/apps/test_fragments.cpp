@@ -127,7 +127,7 @@ TEST_F(FragmentsTest, OctreesAreReadByWindow)
   }
 }
 
-TEST_F(FragmentsTest, PartialResultsAreAskedForAndTold)
+TEST_F(FragmentsTest, PartialResultsNeedAnOptionAndAreReported)
 {
   runWell("plan tensor" + options_ + path("tiles") + " " + path("b") + " --chunk 45");
   runWell("work " + path("b") + " --tasks 0-1");
@@ -205,7 +205,7 @@ TEST_F(FragmentsTest, DiskFull)
   ::umount(path("disk").c_str());
 }
 
-TEST_F(FragmentsTest, WhatHasNoFragmentsSaysSo)
+TEST_F(FragmentsTest, CommandsWithoutFragmentsSaySo)
 {
   expectOneLineOf("plan convert a b", "convert");
   expectOneLineOf("plan tensor --knn 9 " + path("tiles") + " " + path("b"), "--radius");

@@ -136,7 +136,7 @@ TEST_F(ImageCommand, AProfileThroughAVolumeIsGreen)
   EXPECT_LT(picture.count(blue, 40), 600 * 400 / 50);
 }
 
-TEST_F(ImageCommand, OtherColorsAreOther)
+TEST_F(ImageCommand, OtherColorsDiffer)
 {
   cloud(2);
   const Picture picture = profile("--colors safe");

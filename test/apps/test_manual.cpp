@@ -87,7 +87,7 @@ TEST_F(Manual, BashCompletesCommandsOptionsAndWords)
 
 class Features : public ToolTest {};
 
-TEST_F(Features, AreThoseThatAreAskedFor)
+TEST_F(Features, AreTheRequestedOnes)
 {
   ASSERT_EQ(run("generate circle " + path("in.ply") + " --points 200").code, 0);
   ASSERT_EQ(run("tensor " + path("in.ply") + " " + path("out.ply") +

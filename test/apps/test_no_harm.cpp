@@ -69,7 +69,7 @@ TEST_F(NoHarm, AnOutputIsNeverTheInput)
     }
 }
 
-TEST_F(NoHarm, NorIsAnySideOutput)
+TEST_F(NoHarm, NorIsAnyOtherOutput)
 {
   const std::string in = cloud("in.ply"), csv = cloud("in.csv");
   for (const std::string command : {"convert ", "tensor ", "multiscale "})
@@ -114,7 +114,7 @@ TEST_F(NoHarm, TwoOutputsAreTwoFiles)
   runWell("convert " + in + " " + path("out.las") + " --json /dev/null");
 }
 
-TEST_F(NoHarm, ResultsAreNotWrittenOverTheCloudTheyAreOf)
+TEST_F(NoHarm, ResultsNeverReplaceTheirInput)
 {
   fs::create_directories(path("d"));
   const std::string in = cloud("d/classified.las");
@@ -139,6 +139,12 @@ TEST_F(NoHarm, ResultsOfAnotherInputAreKept)
   expectOneLineOf("powerlines " + namesake + " " + folder, "another one.las");
   runWell("powerlines " + other + " " + folder + " --overwrite");
   EXPECT_EQ(json(folder + "/summary.json")["source"], "other.las");
+  // A folder has its name, however it is written.
+  fs::create_directories(path("tiles"));
+  cloud("tiles/a.las");
+  runWell("powerlines " + path("tiles/") + " " + folder + " --overwrite");
+  EXPECT_EQ(json(folder + "/summary.json")["source"], "tiles");
+  runWell("powerlines " + other + " " + folder + " --overwrite");
   // Results that could be anyone's.
   fs::remove(folder + "/summary.json");
   expectOneLineOf("powerlines " + other + " " + folder, "unknown input");
@@ -150,7 +156,7 @@ TEST_F(NoHarm, ResultsOfAnotherInputAreKept)
   runWell("powerlines " + one + " " + path("notes"));
 }
 
-TEST_F(NoHarm, PlacesThatCannotBeWrittenAreOneSentence)
+TEST_F(NoHarm, UnwritablePathsAreReportedInOneSentence)
 {
   const std::string in = cloud("in.las");
   fs::create_directories(path("closed/inner"));
@@ -221,7 +227,7 @@ TEST_F(NoHarm, FileNamesMayBeOdd)
                   "name too long");
 }
 
-TEST_F(NoHarm, DegreesAreToldByAllThatMeasure)
+TEST_F(NoHarm, DegreesAreReportedByEveryMeasurement)
 {
   std::string text = "x,y,z\n";
   for (int i = 0; i < 200; ++i)
@@ -250,7 +256,7 @@ TEST_F(NoHarm, DegreesAreToldByAllThatMeasure)
       HasSubstr("has the unit degree"));
 }
 
-TEST_F(NoHarm, LongWorkIsToldBeforehand)
+TEST_F(NoHarm, LongWorkIsAnnounced)
 {
   // Twenty thousand points, each a neighbor of every other, one by one in double.
   std::string text;

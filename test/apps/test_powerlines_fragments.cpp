@@ -116,7 +116,7 @@ TEST_F(PowerlinesFragmentsTest, AreCutForMemory)
 }
 
 // A warning says when fragments overlap by less than a span.
-TEST_F(PowerlinesFragmentsTest, TellOfSpansThatReachBeyondTheBuffer)
+TEST_F(PowerlinesFragmentsTest, WarnOfSpansBeyondTheBuffer)
 {
   const Outcome outcome =
       runWell(job_ + path("tiles") + " " + path("b") + " --chunk 90 --buffer 20");
@@ -147,7 +147,7 @@ TEST_F(PowerlinesFragmentsTest, ReviewsAreRefused)
 
 // A run killed while it removes the folder of a finished run must not count as done
 // without results.
-TEST_F(PowerlinesFragmentsTest, WhatIsLeftOfAFinishedRunIsNotGoneOnWith)
+TEST_F(PowerlinesFragmentsTest, RemainsOfAFinishedRunAreNotResumed)
 {
   const std::string job =
       "powerlines --threads 1 " + path("whole.laz") + " " + path("b") + " --chunk 200";
@@ -161,7 +161,7 @@ TEST_F(PowerlinesFragmentsTest, WhatIsLeftOfAFinishedRunIsNotGoneOnWith)
 }
 
 // A worker that is told to stop does so within two seconds, and the run can be resumed.
-TEST_F(PowerlinesFragmentsTest, AWorkerHearsOfSignals)
+TEST_F(PowerlinesFragmentsTest, AWorkerHeedsSignals)
 {
   runWell(job_ + path("tiles") + " " + path("a"));
   runWell("plan " + job_ + path("tiles") + " " + path("b") + " --chunk 60");

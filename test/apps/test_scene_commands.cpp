@@ -121,7 +121,7 @@ TEST_F(SceneCommands, MultiscaleAddsTheOptimalScale)
   }
 }
 
-TEST_F(SceneCommands, MultiscaleTakesTheRadiiItIsGiven)
+TEST_F(SceneCommands, MultiscaleUsesTheGivenRadii)
 {
   const std::string call = "multiscale " + writeWire(50) + " " + path("out.csv");
   runWell(call + " --radii 0.5,1,2 --json " + path("scales.json"));
@@ -172,7 +172,7 @@ TEST_F(SceneCommands, PowerlinesFindsNoneOnBareGround)
   }
 }
 
-TEST_F(SceneCommands, AMissingReferenceSystemIsSaidOnce)
+TEST_F(SceneCommands, AMissingReferenceSystemIsReportedOnce)
 {
   const std::string sample = std::string(LINELET_SOURCE_DIR) + "/data/corridor.las";
   io::Cloud cloud = io::readCloud(sample);

@@ -164,7 +164,7 @@ TEST_F(TensorCommand, EverySearchGivesTheSame)
   EXPECT_THAT(both.error, HasSubstr("give one of them"));
 }
 
-TEST_F(TensorCommand, ChoosesARadiusAndTellsAboutIt)
+TEST_F(TensorCommand, ChoosesARadiusAndReportsIt)
 {
   const std::string input = path("in.csv"), output = path("out.csv");
   writeScene(input);
@@ -188,7 +188,7 @@ TEST_F(TensorCommand, ChoosesARadiusAndTellsAboutIt)
   EXPECT_THAT(run.out, HasSubstr("try --radius"));
 }
 
-TEST_F(TensorCommand, SaysInOneLineWhatIsWrong)
+TEST_F(TensorCommand, ReportsErrorsInOneLine)
 {
   const std::string input = path("in.csv"), files = input + " " + path("out.csv");
   writeScene(input);

@@ -92,7 +92,7 @@ TEST_F(Usage, MisuseExitsWithTwo)
   EXPECT_EQ(run("generate oval out.xyz").code, 2);
 }
 
-TEST_F(Usage, ASlipOfTheKeyboardIsUnderstood)
+TEST_F(Usage, TyposGetASuggestion)
 {
   EXPECT_THAT(run("curvse in.xyz out.obj").error, HasSubstr("did you mean curves?"));
   // The value after it is not taken for a file.
@@ -124,7 +124,7 @@ TEST_F(Usage, NoNumberOfThreadsIsTooLarge)
     runWell("tensor " + cloud + " " + path("shapes.las") + " --threads " + threads);
 }
 
-TEST_F(Usage, EverySummarySaysTimesAndWarnings)
+TEST_F(Usage, EverySummaryHasTimesAndWarnings)
 {
   const std::string cloud = write("in.csv", "x,y,z,code\n0,0,0,1\n1,0,0,1\n2,0,0,2\n");
   runWell("convert " + cloud + " " + path("out.obj") + " --json " + path("out.json"));
@@ -137,7 +137,7 @@ TEST_F(Usage, EverySummarySaysTimesAndWarnings)
   EXPECT_TRUE(json(path("out.json"))["warnings"].is_array());
 }
 
-TEST_F(Usage, AnEndedRunLeavesNoFiles)
+TEST_F(Usage, AnInterruptedRunLeavesNoFiles)
 {
   runWell("generate helix " + path("helix.xyz") + " --points 3000");
   // Through a pipe, which shows when the tool is ready for the signal.
@@ -161,7 +161,7 @@ TEST_F(Usage, AnEndedRunLeavesNoFiles)
   }
 }
 
-TEST_F(Usage, MisuseIsToldInOneLine)
+TEST_F(Usage, MisuseIsReportedInOneLine)
 {
   const std::string wrong = write("wrong.ini", "pionts=99\n");
   for (const char* call : {"curves",
@@ -194,7 +194,7 @@ TEST_F(Usage, OptionsCanBePrintedBeforeThereAreFiles)
               HasSubstr(" 33 points"));
 }
 
-TEST_F(Usage, OptionsOfAnotherPresetAreNotIgnoredInSilence)
+TEST_F(Usage, OptionsOfAnotherPresetAreNotIgnoredSilently)
 {
   runWell("generate circle " + path("in.xyz") + " --points 64");
   const std::string call = "curves " + path("in.xyz") + " " + path("out.obj");
@@ -236,7 +236,7 @@ TEST_F(Usage, PrintedOptionsCanBeReadBack)
   EXPECT_THAT(given.out, HasSubstr("radii=[0.5, 1]"));
 }
 
-TEST_F(Usage, OptionsOfAFileAreObeyedAndMisspeltOnesRefused)
+TEST_F(Usage, OptionsOfAFileAreObeyedAndUnknownOnesRefused)
 {
   const std::string file = write("options.ini", "points=99\nseed=4\n");
   const std::string generate = "generate circle " + path("c.xyz") + " --config ";

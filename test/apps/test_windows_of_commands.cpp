@@ -165,7 +165,7 @@ TEST_F(WindowsOfCommands, AreRefusedWhereTheyBoundNothing)
   expectOneLineOf("info " + path("cloud.laz") + " --resolution -1", "--resolution");
 }
 
-TEST_F(WindowsOfCommands, HaveNoEffectOnWhatHeadersSayAndThatIsTold)
+TEST_F(WindowsOfCommands, WarnThatTheyDoNotAffectHeaders)
 {
   io::writeCloud(path("cloud.laz"), cloud_);
   io::writeCloud(path("more.laz"), cloud_);

@@ -117,7 +117,7 @@ TEST(Benchmark, RowsSurviveTheirFile)
   }
 }
 
-TEST(Benchmark, ALineThatWasCutOffIsNoRow)
+TEST(Benchmark, ATruncatedLineIsNotARow)
 {
   std::ostringstream out;
   out << benchmark_csv_header << '\n';

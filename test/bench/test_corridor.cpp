@@ -224,7 +224,7 @@ TEST(Corridor, PointsOfWiresLieWithinBeamAndNoiseOfTheTruth)
   }
 }
 
-TEST(Corridor, HoldsWhatItsSettingsAskFor)
+TEST(Corridor, HoldsWhatItsSettingsRequest)
 {
   CorridorSettings s = smallScene(8);
   s.outliers = 1e-3;

@@ -149,7 +149,7 @@ TEST(Measures, SingleVertexIsAPlaceWithoutLength)
   EXPECT_EQ(m.e_com, 0);
 }
 
-TEST(Measures, RefusesWhatCannotBeMeasured)
+TEST(Measures, RefusesUnmeasurableCurves)
 {
   EXPECT_THROW(measure(line10, {}), std::invalid_argument);
   EXPECT_THROW(measure(line10, {{polyline({{1, 1, 1}})}, {}}), std::invalid_argument);

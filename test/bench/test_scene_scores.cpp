@@ -62,7 +62,7 @@ sceneOf(std::vector<SceneWire> wires, std::vector<SceneStructure> structures = {
   return scan;
 }
 
-TEST(SceneScores, ThePerfectAnswer)
+TEST(SceneScores, APerfectResult)
 {
   const SceneScan truth = sceneOf({trueWire(0)});
   for (const SceneScores& s :
@@ -75,7 +75,7 @@ TEST(SceneScores, ThePerfectAnswer)
   }
 }
 
-TEST(SceneScores, NothingFoundAndNothingThere)
+TEST(SceneScores, EmptyResultAndEmptyTruth)
 {
   const SceneScores none = scoreSceneWires({}, sceneOf({trueWire(0)}));
   EXPECT_DOUBLE_EQ(none.recall(), 0);
@@ -92,7 +92,7 @@ TEST(SceneScores, NothingFoundAndNothingThere)
 
 /** The three tolerances of a wire: 10 cm, three times its noise, its bundle plus 10
  * cm. */
-TEST(SceneScores, HowFarAWireMayBe)
+TEST(SceneScores, Tolerances)
 {
   const auto wires = [](double off, const SceneWire& wire) {
     return scoreSceneWires(beside(off), sceneOf({wire})).recall();
@@ -113,7 +113,7 @@ TEST(SceneScores, HowFarAWireMayBe)
 }
 
 /** Each wire has its own tolerance, even side by side with another. */
-TEST(SceneScores, EveryWireForItself)
+TEST(SceneScores, EachWireByItself)
 {
   // The vector lies 0.3 m from both: within the bundle's tolerance, not the wire's.
   const SceneScan truth = sceneOf({trueWire(0), trueWire(0.6, 0.25)});
@@ -134,7 +134,7 @@ TEST(SceneScores, PartsCountByTheirLength)
 }
 
 /** A vector twice over the same wire covers it once. */
-TEST(SceneScores, CoverIsNoSum)
+TEST(SceneScores, CoverIsNotASum)
 {
   CurveNetwork twice = beside(0);
   twice.curves.push_back(twice.curves.front());
@@ -144,7 +144,7 @@ TEST(SceneScores, CoverIsNoSum)
 }
 
 /** Not every curve is a wire; a jumper loop counts as both. */
-TEST(SceneScores, WhatElseIsLongAndThin)
+TEST(SceneScores, OtherLongThinThings)
 {
   const Point from(0, 20, 5), to(100, 20, 5);
   const CurveNetwork found = lines({line(from, to)});
@@ -283,7 +283,7 @@ halves()
   return bins;
 }
 
-TEST(Calibration, WiresBySaidConfidence)
+TEST(Calibration, WiresByStatedConfidence)
 {
   const SceneScan truth = sceneOf({trueWire(0)});
   const Curve right = beside(0).curves[0], wrong = beside(8).curves[0];

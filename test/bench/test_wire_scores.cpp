@@ -41,7 +41,7 @@ lines(const std::vector<Points>& all)
   return network;
 }
 
-TEST(WireScores, ThePerfectAnswer)
+TEST(WireScores, APerfectResult)
 {
   const WireScores s =
       scoreWires(lines({{Point(0, 0, 10), Point(100, 0, 10)}}), {trueWire(0, 1)});
@@ -65,7 +65,7 @@ TEST(WireScores, NothingFound)
   EXPECT_TRUE(s.end_errors.empty());
 }
 
-TEST(WireScores, WhatIsBesideAndWhatIsAstray)
+TEST(WireScores, TheNearbyAndTheAstray)
 {
   // 0.2 m to the side: the span is found, nothing is covered within 0.1 m, nothing is
   // false.
@@ -81,7 +81,7 @@ TEST(WireScores, WhatIsBesideAndWhatIsAstray)
   EXPECT_NEAR(beyond.end_errors[1], 3, 1e-9);
 }
 
-TEST(WireScores, TwoHalvesAreNoSpan)
+TEST(WireScores, TwoHalvesAreNotASpan)
 {
   const WireScores s = scoreWires(lines({{Point(0, 0, 10), Point(50, 0, 10)},
                                          {Point(50, 0, 10), Point(100, 0, 10)}}),
@@ -103,7 +103,7 @@ TEST(WireScores, OneVectorInTheMiddleOfATwinBundle)
   EXPECT_EQ(apart.covered_length, 0);
 }
 
-TEST(WireScores, RestsAtTheBorderAskForNothing)
+TEST(WireScores, RestsAtTheBorderAreNotRequired)
 {
   const WireScores s = scoreWires({}, {trueWire(0, 1, 8)});
   EXPECT_EQ(s.spans, 0U);

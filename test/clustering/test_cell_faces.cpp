@@ -57,7 +57,7 @@ cube(double n, CellFaces faces)
   return settings;
 }
 
-TEST(CellFaces, AreNotMadeUnlessAskedFor)
+TEST(CellFaces, AreMadeOnRequestOnly)
 {
   EXPECT_TRUE(clusterPoints(house(1000, 1), settingsOf(1, 1)).faces.empty());
   EXPECT_TRUE(clusterPoints({}, cube(3, CellFaces::Quads)).faces.empty());
@@ -132,7 +132,7 @@ TEST(CellFaces, MovedCellsHaveQuadsThroughTheirMeanToo)
                   1e-9);
 }
 
-TEST(CellFaces, WhatIsNoPlaneHasNoQuad)
+TEST(CellFaces, WithoutAPlaneThereIsNoQuad)
 {
   Points row;
   for (int i = 0; i < 300; ++i)

@@ -57,7 +57,7 @@ TEST(ClusterEdges, NanAndInfinityAreLeftOut)
   EXPECT_EQ(clusters.cluster_of[5], Clusters::none);
 }
 
-TEST(ClusterEdges, AsManyCellsAsWishedChangeNothingButTheirSize)
+TEST(ClusterEdges, HugeGridsWorkLikeSmallOnes)
 {
   const Points points = house(5000, 2);
   // More cells than memory could hold one by one.
@@ -76,7 +76,7 @@ TEST(ClusterEdges, AsManyCellsAsWishedChangeNothingButTheirSize)
   EXPECT_THROW(clusterPoints(points, settingsOf(1e-7, 0)), std::invalid_argument);
 }
 
-TEST(ClusterEdges, SettingsThatMakeNoSenseAreRefused)
+TEST(ClusterEdges, InvalidSettingsAreRefused)
 {
   const Points points = house(10, 1);
   const auto refuses = [&](const auto& change) {

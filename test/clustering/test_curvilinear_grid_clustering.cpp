@@ -107,7 +107,7 @@ TEST(CurvilinearGridClustering, FollowsTheRulesOfFilters)
   EXPECT_EQ(alias->size(), all.size());
 }
 
-TEST(CurvilinearGridClustering, SaysWhatIsWrongAndGivesNothing)
+TEST(CurvilinearGridClustering, ReportsErrorsAndReturnsNothing)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   const Cloud::Ptr cloud = houseCloud();

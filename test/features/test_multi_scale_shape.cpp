@@ -203,7 +203,7 @@ TEST_F(MultiScaleShapeFeatureTest, NoiseRateNeedsTheQueryPointAsCentroid)
   EXPECT_TRUE(std::isnan(feature.getNoiseWidth()));
 }
 
-TEST_F(MultiScaleShapeFeatureTest, RefusesWhatMakesNoSense)
+TEST_F(MultiScaleShapeFeatureTest, RefusesInvalidSettings)
 {
   const auto cloud = wire<pcl::PointXYZ>();
   const auto refused = [&](auto change) {
@@ -249,7 +249,7 @@ TEST_F(MultiScaleShapeFeatureTest, NoIndicesNoRecords)
   EXPECT_TRUE(out.empty());
 }
 
-TEST_F(MultiScaleShapeFeatureTest, RadiiGrowAsTheyAreTold)
+TEST_F(MultiScaleShapeFeatureTest, RadiiGrowAsRequested)
 {
   MultiScaleShapeFeature<pcl::PointXYZ> feature;
   feature.setInputCloud(wire<pcl::PointXYZ>());

@@ -74,7 +74,7 @@ ones(std::size_t count)
 
 } // namespace
 
-TEST(Schedulers, NothingToDoTakesNoTime)
+TEST(Schedulers, AnEmptyTableTakesNoTime)
 {
   for (const Heuristic heuristic : all) {
     EXPECT_EQ(makespan(simulate(heuristic, ExpectedTimes(0, 3), {})), 0);

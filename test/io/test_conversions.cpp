@@ -145,7 +145,7 @@ TEST_P(RoundTrip, KeepsAllAttributesOfLas)
   }
 }
 
-TEST_P(RoundTrip, OfNoPointsIsNoPoints)
+TEST_P(RoundTrip, OfAnEmptyCloudIsEmpty)
 {
   const Folder folder;
   Cloud cloud;

@@ -49,7 +49,7 @@ TEST(MeshFile, FacesAndTheirCornersAreWhatVtkReads)
   }
 }
 
-TEST(MeshFile, NoFacesAreAMeshAndAWrongPathIsAnError)
+TEST(MeshFile, AnEmptyMeshIsValidAndAWrongPathIsAnError)
 {
   const Folder folder;
   io::writeMesh(folder.file("none.ply"), {}, Point::Zero());

@@ -220,7 +220,7 @@ TEST_F(Nrrd, MatricesGiveTheirSymmetricPartAndNumbersAValue)
   EXPECT_EQ(numbers.shift + numbers.points[3], Point(0.5, 0, 2));
 }
 
-TEST_F(Nrrd, RefusesWhatItCannotKnow)
+TEST_F(Nrrd, RefusesUnsupportedVolumes)
 {
   const std::string data = packed<float>(sixNumbers());
   expectRefusal("", "no NRRD");

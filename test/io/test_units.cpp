@@ -86,7 +86,7 @@ TEST(Units, AreThoseOfTheTextPartByPart)
   EXPECT_FALSE(both.areMeters());
 }
 
-TEST(Units, OfDegreesAndOfPlacesFromTheEarthsCenterAreNoLengths)
+TEST(Units, OfDegreesAndGeocentricCoordinatesAreNotLengths)
 {
   const std::string degrees =
       R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
@@ -111,7 +111,7 @@ TEST(Units, AreThoseOfTheSystemsThatKeysName)
   expectUnits(unitsByKeys({{projected, 26918}}), 1, 1);
 }
 
-TEST(Units, ThatKeysNameCountMoreThanThoseOfTheSystem)
+TEST(Units, ThatKeysNameOverrideThoseOfTheSystem)
 {
   expectUnits(unitsByKeys({{projected, 26918}, {projected_unit, 9002}}), foot, foot);
   expectUnits(unitsByKeys({{projected, 26918}, {vertical_unit, 9003}}), 1, survey_foot);

@@ -27,7 +27,7 @@ TEST(DeviceCost, TheDeviceIsTakenWhereItPays)
   EXPECT_FALSE(isCheapest({0.5, 3e-7, 2e-9}, much, TensorSettings()));
 }
 
-TEST(DeviceCost, WhatTheDeviceLacksIsNotForIt)
+TEST(DeviceCost, MissingFeaturesRuleItOut)
 {
   const DeviceCost at_once = {0, 0, 0};
   TensorSettings median, unbounded;

@@ -21,7 +21,7 @@ TEST_F(OpenCL, EveryCentroidGivesWhatTheReferenceGives)
   const Points points = box(1500, Point(8, 6, 2), 3);
   for (const auto& centroid : Names<Centroid>::table) {
     if (centroid.first == Centroid::WeightedMedian)
-      continue; // refused, see SaysWhatItCannotDo
+      continue; // refused, see ReportsUnsupportedRequests
     SCOPED_TRACE(std::string(centroid.second));
     TensorSettings settings = withRadius(0.9, "fermi-dirac-1");
     settings.centroid = centroid.first;
@@ -167,7 +167,7 @@ TEST_F(OpenCL, EveryStageIsTimed)
     EXPECT_GT(seconds, 0);
 }
 
-TEST_F(OpenCL, SaysWhatItCannotDo)
+TEST_F(OpenCL, ReportsUnsupportedRequests)
 {
   TensorSettings settings = withRadius(1);
   settings.centroid = Centroid::WeightedMedian;

@@ -182,7 +182,7 @@ TEST(ExtractPowerLines, MeasuresClearances)
 
 // Where a scan ends, a stub of a twin strand remains that is too short for a wire; it
 // must not become a tree at half a meter.
-TEST(ExtractPowerLines, TakesNoStubAtAFreeEndForATree)
+TEST(ExtractPowerLines, AStubAtAFreeEndIsNotATree)
 {
   TwoSpans line;
   for (int i = 0; i < 8; ++i)
@@ -214,7 +214,7 @@ TEST(ExtractPowerLines, FollowsThinBundlesOfFour)
   EXPECT_GT(longest, 290);
 }
 
-TEST(ExtractPowerLines, FindsNothingWhereNothingIs)
+TEST(ExtractPowerLines, FindsNothingInAnEmptyScene)
 {
   const auto expectNone = [](const Points& points, const char* what) {
     const PowerLineNetwork n = extractPowerLines(points);
@@ -282,7 +282,7 @@ TEST(ExtractPowerLines, DoesNotDependOnThreads)
   }
 }
 
-TEST(ExtractPowerLines, RefusesWhatMakesNoSense)
+TEST(ExtractPowerLines, RefusesInvalidSettings)
 {
   PowerLineSettings settings;
   settings.max_gap = -1;
@@ -294,7 +294,7 @@ TEST(ExtractPowerLines, RefusesWhatMakesNoSense)
                std::invalid_argument);
 }
 
-TEST(ExtractPowerLines, StopsWhenAsked)
+TEST(ExtractPowerLines, StopsOnRequest)
 {
   struct Stop : ProgressMonitor {
     bool

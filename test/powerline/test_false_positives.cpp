@@ -34,7 +34,7 @@ bar(SceneBuilder& scene, const Point& from, const Point& to, double per_meter)
 }
 
 // A bar has no sag, a wire between the same points does: only that tells them apart.
-TEST(FalsePositives, AStraightBarIsNoWireButASaggingOneIs)
+TEST(FalsePositives, AStraightBarIsNotAWireButASaggingOneIs)
 {
   const Point from(20, 30, 14), to(110, 32, 14.5);
   SceneBuilder straight = field(1), hanging = field(1);
@@ -48,7 +48,7 @@ TEST(FalsePositives, AStraightBarIsNoWireButASaggingOneIs)
 
 // Guys run from a mast to the ground, and two of them may meet at the mast like the
 // wires of two spans.
-TEST(FalsePositives, TheGuysOfAMastAreNoWires)
+TEST(FalsePositives, TheGuysOfAMastAreNotWires)
 {
   SceneBuilder scene = field(5);
   for (double z = 0; z < 32; z += 0.2)
@@ -59,7 +59,7 @@ TEST(FalsePositives, TheGuysOfAMastAreNoWires)
 }
 
 // Pipes are cut at their posts, and the pieces meet like wires at supports.
-TEST(FalsePositives, APipeBridgeIsNoLineThoughTheDataCutItOff)
+TEST(FalsePositives, APipeBridgeCutOffByTheBorderIsNotALine)
 {
   for (const std::uint32_t seed : {1, 2, 3}) {
     SceneBuilder scene = field(seed);
@@ -75,7 +75,7 @@ TEST(FalsePositives, APipeBridgeIsNoLineThoughTheDataCutItOff)
 }
 
 // Even where the data end beyond it, which excuses much.
-TEST(FalsePositives, TheChordsOfAJibAreNoWires)
+TEST(FalsePositives, TheChordsOfAJibAreNotWires)
 {
   SceneBuilder scene = field(2);
   for (const double y : {29.4, 30.6})
@@ -89,7 +89,7 @@ TEST(FalsePositives, TheChordsOfAJibAreNoWires)
 }
 
 // The rails sag with the terrain, but the fence fills the space down to the ground.
-TEST(FalsePositives, ATallFenceIsNoLineButOneAboveItIs)
+TEST(FalsePositives, ATallFenceIsNotALineButOneAboveItIs)
 {
   SceneBuilder scene = field(3);
   const auto fence = [&](double height) {
@@ -104,7 +104,7 @@ TEST(FalsePositives, ATallFenceIsNoLineButOneAboveItIs)
   EXPECT_EQ(extractPowerLines(scene.points).wires.size(), 1U);
 }
 
-TEST(FalsePositives, TheRailingOfARoofIsNoWire)
+TEST(FalsePositives, TheRailingOfARoofIsNotAWire)
 {
   SceneBuilder scene = field(4);
   scene.box({50, 20, 12}, {74, 40, 12.05}, 24 * 20 * 8);
@@ -115,7 +115,7 @@ TEST(FalsePositives, TheRailingOfARoofIsNoWire)
   EXPECT_TRUE(extractPowerLines(scene.points).wires.empty());
 }
 
-TEST(FalsePositives, ABranchLineAtAPoleIsNoCrossarm)
+TEST(FalsePositives, ABranchLineAtAPoleIsNotACrossarm)
 {
   SceneBuilder scene = field(5);
   for (const double y : {29.5, 30.5}) {

@@ -122,7 +122,7 @@ TEST_P(Feet, GiveTheLinesOfTheSameScanInMeters)
 INSTANTIATE_TEST_SUITE_P(
     Scans, Feet, ::testing::Values("corridor.las", "lidar/ahn4_12BZ1_21_thin8.las"));
 
-TEST(FeetInOutputs, AreSaidWhereCoordinatesStand)
+TEST(FeetInOutputs, AreNamedBesideCoordinates)
 {
   io::Cloud cloud;
   cloud.shift = Point(1e6, 2e5, 300);

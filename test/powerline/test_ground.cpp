@@ -105,7 +105,7 @@ TEST(FindGround, SeesThroughHousesTreesAndPits)
   EXPECT_LT(std::sqrt(squares / count), 0.15);
 }
 
-TEST(FindGround, WiresOverWaterAreNoTerrain)
+TEST(FindGround, WiresOverWaterAreNotTerrain)
 {
   // Banks at height 0, water without a return from 100 to 400, six wires 25 m above.
   SceneBuilder scene(29);

@@ -49,7 +49,7 @@ TEST(KinkOfALine, IsSeenInAllWiresTogether)
   }
 }
 
-TEST(KinkOfALine, TellsOfAllWiresTogetherWhereThePoleStands)
+TEST(KinkOfALine, LocatesThePoleFromAllWiresTogether)
 {
   // The slope changes by 0.036: enough to cut each wire, too little to locate the cut.
   std::vector<double> off;

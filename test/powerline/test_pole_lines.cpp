@@ -171,13 +171,13 @@ TEST(Chords, OfARackGoAndThoseAloneStay)
 
 // 276 m of rows on roofs at the border of the data, which the line beside them used to
 // support as evidence.
-TEST(Roofs, BesideALineAreNoWires)
+TEST(Roofs, BesideALineAreNotWires)
 {
   EXPECT_LT(scoresOf(bench::SceneKind::Town, 8).falseLength(), 15);
 }
 
 // Five parallel pipes cut off by the border of the data, 118 m in all.
-TEST(Pipes, AtTheBorderAreNoWires)
+TEST(Pipes, AtTheBorderAreNotWires)
 {
   EXPECT_LT(scoresOf(bench::SceneKind::ClutterEmpty, 6).falseLength(), 15);
 }

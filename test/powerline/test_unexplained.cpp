@@ -39,7 +39,7 @@ TEST(Unexplained, NothingIsWhereEveryLineIsAWire)
 }
 
 // A pipe has no sag and is not a wire, but nobody should have to find it by eye.
-TEST(Unexplained, AStraightPipeIsTold)
+TEST(Unexplained, AStraightPipeIsReported)
 {
   SceneBuilder scene = lineOverField();
   const std::size_t before = scene.points.size();
@@ -61,7 +61,7 @@ TEST(Unexplained, AStraightPipeIsTold)
   EXPECT_EQ(std::accumulate(network.is_unexplained.begin(), of_pipe, 0), 0);
 }
 
-TEST(Unexplained, IsEmptyWhereNothingIs)
+TEST(Unexplained, IsEmptyInAnEmptyScene)
 {
   const PowerLineNetwork network = extractPowerLines(Points());
   EXPECT_TRUE(network.unexplained.empty());

@@ -254,7 +254,7 @@ TEST_F(OutputFiles, ADrawingNamesItsWiresByLayerAndText)
   EXPECT_EQ(texts, 3U);
 }
 
-TEST_F(OutputFiles, GeoJsonIsInDegreesUnlessTheInputsSystemIsAskedFor)
+TEST_F(OutputFiles, GeoJsonIsInDegreesByDefault)
 {
   write();
   const auto degrees = nlohmann::json::parse(textOf(folder_ / "wires.geojson"));
@@ -360,7 +360,7 @@ TEST_F(OutputFiles, NoWiresGiveValidEmptyFiles)
   EXPECT_TRUE(summary.at("wires").is_array());
 }
 
-TEST_F(OutputFiles, NoPointsAtAllAreNoError)
+TEST_F(OutputFiles, AnEmptyCloudIsNotAnError)
 {
   cloud_ = io::Cloud();
   network_ = PowerLineNetwork();

@@ -68,7 +68,7 @@ TEST_F(Report, ClearancesBelowTheLimitAreRed)
   EXPECT_EQ(occurrences(page(), "<circle class=\"hazard\""), 3U);
 }
 
-TEST_F(Report, DoesNotCallClearWhatItDidNotFind)
+TEST_F(Report, DoesNotCallClearWhatWasNotFound)
 {
   options_.clearance = 2.9;
   UnexplainedLine line;
@@ -195,7 +195,7 @@ TEST_F(Report, JumpersAndInsulatorsAreDrawn)
   EXPECT_EQ(kinds, (std::vector<int>{0, 1, 0, 2})); // the second wire is in doubt
 }
 
-TEST_F(Report, SaysWhyAWireIsInDoubt)
+TEST_F(Report, GivesTheReasonForDoubt)
 {
   const std::string text = page();
   EXPECT_NE(text.find("few points &lt; 1 a meter &amp; a hole"), std::string::npos);
@@ -211,7 +211,7 @@ TEST_F(Report, EscapesNames)
 }
 
 // Nobody can reproduce the results of a page that does not give the settings.
-TEST_F(Report, SaysWithWhatItWasMade)
+TEST_F(Report, NamesProgramInputsAndSettings)
 {
   EXPECT_EQ(page().find("id=\"settings\""), std::string::npos);
   options_.provenance = {"linelet 1.2.3",
@@ -227,7 +227,7 @@ TEST_F(Report, SaysWithWhatItWasMade)
     EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 
-TEST_F(Report, WithoutWiresIsAFriendlyPage)
+TEST_F(Report, WithoutWiresIsAHelpfulPage)
 {
   const std::size_t n = cloud_.points.size();
   network_ = PowerLineNetwork();
@@ -244,7 +244,7 @@ TEST_F(Report, WithoutWiresIsAFriendlyPage)
   EXPECT_EQ(nestingError(page()), "");
 }
 
-TEST_F(Report, SurvivesPointsThatAreNoNumbersAndMissingGround)
+TEST_F(Report, SurvivesNonFinitePointsAndMissingGround)
 {
   cloud_.points[20] = Point::Constant(NAN);
   network_.ground = Ground();

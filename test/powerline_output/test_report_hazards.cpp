@@ -64,7 +64,7 @@ hazardsByHand(const PowerLineNetwork& network)
 
 // Every hazard has a row that the plan and the profile link to, and the first lines of
 // the page say what is severe and where.
-TEST_F(Report, HazardsAreToldListedAndMarked)
+TEST_F(Report, HazardsAreSummarizedListedAndMarked)
 {
   options_.hazards = hazardsByHand(network_);
   const std::string text = page();

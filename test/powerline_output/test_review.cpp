@@ -149,7 +149,7 @@ TEST_F(ReviewTest, WiresAreKnownByTheirPlace)
   EXPECT_EQ(matchReviewed(other, reviewed)[0], -1);
 }
 
-TEST_F(ReviewTest, AcceptedWireThatIsNotFoundIsTold)
+TEST_F(ReviewTest, AnAcceptedWireThatIsNotFoundIsReported)
 {
   network.wires[2].review.verdict = Verdict::Accepted;
   const auto reviewed = saved();

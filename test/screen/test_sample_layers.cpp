@@ -114,7 +114,7 @@ TEST(SampleLayers, AreTheSameForAnyNumberOfThreadsAndFarFromTheOrigin)
     }
 }
 
-TEST(SampleLayers, RefuseWhatMakesNoSense)
+TEST(SampleLayers, RefuseInvalidSettings)
 {
   const Points points = crowd(3, 4);
   const Camera camera = cameraOf(true);

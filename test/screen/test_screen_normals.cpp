@@ -252,7 +252,7 @@ TEST(ScreenNormals, AreUnknownWhereNothingIsSeen)
   EXPECT_TRUE(screenNormals(none, eye, {}).x.empty());
 }
 
-TEST(ScreenNormals, RefuseSettingsThatMakeNoSense)
+TEST(ScreenNormals, RefuseInvalidSettings)
 {
   const DepthPicture picture(8, 8, 1, tilted);
   ScreenNormalSettings settings;

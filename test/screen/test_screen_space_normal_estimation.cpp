@@ -83,7 +83,7 @@ TEST(ScreenSpaceNormalEstimation, FollowsTheRulesOfFeatures)
   EXPECT_EQ(some[2].normal_z, all[700].normal_z);
 }
 
-TEST(ScreenSpaceNormalEstimation, SaysWhatIsWrongAndGivesNothing)
+TEST(ScreenSpaceNormalEstimation, ReportsErrorsAndReturnsNothing)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   pcl::PointCloud<pcl::Normal> normals;

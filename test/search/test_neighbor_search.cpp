@@ -139,7 +139,7 @@ TEST(NeighborSearch, FindsWhatBruteForceFindsFarFromTheOrigin)
   expectSameAsBruteForce(points, queries);
 }
 
-TEST(NeighborSearch, AnswersForDegenerateSets)
+TEST(NeighborSearch, HandlesDegenerateSets)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Points mixed(200, Point(1, 2, 3));

@@ -127,7 +127,7 @@ TEST(UniformGrid, SurvivesDegenerateSets)
 }
 
 // If one far point made the rows of all others wide, queries would visit them all.
-TEST(UniformGrid, FindsWhatBruteForceFindsBesideFarPoints)
+TEST(UniformGrid, FindsWhatBruteForceFindsWithFarOutliers)
 {
   Points points = randomPoints(3000, Point(10, 10, 10), 3);
   points.emplace_back(1e7, -1e7, 1e7);
@@ -182,7 +182,7 @@ TEST(UniformGrid, FindsTheNearestPoint)
   }
 }
 
-TEST(UniformGrid, FindsTheNearestWhateverRadiusItBeginsWith)
+TEST(UniformGrid, FindsTheNearestFromAnyInitialRadius)
 {
   const Points points = randomPoints(200, Point(10, 10, 10), 3);
   const UniformGrid grid(points, 1);

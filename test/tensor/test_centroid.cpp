@@ -60,7 +60,7 @@ expectNear(const Point& a, const Point& b, double tolerance)
 
 } // namespace
 
-TEST(Centroid, NamesComeBack)
+TEST(Centroid, NamesRoundTrip)
 {
   for (const char* name : {"pdt", "mean", "weighted-mean", "median", "weighted-median"})
     EXPECT_EQ(nameOf(fromName<Centroid>(name)), name);

@@ -65,7 +65,7 @@ TEST(EigenFeatures, VerticalityIsOneOnAWallWhicheverWayItFaces)
 }
 
 // The note on CloudCompare and jakteristics: theirs computed from ours.
-TEST(EigenFeatures, TellThoseOfRawEigenvalues)
+TEST(EigenFeatures, GiveThoseOfRawEigenvalues)
 {
   const Eigen::Vector3d l(0.02, 0.3, 1.7);
   const double sum = l.sum();
@@ -77,7 +77,7 @@ TEST(EigenFeatures, TellThoseOfRawEigenvalues)
   EXPECT_NEAR(sum * (ours.eigenentropy - std::log(sum)), entropy, 1e-12);
 }
 
-TEST(EigenFeatures, OfNothingAreUnknown)
+TEST(EigenFeatures, OfAnEmptyNeighborhoodAreUnknown)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Eigen::Vector3d& l :

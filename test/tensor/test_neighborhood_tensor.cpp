@@ -133,7 +133,7 @@ TEST(EigenAnalysis, VectorsAreOrthonormalWithTheLargestComponentPositive)
   }
 }
 
-TEST(EigenAnalysis, AnswersForDegenerateTensors)
+TEST(EigenAnalysis, HandlesDegenerateTensors)
 {
   EXPECT_EQ(eigenAnalysis({}).values, Eigen::Vector3d::Zero());
   EXPECT_TRUE(eigenAnalysis({}).vectors.allFinite());

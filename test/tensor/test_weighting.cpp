@@ -140,7 +140,7 @@ TEST(Weighting, EveryKernelHasTheValuesOfItsFormula)
   }
 }
 
-TEST(Weighting, EveryNameIsAnEnumeratorAndComesBack)
+TEST(Weighting, EveryNameIsAnEnumeratorAndRoundTrips)
 {
   for (const auto& [kernel, name] : Names<Kernel>::table) {
     if (kernel == Kernel::FermiDirac || kernel == Kernel::Step)
@@ -236,7 +236,7 @@ TEST(Weighting, TakesParameters)
   EXPECT_EQ(Weighting().kernel(), Kernel::FermiDirac1);
 }
 
-TEST(Weighting, RefusesWhatItDoesNotKnow)
+TEST(Weighting, RefusesUnknownNames)
 {
   using testing::HasSubstr;
   EXPECT_THAT(messageOf("gauss"),

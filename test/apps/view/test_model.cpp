@@ -87,7 +87,7 @@ TEST_F(ModelTest, EveryAnalysisGivesFields)
 }
 
 // Only results that depend on a setting are out of date after a change.
-TEST_F(ModelTest, OnlyWhatDependsIsStale)
+TEST_F(ModelTest, OnlyDependentResultsAreStale)
 {
   open(writeWire());
   for (const Analysis analysis : {Analysis::Tensor, Analysis::MultiScale}) {
@@ -194,7 +194,7 @@ TEST_F(ModelTest, TensorAtTheSelectionIsAnEllipsoidAlongTheWire)
 }
 
 // Any file gives either an error in one sentence or a cloud that every view can show.
-TEST_F(ModelTest, OddFilesAreToldOrBorne)
+TEST_F(ModelTest, OddFilesAreRefusedOrShown)
 {
   const std::string whole = writeWire();
   std::string bytes;
@@ -238,7 +238,7 @@ TEST_F(ModelTest, OddFilesAreToldOrBorne)
   }
 }
 
-TEST_F(ModelTest, NothingOpenIsNoHarm)
+TEST_F(ModelTest, WorksWithNothingOpen)
 {
   EXPECT_TRUE(model.fields().empty());
   EXPECT_TRUE(model.wiresByConfidence().empty());

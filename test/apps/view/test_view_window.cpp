@@ -161,7 +161,7 @@ TEST_F(ViewWindow, RealClickSelectsThePointInTheMiddle)
 }
 
 // A sentence and an exit code, not a crash.
-TEST_F(ViewWindow, OddFilesAreTold)
+TEST_F(ViewWindow, OddFilesAreReported)
 {
   const std::string wire = writeWire();
   std::ostringstream bytes;

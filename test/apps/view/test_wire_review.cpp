@@ -69,7 +69,7 @@ TEST_F(WireReviewTest, EveryWordIsSavedAtOnce)
   EXPECT_EQ(after.review(3).point_class, 13);
 }
 
-TEST_F(WireReviewTest, WhatCannotBeSaidIsRefused)
+TEST_F(WireReviewTest, InvalidReviewsAreRefused)
 {
   EXPECT_THROW(model.setReview(0, {}), std::invalid_argument);
   EXPECT_THROW(model.setReview(4, {}), std::invalid_argument);
@@ -78,7 +78,7 @@ TEST_F(WireReviewTest, WhatCannotBeSaidIsRefused)
 }
 
 // A broken review next to intact results: the error is reported, the results are shown.
-TEST_F(WireReviewTest, BrokenReviewIsTold)
+TEST_F(WireReviewTest, ABrokenReviewIsReported)
 {
   write("out/reviewed.gpkg", "no database");
   model.open({path("out")});
@@ -86,7 +86,7 @@ TEST_F(WireReviewTest, BrokenReviewIsTold)
   EXPECT_EQ(model.lines()->wires.size(), 3u);
 }
 
-TEST_F(WireReviewTest, BrokenSummaryIsTold)
+TEST_F(WireReviewTest, ABrokenSummaryIsReported)
 {
   for (const char* text : {"", "{", "[]", "{\"wires\":[{}]}"}) {
     write("out/summary.json", text);

@@ -66,7 +66,7 @@ TEST(Worker, LateResultsAreDropped)
   EXPECT_EQ(taken, 10);
 }
 
-TEST(Worker, WhatGoesWrongIsTold)
+TEST(Worker, FailuresAreReported)
 {
   Worker worker;
   worker.start([](ProgressMonitor*) { throw std::runtime_error("no such thing"); }, {});

@@ -98,7 +98,7 @@ TEST(EmKernels, FarPointsHaveHardlyAnyDensityButANumber)
   }
 }
 
-TEST(EmKernels, SharesAreDensitiesBesideTheWholeAndLeaveTheNextEdgeAlone)
+TEST(EmKernels, SharesAreNormalizedAndLeaveTheNextEdgeAlone)
 {
   const std::vector<double> inverse = {0.5, 2, 4, 0.25};
   for (std::size_t own = 0; own <= count; ++own) {

@@ -93,7 +93,7 @@ TEST(VariedNoise, TheCriterionTellsWhetherItVaries)
   EXPECT_GE(constant, 18);
 }
 
-TEST(VariedNoise, IsOneWidthWhereNotAskedFor)
+TEST(VariedNoise, IsOneWidthByDefault)
 {
   const EmFit fit = fitLine(noisyLine(10, 1), false);
   ASSERT_EQ(fit.noises.size(), 1u);

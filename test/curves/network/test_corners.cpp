@@ -74,7 +74,7 @@ TEST(Corners, SmoothCurvesHaveNone)
   EXPECT_TRUE(sharpened({}, 0.6).empty());
 }
 
-TEST(Corners, StayWhereTheyAreWhenNodesAreSpacedAnew)
+TEST(Corners, SurviveResampling)
 {
   ModelCurve square;
   square.nodes = {{0.5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}};

@@ -164,7 +164,7 @@ meanOffset(const EmFit& fit)
   return sum / count;
 }
 
-TEST(NoiseOfOneLength, IsToldFromNormalNoiseAndGivesTheFinerCurve)
+TEST(FixedRadiusNoise, IsDistinguishedFromNormalNoiseAndGivesTheBetterCurve)
 {
   boost::random::mt19937 random(9);
   boost::random::normal_distribution<double> normal;

@@ -99,7 +99,7 @@ TEST(JunctionNetwork, EndsThatMeetAreOneJunctionAtTheirMiddle)
   EXPECT_LT((network.junctions[0].position - Point(0.1, 0.1, -0.1) / 3).norm(), 1e-12);
 }
 
-TEST(JunctionNetwork, SideBySideIsNoMeeting)
+TEST(JunctionNetwork, SideBySideIsNotAMeeting)
 {
   CurveNetwork network{{straight({0, 0, 0}, {10, 0, 0}),
                         straight({0, 0.3, 0}, {10, 0.3, 0}),

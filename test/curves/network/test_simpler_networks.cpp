@@ -31,7 +31,7 @@ TEST(SimplerNetworks, NothingIsSimplerThanOneCurveWithoutEndsOrWithFarOnes)
   EXPECT_TRUE(simplerNetworks({ring}, 0.2).empty());
 }
 
-TEST(SimplerNetworks, ARingWithEndsLedAstrayIsClosedWithoutThem)
+TEST(SimplerNetworks, ARingIsClosedWithoutItsStrayEnds)
 {
   // Three quarters of a turn and more, with an outward spur at either end.
   ModelCurve ring;

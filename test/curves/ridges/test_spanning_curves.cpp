@@ -55,7 +55,7 @@ struct Paddle {
   }
 };
 
-TEST(SpanningCurves, FewPointsAreNoCurve)
+TEST(SpanningCurves, FewPointsAreNotACurve)
 {
   EXPECT_TRUE(spanningCurves({}, 6).curves.empty());
   EXPECT_TRUE(spanningCurves({{1, 2, 3}}, 6).curves.empty());

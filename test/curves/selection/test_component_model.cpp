@@ -88,7 +88,7 @@ TEST(ComponentModel, RunnerUpTakesAnotherCourseAndIsNotAhead)
   EXPECT_GT(found, 5); // bandwidths differ where sticks cross
 }
 
-TEST(ComponentModel, WhereAllBandwidthsAgreeThereIsNoRunnerUp)
+TEST(ComponentModel, WithoutDisagreementThereIsNoRunnerUp)
 {
   Points line;
   for (int i = 0; i < 200; ++i)
@@ -96,7 +96,7 @@ TEST(ComponentModel, WhereAllBandwidthsAgreeThereIsNoRunnerUp)
   EXPECT_FALSE((*Component(line)).runnerUp(any));
 }
 
-TEST(ComponentModel, WorkGoesOnFromAnotherFit)
+TEST(ComponentModel, SearchContinuesFromAnotherFit)
 {
   for (unsigned seed = 0; seed < 10; ++seed) {
     Component component(crossingSticks(4, seed));

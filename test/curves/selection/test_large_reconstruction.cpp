@@ -88,7 +88,7 @@ TEST(LargeReconstruction, ManyCurvesAreFoundOneByOne)
   EXPECT_GE(monitor.advances_, 20u);
 }
 
-TEST(LargeReconstruction, CurvesThickBesideTheSpacingAreNoVolumes)
+TEST(LargeReconstruction, CurvesThickerThanTheSpacingAreNotVolumes)
 {
   // A tube of noise around every curve is so dense that few neighborhoods at the scale
   // of the spacing are linear.
@@ -172,7 +172,7 @@ TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
   EXPECT_NEAR(length(found), 102 * 100, 102);
 }
 
-TEST(LargeReconstruction, WiresThatTouchAreToldApartInALargeNet)
+TEST(LargeReconstruction, TouchingWiresAreSeparatedInALargeMesh)
 {
   // Wires that sway and cross, about 65,000 points in one part: each crossing is a
   // chance to join them wrongly, or to end.

@@ -57,7 +57,7 @@ TEST(RefinedReconstruction, DegenerateInputGivesNoCurveOrOneThatIsFinite)
   EXPECT_THROW(reconstructRefined(collinear, settings), std::invalid_argument);
 }
 
-TEST(RefinedReconstruction, SurfacesAndVolumesAreNoCurves)
+TEST(RefinedReconstruction, SurfacesAndVolumesAreNotCurves)
 {
   boost::random::mt19937 random(7);
   boost::random::uniform_real_distribution<double> uniform(-10, 10);
@@ -249,7 +249,7 @@ TEST(RefinedReconstruction, ClosedOutlineEndsInALoop)
   }
 }
 
-TEST(RefinedReconstruction, ResultMovesAndScalesWithTheInput)
+TEST(RefinedReconstruction, IsEquivariantToMotionAndScale)
 {
   SamplingSettings settings;
   settings.jitter = 0.3;
@@ -281,7 +281,7 @@ TEST(RefinedReconstruction, SameForAnyNumberOfThreads)
     EXPECT_EQ(a.curves[c].points, b.curves[c].points);
 }
 
-TEST(RefinedReconstruction, CopiesOfPointsAndPointsThatAreNotFiniteSayNothing)
+TEST(RefinedReconstruction, DuplicatesAndNonFinitePointsChangeNothing)
 {
   const Points points = cable(60, 4, 0.03, 0, 5);
   const double nan = std::numeric_limits<double>::quiet_NaN();

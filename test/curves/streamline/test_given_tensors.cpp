@@ -180,7 +180,7 @@ TEST(GivenTensors, EveryModeThatFollowsTensorsFollowsACircle)
   }
 }
 
-TEST(GivenTensors, WhatIsNoTensorSaysNothing)
+TEST(GivenTensors, InvalidTensorsAreIgnored)
 {
   const Grid grid;
   StreamlineSettings settings = settingsOf(grid, 0, Point::UnitX());

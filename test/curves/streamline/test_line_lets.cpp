@@ -76,7 +76,7 @@ TEST(Meeting, AnEndCrossesASegmentWhereTheSkewLinesAreClosest)
   }
 }
 
-TEST(Meeting, WhatIsTooFarOrOwnRecentPathIsNoEncounter)
+TEST(Meeting, TheFarAndTheOwnRecentPathAreNotEncounters)
 {
   LineLets lets(1.4);
   const Index a = straight(lets, {0, 0, 0}, {10, 0, 0});

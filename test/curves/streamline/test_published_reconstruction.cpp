@@ -99,7 +99,7 @@ TEST(Published, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST(Published, MovesAndScalesWithItsInput)
+TEST(Published, IsEquivariantToMotionAndScale)
 {
   bench::SamplingSettings sampling;
   sampling.jitter = 0.2;
@@ -150,7 +150,7 @@ TEST(Published, HugeCoordinatesKeepTheCurve)
   EXPECT_NEAR(length(reconstructPublished(points)), 10 * M_PI, 0.3);
 }
 
-TEST(Published, FilledVolumesAndPlanesComeToAnEnd)
+TEST(Published, FilledVolumesAndPlanesTerminate)
 {
   Points ball = randomPoints(8000, 1), plane = ball;
   for (Point& p : plane)

@@ -100,7 +100,7 @@ TEST(MixedReconstruction, FindsTheWiresOverGroundRoofAndCrowns)
   }
 }
 
-TEST(MixedReconstruction, FindsNothingWhereThereIsNoCurve)
+TEST(MixedReconstruction, FindsNothingWithoutCurves)
 {
   for (const unsigned seed : {3U, 4U}) {
     SCOPED_TRACE(seed);
@@ -108,7 +108,7 @@ TEST(MixedReconstruction, FindsNothingWhereThereIsNoCurve)
   }
 }
 
-TEST(MixedReconstruction, FewPointsOfASceneAreNoCloudOfCurves)
+TEST(MixedReconstruction, FewPointsOfASceneAreNotACloudOfCurves)
 {
   // Without its ground, a sparse scan has few points left, and thick curves through
   // crowns and from wire to wire would explain most of them.
@@ -142,7 +142,7 @@ TEST(MixedReconstruction, FewPointsOfASceneAreNoCloudOfCurves)
   }
 }
 
-TEST(MixedReconstruction, ScanLinesOfTheGroundAreNoCloudOfCurves)
+TEST(MixedReconstruction, ScanLinesOfTheGroundAreNotACloudOfCurves)
 {
   // Where scan lines lie farther apart than their points, as below a fast aircraft, the
   // ground is linear around its points, too.
@@ -248,7 +248,7 @@ TEST(MixedReconstruction, ShortNoisyCurvesAreCurves)
 
 // A wide beam spreads the points of a wire over a ribbon many times as wide as it is
 // high; three side by side look like a surface from scales of a meter on.
-TEST(MixedReconstruction, RibbonsSideBySideAreNoSurface)
+TEST(MixedReconstruction, RibbonsSideBySideAreNotASurface)
 {
   const auto at = [](int wire, double x) {
     return Point(x, 0.9 * (wire - 1), 9 + 0.002 * (x - 20) * (x - 20));
@@ -320,7 +320,7 @@ public:
   }
 };
 
-TEST(MixedReconstruction, StopsWhenToldTo)
+TEST(MixedReconstruction, StopsOnRequest)
 {
   Stopped monitor;
   EXPECT_THROW(reconstructCurves(scene(7, true), {}, &monitor), Canceled);

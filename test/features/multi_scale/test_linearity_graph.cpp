@@ -82,7 +82,7 @@ TEST(LinearityGraph, PlateauIsOneMinimum)
   EXPECT_NEAR(graph.maxima[1].area_fraction, 0.7, 1e-12);
 }
 
-TEST(LinearityGraph, FlatLowEndIsNoMinimum)
+TEST(LinearityGraph, AFlatLowEndIsNotAMinimum)
 {
   // Converged after the hill: the flat end is not a minimum, so A is the whole graph.
   const LinearityGraph graph = read({0.2, 0.9, 0.4, 0.4, 0.4});

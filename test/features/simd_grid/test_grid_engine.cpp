@@ -323,7 +323,7 @@ TEST(GridEngine, CountsEveryPointNextToTheBallOnce)
   }
 }
 
-TEST(GridEngine, TakesQueriesThatAreNoPointsOfTheSurface)
+TEST(GridEngine, TakesQueriesOffTheSurface)
 {
   const Points surface = uniformPoints(3000, {8, 8, 8}, 21);
   Points queries = uniformPoints(300, {14, 14, 14}, 22);
@@ -369,7 +369,7 @@ TEST(GridEngine, FarFromTheOriginChangesNothing)
   }
 }
 
-TEST(GridEngine, StopsWhenAsked)
+TEST(GridEngine, StopsOnRequest)
 {
   struct Impatient : ProgressMonitor {
     bool

@@ -166,7 +166,7 @@ TEST(TensorEstimation, OfAHelixFollowsTheTangent)
   }
 }
 
-TEST(TensorEstimation, IsNotKnownWhereThereIsNoShape)
+TEST(TensorEstimation, IsUnknownWithoutAShape)
 {
   const Point place(5e5 + 0.1, 5e6, 1);
   for (const auto& [centroid, name] : Names<Centroid>::table) {

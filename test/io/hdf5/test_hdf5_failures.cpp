@@ -95,7 +95,7 @@ TEST_F(Hdf5, AKilledWriterLeavesTheOldFile)
   }
 }
 
-TEST_F(Hdf5, SaysInOneLineWhatIsWrong)
+TEST_F(Hdf5, ReportsErrorsInOneLine)
 {
   writeBytes(folder.file("text.h5"), "no HDF5 at all");
   writeBytes(folder.file("empty.h5"), "");

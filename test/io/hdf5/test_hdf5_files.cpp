@@ -27,7 +27,7 @@ TEST_F(Hdf5, KeepsEverythingOfACloud)
   }
 }
 
-TEST_F(Hdf5, PointsWithoutPlaceAndColumnsWithoutNameComeBack)
+TEST_F(Hdf5, PointsWithoutPositionAndColumnsWithoutNameRoundTrip)
 {
   Cloud cloud = example(5);
   cloud.points[2] = Point(std::nan(""), 1, 2);

@@ -65,7 +65,7 @@ expectRoundTrip(int format, std::size_t extra, std::vector<std::uint8_t> records
 
 } // namespace
 
-TEST(LazCodec, IntegersOfEverySizeComeBack)
+TEST(LazCodec, IntegersOfEverySizeRoundTrip)
 {
   std::vector<std::uint32_t> values = {
       0, 1, ~0U, 0x7FFFFFFFU, 0x80000000U, 0x80000001U};
@@ -113,7 +113,7 @@ TEST(LazCodec, MedianOfManyEqualStepsIsThatStep)
   EXPECT_EQ(median.get(), 7) << "one outlier moves no median";
 }
 
-TEST(LazCodec, TimesOfSeveralSequencesComeBack)
+TEST(LazCodec, TimesOfSeveralSequencesRoundTrip)
 {
   std::mt19937_64 random(seed);
   std::vector<std::uint64_t> times = {0, ~std::uint64_t{0}, 1};
@@ -134,7 +134,7 @@ TEST(LazCodec, TimesOfSeveralSequencesComeBack)
     ASSERT_EQ(in.code(decoder), time);
 }
 
-TEST(LazCodec, ChunksOfEveryFormatComeBackBitForBit)
+TEST(LazCodec, ChunksOfEveryFormatRoundTripBitForBit)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
@@ -147,7 +147,7 @@ TEST(LazCodec, ChunksOfEveryFormatComeBackBitForBit)
       }
 }
 
-TEST(LazCodec, PointsThatAreAllAlikeOrAllRandomComeBack)
+TEST(LazCodec, ConstantAndRandomPointsRoundTrip)
 {
   std::mt19937 random(seed);
   for (int format = 0; format <= 10; ++format) {
@@ -159,7 +159,7 @@ TEST(LazCodec, PointsThatAreAllAlikeOrAllRandomComeBack)
   }
 }
 
-TEST(LazCodec, LayersNobodyWantsKeepTheValuesOfTheFirstPoint)
+TEST(LazCodec, SkippedLayersKeepTheValuesOfTheFirstPoint)
 {
   std::mt19937 random(seed);
   const Layout layout = layoutFor(7, 36);
@@ -178,7 +178,7 @@ TEST(LazCodec, LayersNobodyWantsKeepTheValuesOfTheFirstPoint)
   }
 }
 
-TEST(LazCodec, DataThatEndTooEarlyAreRefusedWhereverTheyEnd)
+TEST(LazCodec, TruncatedDataAreRefusedAtAnyLength)
 {
   std::mt19937 random(seed);
   for (const int format : {1, 7}) {
@@ -224,7 +224,7 @@ TEST(LazCodec, AChunkTableBoundsItsChunksByTheFile)
     }
 }
 
-TEST(LazCodec, ItemListsAreCheckedBeforeAnythingIsDecoded)
+TEST(LazCodec, ItemListsAreCheckedBeforeDecoding)
 {
   const std::string good = textOf(layoutFor(7, 40));
   EXPECT_EQ(parseLayout(good, 7, 40).recordLength(), 40U);

@@ -138,7 +138,7 @@ TEST(LazFiles, FilesOfEqualReferenceHashHoldEqualPoints)
   EXPECT_GT(files, 50);
 }
 
-TEST(LazFiles, EveryRecordIsThatWhichLaszipFinds)
+TEST(LazFiles, EveryRecordEqualsThatOfLaszip)
 {
   LINELET_NEEDS_DATA("readers/laz");
   NEEDS_ORACLE;
@@ -156,7 +156,7 @@ TEST(LazFiles, EveryRecordIsThatWhichLaszipFinds)
 // files of the same series in those formats, except for scan angles, which increase by
 // 271 steps here, and the class byte and flags of three points, which all readers
 // report differently.
-TEST(LazFiles, CompatibilityModeIsReadAsWhatItStandsFor)
+TEST(LazFiles, CompatibilityModeIsReadAsTheOriginalFormat)
 {
   LINELET_NEEDS_DATA("readers/laz");
   for (const char* format : {"6", "7", "8", "9", "10"})
@@ -196,7 +196,7 @@ TEST(LazFiles, CompatibilityModeIsReadAsWhatItStandsFor)
     }
 }
 
-TEST(LazFiles, OtherReadersFindInOurFilesWhatWeHaveRead)
+TEST(LazFiles, OtherReadersReadOurFiles)
 {
   LINELET_NEEDS_DATA("readers/laz");
   NEEDS_ORACLE;
@@ -213,7 +213,7 @@ TEST(LazFiles, OtherReadersFindInOurFilesWhatWeHaveRead)
   }
 }
 
-TEST(LazFiles, CloudsOfAnySizeAreReadByEverybody)
+TEST(LazFiles, CloudsOfAnySizeAreReadByAllReaders)
 {
   const Folder folder;
   const bool oracle = hasOracle();

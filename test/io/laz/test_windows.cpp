@@ -252,7 +252,7 @@ TEST(Windows, OfCopcFilesAreThoseOfCopcReader)
   EXPECT_GT(points, 10000U);
 }
 
-TEST(Windows, APageOfCopcThatLeadsToItselfEnds)
+TEST(Windows, ASelfReferencingCopcPageEnds)
 {
   LINELET_NEEDS_DATA("readers/copc");
   const Folder folder;

@@ -99,7 +99,7 @@ TEST(CurveFiles, RingsAreClosedCurvesAndArcsAreChords)
     EXPECT_NEAR(p.norm(), 1, 1e-9);
 }
 
-TEST(CurveFiles, BrokenOnesAreSaidToBeSo)
+TEST(CurveFiles, BrokenOnesAreReported)
 {
   const Folder folder;
   const std::pair<const char*, const char*> files[] = {

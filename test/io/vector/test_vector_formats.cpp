@@ -136,7 +136,7 @@ TEST(CurveFiles, GeoJsonIsInDegreesByItsStandard)
   EXPECT_EQ(referenceName(wkt), "WGS 84");
 }
 
-TEST(CurveFiles, GoToTheSystemThatIsAskedFor)
+TEST(CurveFiles, AreReprojectedOnRequest)
 {
   const Folder folder;
   CurveNetwork network;
@@ -193,7 +193,7 @@ TEST(CurveFiles, AreWrittenByEveryDriverOfGdal)
   }
 }
 
-TEST(CurveFiles, CoordinatesOfAnUnknownSystemAreNoDegrees)
+TEST(CurveFiles, CoordinatesOfAnUnknownSystemAreNotDegrees)
 {
   const Folder folder;
   writeCurves(folder.file("a.gpkg"), example(), utm_shift);

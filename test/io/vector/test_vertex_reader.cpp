@@ -116,7 +116,7 @@ TEST(VertexReader, EveryKindOfGeometry)
   EXPECT_NE(warnings[0].find("1 feature"), std::string::npos) << warnings[0];
 }
 
-TEST(VertexReader, WhatCannotBeReadIsSaidWithTheName)
+TEST(VertexReader, UnreadableFilesAreNamed)
 {
   const Folder folder;
   for (const char* name : {"bad.shp", "bad.gpkg", "bad.geojson"}) {

@@ -14,7 +14,7 @@ namespace {
 using namespace linelet;
 using namespace linelet::test;
 
-TEST(Surroundings, BirdsAndNoiseAreNoHazard)
+TEST(Surroundings, BirdsAndNoiseAreNotHazards)
 {
   Scene scene;
   for (int k = 0; k < 20; ++k) { // a swarm of class 18, and of class 7 below
@@ -33,7 +33,7 @@ TEST(Surroundings, BirdsAndNoiseAreNoHazard)
 
 // A pole's head without classes: cross-arm, insulators and whatever hangs from them are
 // not vegetation near the wires they carry, but a tree beside them is.
-TEST(Surroundings, WhatCarriesAWireIsNoHazardToIt)
+TEST(Surroundings, SupportsAreNotHazardsToTheirWires)
 {
   Scene scene;
   Support pole;
@@ -66,7 +66,7 @@ TEST(Surroundings, OtherSchemesOfClassesAreUnderstood)
   EXPECT_EQ(found[0].clearances[0].kind, HazardKind::Building);
 }
 
-TEST(Surroundings, RoofsAndCrownsAreToldApartByClassOrShape)
+TEST(Surroundings, RoofsAndCrownsAreDistinguishedByClassOrShape)
 {
   for (const bool with_classes : {true, false}) {
     SCOPED_TRACE(testing::Message() << "classes " << with_classes);
