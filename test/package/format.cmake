@@ -5,7 +5,7 @@
 # test is skipped with them.
 execute_process(COMMAND ${CLANG_FORMAT} --version OUTPUT_VARIABLE version)
 if(NOT version MATCHES "version 14\\.")
-  message(STATUS "SKIPPED: wants clang-format 14, not ${version}")
+  message(STATUS "SKIPPED: needs clang-format 14, not ${version}")
   return()
 endif()
 set(files)

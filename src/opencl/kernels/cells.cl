@@ -70,8 +70,8 @@ lowerBound(global const ulong* keys, uint begin, uint end, ulong key)
   return begin;
 }
 
-// Gives every cell that holds a query a slot of its own, and tells its queries. The
-// numbering differs from run to run, what is stored under it does not.
+// Gives every cell that holds a query its own slot, and stores the slots of queries.
+// The numbering differs from run to run, the content of slots does not.
 kernel void
 assignSlots(global const ulong* queries,
             uint count,
@@ -128,8 +128,8 @@ cellTable(global const ulong* queries,
 #define CHUNK_BITS 5
 #define CHUNK_MASK ((1 << CHUNK_BITS) - 1)
 
-// The place along x of a point or query relative to its chunk: rounded once, so that points
-// at one place have the same.
+// The position of a point or query along x relative to its chunk: rounded once, so that
+// coincident points have the same.
 INLINE float
 placeInChunk(float offset, int cell, float cell_size)
 {

@@ -27,7 +27,7 @@ typedef JOIN(float, WIDTH) Floats;
 typedef JOIN(int, WIDTH) Ints;
 #define LOAD(pointer) JOIN(vload, WIDTH)(0, pointer)
 #define STORE(values, pointer) JOIN(vstore, WIDTH)(values, 0, pointer)
-#define ANY(mask) (sumInts(mask) != 0) // any() becomes a branch a lane on CPUs
+#define ANY(mask) (sumInts(mask) != 0) // any() becomes a branch per lane on CPUs
 #if WIDTH == 4
 #define LANES (int4)(0, 1, 2, 3)
 #elif WIDTH == 8
@@ -35,7 +35,7 @@ typedef JOIN(int, WIDTH) Ints;
 #else
 #define LANES (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
 #endif
-// Comparisons of vectors give 0 and -1 by themselves.
+// Comparisons of vectors already give 0 and -1.
 #define MASK_IF(condition) (condition)
 #endif
 

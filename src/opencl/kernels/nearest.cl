@@ -3,7 +3,7 @@
 
 // The distance of the k-th nearest point, one query per work-item.
 //
-// Counting narrows an interval of squared distances until few points are left in it, and
+// Counting narrows an interval of squared distances until few points remain in it, and
 // these are ranked in double. Nothing is stored for the others, whatever k is.
 
 #ifdef NEAREST
@@ -63,7 +63,7 @@ nearestSquares(global const ulong* queries,
     return;
   float aim = k; // a few beyond the k-th, to close in on it from the other side
   for (uint step = 0; step < MOST_COUNTS && within - below > FEW; ++step) {
-    // Where a straight line has it; in the middle now and then, for densities that jump.
+    // Linear interpolation; sometimes the midpoint, for densities that jump.
     const float line = clamp((aim - below) / (within - below), 0.01f, 0.99f);
     const float middle = low + (high - low) * (step % 4 == 3 ? 0.5f : line);
     const uint counted = countWithin(&walk, middle);

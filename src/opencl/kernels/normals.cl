@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Screen-space normals, a work-item a pixel: what src/screen/normal_kernels.cpp does.
+// Screen-space normals, one work-item per pixel: what src/screen/normal_kernels.cpp
+// does.
 
 // PaddedSamples and settings; the host has the same struct.
 typedef struct {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Eigen-analysis: cyclic Jacobi, WIDTH tensors a work-item. It keeps the small eigenvalues
-// of wire-like tensors better than closed forms do.
+// Eigen-analysis: cyclic Jacobi, WIDTH tensors per work-item. It keeps the small
+// eigenvalues of wire-like tensors better than closed forms do.
 
 #define TURNS 5 // convergence is quadratic
 #define FIELDS 18 // floats of a record, in the order of linelet::PointDistributionTensor
@@ -19,7 +19,8 @@ turn(Floats* u, Floats* v, Floats c, Floats s)
   *v = s * old + c * *v;
 }
 
-// Turns the axes p and q by the angle that makes the entry (p, q) zero; r is the third.
+// Rotates the axes p and q by the angle that makes the entry (p, q) zero; r is the
+// third.
 INLINE void
 rotate(Floats* pp, Floats* qq, Floats* pq, Floats* pr, Floats* qr, Column* p, Column* q)
 {
@@ -47,7 +48,7 @@ exchangeIf(Ints yes, Floats* a, Floats* b)
   *b = yes ? old : *b;
 }
 
-// Puts two eigenvalues in ascending order, and their axes along.
+// Puts two eigenvalues in ascending order, together with their axes.
 INLINE void
 ascending(Floats* a, Floats* b, Column* u, Column* v)
 {
@@ -58,7 +59,7 @@ ascending(Floats* a, Floats* b, Column* u, Column* v)
   exchangeIf(swapped, &u->z, &v->z);
 }
 
-// Makes the component of largest magnitude positive, the first of equals.
+// Makes the component of largest magnitude (the first one in a tie) positive.
 INLINE void
 orient(Column* c)
 {

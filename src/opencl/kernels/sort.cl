@@ -5,8 +5,8 @@
 //
 // The network in which every comparison puts the smaller key at the lower place: each
 // merge of two sorted halves begins by comparing places that mirror each other (a flip)
-// and goes on with strides that halve. Keys that are not there count as the largest, and
-// never move; so any number of whole blocks can be sorted without padding.
+// and continues with strides that halve. Missing keys count as the largest and never
+// move, so any number of whole blocks can be sorted without padding.
 
 #define BLOCK 2048 // keys that a group sorts by itself in local memory
 #define GROUP 128  // its work-items
@@ -145,7 +145,7 @@ storeIfThere(Keys value, global ulong* keys, uint place, uint count)
     STORE_KEYS(value, keys + place);
 }
 
-// Up to two steps on `vectors` that lie one after the other, apart or not.
+// Up to two steps on `vectors` that are consecutive or apart.
 INLINE void
 halveStrides(Keys* v, uint steps)
 {
@@ -185,7 +185,7 @@ flip(global ulong* keys, uint count, uint size, uint steps)
   }
 }
 
-// Goes on with a merge: up to three steps, the first of the given stride.
+// Continues a merge: up to three steps, the first with the given stride.
 kernel void
 merge(global ulong* keys, uint count, uint stride, uint steps)
 {

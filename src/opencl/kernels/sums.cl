@@ -5,7 +5,7 @@
 
 #ifdef CENTROID
 
-#define MEDIAN_HERE 1e-6f // neighbors so close to the iterate count as lying at it
+#define MEDIAN_HERE 1e-6f // neighbors this close to the iterate count as coincident
 
 typedef struct {
   float weight, x, y, z;
@@ -14,7 +14,7 @@ typedef struct {
   uint border; // undecided pairs
 } Sums;
 
-// The same lane by lane; added up once, after the last run.
+// The same per lane; added up once, after the last run.
 typedef struct {
   Floats weight, x, y, z;
   Floats xx, xy, xz, yy, yz, zz;
@@ -28,9 +28,9 @@ typedef struct {
 #define SWEEP_COUNT 3    // nothing but the counts
 #define SWEEP_RANK 4     // the same, and undecided points go to the ranking
 
-// Decides the lanes that lie next to the border of the ball; `share`, their distance in
-// units of the radius, stays on the side of 1 on which it is in double, as a weight may
-// end there in a step.
+// Decides the lanes next to the border of the ball; `share`, their distance in units of
+// the radius, stays on the side of 1 where it is in double, as a weight may end there
+// in a step.
 INLINE Ints
 decideBorder(const Walk* walk, uint first, Floats squared, Ints inside, Floats* share)
 {
@@ -85,8 +85,8 @@ rankLanes(const Walk* walk, uint first, Ints undecided)
 }
 #endif
 
-// Adds the neighbors among WIDTH sorted points, of which only the first `left` count if
-// this is the tail of a run; o is the query as the run's coordinates see it, c the center
+// Adds the neighbors among WIDTH sorted points, of which only the first `left` count at
+// the tail of a run; o is the query in the coordinates of the run, c the center
 // relative to the query.
 INLINE void
 addPoints(const Walk* walk,
@@ -142,7 +142,7 @@ addPoints(const Walk* walk,
     const Floats distance = sqrt(vx * vx + vy * vy + vz * vz);
     const Floats one = 1;
     const Floats w = inside ? one : zero;
-    // Neighbors at the center pull nowhere; their number is kept in xx.
+    // Neighbors at the center do not pull; their number is kept in xx.
     const Ints here = MASK_IF(distance * scale < MEDIAN_HERE);
     const Floats stiffness = here ? zero : w / distance;
     sums->x += stiffness * vx;

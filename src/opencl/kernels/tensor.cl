@@ -56,8 +56,8 @@ tensorSums(const Walk* walk, const bool exact)
   return sums;
 }
 
-// The tensor of the query at every place, component after component (`stride` apart): xx xy
-// xz yy yz zz; NaN where no neighbor has weight. And how many neighbors there are;
+// The tensor of the query at every place, component by component (`stride` apart): xx
+// xy xz yy yz zz; NaN where no neighbor has weight. And the number of neighbors;
 // UNDECIDED where only double could tell and the device has none.
 kernel void
 tensors(global const ulong* queries,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The weighting kernels of linelet::Weighting in float, by the names that the host gives
-// their enumerators. Which one it is is known at build time, so one case is left over.
+// The weighting kernels of linelet::Weighting in float, by the names that the host
+// gives their enumerators. The kernel is known at build time, so only one case remains.
 
 INLINE Floats
 power(Floats base, int exponent)
@@ -13,7 +13,7 @@ power(Floats base, int exponent)
   return result;
 }
 
-// 2^x for lowest <= x <= 126. Drivers of CPUs call a function for the exponential of a
+// 2^x for lowest <= x <= 126. CPU drivers call a function for the exponential of a
 // vector, and a loop around such a call keeps nothing in registers.
 INLINE Floats
 powerOfTwo(Floats x, const int lowest)
@@ -21,7 +21,7 @@ powerOfTwo(Floats x, const int lowest)
 #if WIDTH == 1
   return exp2(x);
 #else
-  // Whole and rest: what is not negative is rounded down by conversion.
+  // Integer and fractional part: conversion rounds nonnegative numbers down.
   const Floats above = x - lowest;
   const Ints whole = JOIN(convert_int, WIDTH)(above);
   const Floats rest = above - JOIN(convert_float, WIDTH)(whole);
@@ -40,7 +40,7 @@ powerOfTwo(Floats x, const int lowest)
 INLINE Floats
 fermiDirac(Floats x, float m, float temperature)
 {
-  // All but x is known when the program is built.
+  // All except x is known when the program is built.
   const float scale = M_LOG2E_F / temperature, shift = m * scale;
   Floats exponent = x * scale - shift;
   const bool wide = 2 * scale + fabs(shift) > 126;
