@@ -223,7 +223,7 @@ TEST_F(Nrrd, MatricesGiveTheirSymmetricPartAndNumbersAValue)
 TEST_F(Nrrd, RefusesUnsupportedVolumes)
 {
   const std::string data = packed<float>(sixNumbers());
-  expectRefusal("", "no NRRD");
+  expectRefusal("", "not an NRRD");
   expectRefusal("NRRD0004\n", "no 'type'");
   expectRefusal("NRRD0004\ntype: block\n\n", "block");
   expectRefusal(six_header + "\n" + data.substr(1), "numbers");
