@@ -74,4 +74,6 @@ struct LinePriors {
   }
 };
 
+inline constexpr LinePriors priors;
+
 } // namespace linelet::powerline
