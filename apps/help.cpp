@@ -75,7 +75,7 @@ signature(const CLI::Option& option)
 }
 
 std::string
-optionsOf(const CLI::App& app, const std::string& group)
+optionsHelp(const CLI::App& app, const std::string& group)
 {
   std::string out;
   for (const CLI::Option* option : app.get_options())
@@ -130,8 +130,8 @@ helpOf(const CLI::App& app)
     out += '\n' + arguments;
   for (const std::string& group : app.get_groups())
     if (group != common_options)
-      out += optionsOf(app, group);
-  return out + optionsOf(app, common_options);
+      out += optionsHelp(app, group);
+  return out + optionsHelp(app, common_options);
 }
 
 std::string

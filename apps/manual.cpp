@@ -74,7 +74,7 @@ entry(const std::string& name, const std::string& value, const std::string& mean
 }
 
 std::string
-optionsOf(const CLI::App& app, const std::string& group)
+optionsManual(const CLI::App& app, const std::string& group)
 {
   std::string out;
   for (const CLI::Option* option : app.get_options()) {
@@ -149,8 +149,8 @@ manualOf(const CLI::App& app)
                     arguments;
   for (const std::string& group : app.get_groups())
     if (group != common_options)
-      out += optionsOf(app, group);
-  return out + optionsOf(app, common_options) +
+      out += optionsManual(app, group);
+  return out + optionsManual(app, common_options) +
          ".SH EXIT STATUS\n0: done, 1: failed, with one line that says what and what "
          "to "
          "do, 2: wrong usage.\n.SH SEE ALSO\n.BR linelet (1)\n";

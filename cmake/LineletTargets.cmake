@@ -10,6 +10,7 @@ function(linelet_settings target)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
     $<$<BOOL:${LINELET_WERROR}>:-Werror>)
+  set_property(GLOBAL APPEND PROPERTY LINELET_TARGETS ${target})
 endfunction()
 
 # linelet_library(NAME [STATIC] [SOURCES a.cpp ...] [DEPENDS targets of the public headers]

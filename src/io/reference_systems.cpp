@@ -9,24 +9,24 @@ namespace linelet::io {
 
 namespace {
 
-const ReferenceSystems* known = nullptr; // set before main
+const ReferenceSystems* known_systems = nullptr; // set before main
 
 } // namespace
 
 const ReferenceSystems*
 referenceSystems()
 {
-  return known;
+  return known_systems;
 }
 
 std::string
 declaredReference(const std::string& text, const std::string& option)
 {
-  if (known == nullptr)
+  if (known_systems == nullptr)
     throw FileError(option + " " + text +
                     ": this program was linked without linelet::vector, which knows "
                     "reference systems");
-  std::string wkt = known->wktOfText(text);
+  std::string wkt = known_systems->wktOfText(text);
   if (wkt.empty())
     throw FileError(option + " " + text +
                     " is not a reference system; give EPSG:n or a file of WKT");
@@ -36,7 +36,7 @@ declaredReference(const std::string& text, const std::string& option)
 void
 setReferenceSystems(const ReferenceSystems* systems)
 {
-  known = systems;
+  known_systems = systems;
 }
 
 } // namespace linelet::io

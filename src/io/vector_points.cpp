@@ -7,20 +7,20 @@ namespace linelet::io {
 
 namespace {
 
-const VectorPoints* known = nullptr; // set before main
+const VectorPoints* known_reader = nullptr; // set before main
 
 } // namespace
 
 const VectorPoints*
 vectorPoints()
 {
-  return known;
+  return known_reader;
 }
 
 void
 setVectorPoints(const VectorPoints* reader)
 {
-  known = reader;
+  known_reader = reader;
 }
 
 } // namespace linelet::io

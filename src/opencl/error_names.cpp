@@ -3,7 +3,6 @@
 
 #include "error_names.h"
 
-#define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 
 namespace linelet::opencl {

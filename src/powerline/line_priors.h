@@ -78,4 +78,6 @@ struct LinePriors {
   }
 };
 
+inline constexpr LinePriors priors;
+
 } // namespace linelet::powerline

@@ -14,10 +14,10 @@ namespace linelet::powerline::report {
 
 namespace {
 
-constexpr double widest = 1060, highest = 760; ///< pixels
+constexpr double widest_plan = 1060, highest_plan = 760; ///< pixels
 
 /** Where the plan lies, how it is turned, and how large it is drawn. */
-struct Frame {
+struct PlanFrame {
   Point u = Point::UnitX(), v = Point::UnitY(); ///< right and up on the page
   Point low = Point::Constant(1e300), high = Point::Constant(-1e300); ///< along u, v
   double scale = 1; ///< pixels per meter
@@ -62,7 +62,7 @@ struct Frame {
 
 /** A long line is laid across the page, north staying in the upper half. */
 void
-layAcross(Frame& frame, const std::vector<Wire>& wires)
+layAcross(PlanFrame& frame, const std::vector<Wire>& wires)
 {
   double xx = 0, xy = 0, yy = 0;
   Point mean = Point::Zero();
@@ -85,10 +85,10 @@ layAcross(Frame& frame, const std::vector<Wire>& wires)
 }
 
 /** All of the line and all of the cloud. */
-Frame
+PlanFrame
 frameOf(const Content& content)
 {
-  Frame frame;
+  PlanFrame frame;
   layAcross(frame, content.network.wires);
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i)
     if (const Point p = content.point(i); p.allFinite())
@@ -102,8 +102,8 @@ frameOf(const Content& content)
   for (const Support& support : content.network.supports)
     frame.take(support.base);
   const Point size = frame.high - frame.low;
-  frame.scale =
-      std::min(widest / std::max(size.x(), 1.0), highest / std::max(size.y(), 1.0));
+  frame.scale = std::min(widest_plan / std::max(size.x(), 1.0),
+                         highest_plan / std::max(size.y(), 1.0));
   return frame;
 }
 
@@ -126,7 +126,7 @@ fillHoles(std::vector<std::uint8_t>& pixels, std::size_t columns, std::size_t ro
 
 /** Height above ground of the highest point of every cell, as a picture. */
 void
-addPicture(Markup& page, const Content& content, const Frame& frame)
+addPicture(Markup& page, const Content& content, const PlanFrame& frame)
 {
   const Point size = frame.high - frame.low;
   const double cell = std::max(0.75, std::max(size.x(), size.y()) / 800);
@@ -171,7 +171,7 @@ addPicture(Markup& page, const Content& content, const Frame& frame)
 }
 
 void
-addWires(Markup& page, const Content& content, const Frame& frame)
+addWires(Markup& page, const Content& content, const PlanFrame& frame)
 {
   for (const Wire& wire : content.network.wires) {
     const bool bad = belowClearance(wire, content.options.clearance);
@@ -192,7 +192,7 @@ addWires(Markup& page, const Content& content, const Frame& frame)
 
 /** What looks like a line and is none that was found. */
 void
-addUnexplained(Markup& page, const Content& content, const Frame& frame)
+addUnexplained(Markup& page, const Content& content, const PlanFrame& frame)
 {
   for (const UnexplainedLine& line : content.network.unexplained) {
     page << "<path class=\"unexplained\" d=\"";
@@ -207,7 +207,7 @@ addUnexplained(Markup& page, const Content& content, const Frame& frame)
 
 /** Stretches and trees of the scanned state, each a link to its row. */
 void
-addHazardMarks(Markup& page, const Content& content, const Frame& frame)
+addHazardMarks(Markup& page, const Content& content, const PlanFrame& frame)
 {
   if (content.options.hazards.empty())
     return;
@@ -236,7 +236,7 @@ addHazardMarks(Markup& page, const Content& content, const Frame& frame)
 }
 
 void
-addNames(Markup& page, const Content& content, const Frame& frame)
+addNames(Markup& page, const Content& content, const PlanFrame& frame)
 {
   for (const Span& span : content.network.spans) {
     Point middle = Point::Zero();
@@ -263,7 +263,7 @@ addNames(Markup& page, const Content& content, const Frame& frame)
 }
 
 void
-addScaleAndNorth(Markup& page, const Frame& frame)
+addScaleAndNorth(Markup& page, const PlanFrame& frame)
 {
   const double meters = roundStep(frame.width() / frame.scale, 5);
   const double length = meters * frame.scale, y = frame.height() + 32;
@@ -283,7 +283,7 @@ addScaleAndNorth(Markup& page, const Frame& frame)
 void
 addPlan(Markup& page, const Content& content)
 {
-  const Frame frame = frameOf(content);
+  const PlanFrame frame = frameOf(content);
   if (frame.low.x() > frame.high.x())
     return; // no point, no wire
   const double width = std::max(frame.width(), 240.0);

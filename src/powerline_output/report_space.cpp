@@ -64,7 +64,7 @@ lookOf(const Content& content, Index i)
 }
 
 /** \brief The box around what is shown, and a cube over it in 16 bits an axis. */
-struct Frame {
+struct SpaceFrame {
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   double step = 1; ///< meters
 
@@ -108,7 +108,7 @@ enum class LineLook : std::uint8_t { Wire, Doubtful, Jumper };
 /** \brief Wires and jumpers as runs of vertices: their number, their look, and their
  * places, 16 bits each. */
 Bytes
-lineBytes(const Content& content, const Frame& frame)
+lineBytes(const Content& content, const SpaceFrame& frame)
 {
   Bytes out;
   const auto put = [&](const Points& line, LineLook look) {
@@ -130,7 +130,7 @@ lineBytes(const Content& content, const Frame& frame)
 
 /** \brief The same from the southwest and above, for readers without WebGL 2. */
 std::string
-stillPicture(const Content& content, const Frame& frame, const Indices& shown)
+stillPicture(const Content& content, const SpaceFrame& frame, const Indices& shown)
 {
   constexpr double width = 1060;
   const Point middle = (frame.low + frame.high) / 2;
@@ -204,7 +204,7 @@ Section
 spaceSection(const Content& content)
 {
   const Indices shown = shownPoints(content);
-  Frame frame;
+  SpaceFrame frame;
   for (const Index i : shown)
     frame.include(content.point(i));
   for (const Wire& wire : content.network.wires)

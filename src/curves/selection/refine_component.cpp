@@ -20,7 +20,6 @@ namespace {
 // Where a bandwidth does that much worse than the best so far, those beyond it are not
 // tried.
 constexpr double hopeless_score = 60;
-constexpr std::size_t least_component = 5;
 // The bandwidth of a component this large is chosen by a few samples of neighboring
 // points.
 constexpr std::size_t sampled_component = 60000;

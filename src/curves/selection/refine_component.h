@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include <linelet/curves/refined_settings.h>
@@ -10,6 +11,9 @@
 #include "curves/mixture/em_fit.h"
 
 namespace linelet {
+
+/** \brief Points of a component: fewer are taken for no curve. */
+inline constexpr std::size_t least_component = 5;
 
 /** \brief Fits one connected component of a cloud: ridges at six bandwidths, each
  * refitted, the lowest score wins.

@@ -41,7 +41,6 @@ constexpr double link_distance = 5; // of one connected component
 constexpr double near_gap = 2.5;    // bridged whatever the length
 constexpr double end_reach = 3;     // over which the direction of an end is taken
 
-constexpr std::size_t least_component = 5;
 // The spacing of so many points is looked at, and followed where it varies by more than
 // this along the curves.
 constexpr std::size_t most_varied = 60000;

@@ -17,7 +17,7 @@ namespace {
 
 using Offset = Eigen::Vector2d;
 
-constexpr double reach = 5; // standard deviations, of points from their curve
+constexpr double point_reach = 5; // standard deviations, of points from their curve
 constexpr double uneven_parameters = 2; // direction and width of the scatter
 constexpr double line_parameters = 3;   // two offsets and the share of the points
 constexpr double least_strays = 0.01;   // share of points that belong to no line
@@ -33,7 +33,7 @@ offsetsOf(const EmFit& fit, const Points& points, const UniformGrid& grid)
     Offset offset = Offset::Zero();
   };
   std::vector<Nearest> nearest(points.size());
-  const double distance = reach * fit.noise;
+  const double distance = point_reach * fit.noise;
   for (std::size_t c = 0; c < fit.curves.size(); ++c) {
     const ModelCurve& curve = fit.curves[c];
     const CurveFrames frames = framesOf(curve);
@@ -211,7 +211,7 @@ gainOf(const std::vector<Offset>& offsets, double noise, double least_noise)
       ribbonLikelihood(offsets,
                        scatterAbout(Offset::Zero(), squares, least_noise),
                        least_strays,
-                       1 / (M_PI * reach * reach * noise * noise));
+                       1 / (M_PI * point_reach * point_reach * noise * noise));
   return std::max(0.0, uneven - same - 0.5 * uneven_parameters * std::log(count));
 }
 
@@ -247,7 +247,7 @@ modesGain(const EmFit& one,
   for (const Offset& o : all)
     squares += (o - mean) * (o - mean).transpose() / count;
   const double strays = std::max(least_strays, one.outlier_share);
-  const double radius = reach * one.noise, stray = 1 / (M_PI * radius * radius);
+  const double radius = point_reach * one.noise, stray = 1 / (M_PI * radius * radius);
   const double ribbon =
       ribbonLikelihood(all, scatterAbout(mean, squares, least_noise), strays, stray);
   const double modes = modesLikelihood(all, offsets, least_noise, strays, stray);

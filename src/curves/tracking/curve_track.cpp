@@ -17,8 +17,8 @@ constexpr double memory = 40;     // points over which density and noise are ave
 constexpr double first_trust = 6; // points that the seed's values stand for
 // A curve is visible over so many points on average, then hidden over so many.
 constexpr double visible_points = 60, hidden_points = 12;
-constexpr double least_noise = 0.03; // of the D of the scene
-constexpr double widest_gate = 2;    // of the spacing of the points, times the stretch
+constexpr double least_gate_noise = 0.03; // of the D of the scene
+constexpr double widest_gate = 2; // of the spacing of the points, times the stretch
 constexpr std::size_t loop_points = 12;
 
 /** \brief One pass along a curve in one direction. */
@@ -120,7 +120,7 @@ public:
           first_.push_back(near.index);
       }
       density = count / length;
-      noise = std::max(std::sqrt(squares / weights), least_noise * scene_.unit);
+      noise = std::max(std::sqrt(squares / weights), least_gate_noise * scene_.unit);
       pass(h - place);
       if (looped || (most_points_ > 0 && members.size() >= most_points_))
         break;
@@ -179,7 +179,7 @@ followCurve(const TrackedScene& scene,
 {
   Pass first(scene, bending, patience, most_points);
   first.density = seed.density;
-  first.noise = std::max(seed.noise, least_noise * scene.unit);
+  first.noise = std::max(seed.noise, least_gate_noise * scene.unit);
   first.state.at = seed.at;
   first.state.direction = seed.direction;
   const double turn = std::max(0.02, 2 * first.noise / seed.radius);

@@ -12,15 +12,15 @@
 #include "ball_points.h"
 #include "curves/ridges/distinct_points.h"
 #include "support/parallel_chunks.h"
+#include "surface_scales.h"
 
 namespace linelet {
 
 namespace {
 
 constexpr std::size_t neighbors = 6; // the nearest; one of them is the next of a curve
-// In D: where they are nearer than the first, a ball shows what there is; the other is
-// that of the seeds from balls.
-constexpr double sparse = 1, largest_radius = 17;
+// D; where they are nearer, a ball shows what there is.
+constexpr double sparse = 1;
 constexpr double growth = 1.4; // of the ball until it holds so many
 // Of the cylinder, in distances to the neighbor: half its length, over which a curve is
 // straight enough, and its radius.

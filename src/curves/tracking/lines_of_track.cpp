@@ -19,7 +19,7 @@ using Offset = Eigen::Vector2d;
 constexpr double least_share = 0.08; // of the points, for a line of its own
 constexpr std::size_t most_lines = 12;
 constexpr std::size_t most_offsets = 1500; // looked at, evenly spread
-constexpr double reach = 3;                // standard deviations
+constexpr double offset_reach = 3;         // standard deviations
 
 /** \brief Offsets of \a points from \a curve, of those within \a distance of it. */
 std::vector<Offset>
@@ -100,7 +100,8 @@ linesAlong(const ModelCurve& curve,
 {
   std::vector<ParallelLines> result;
   const CurveFrames frames = framesOf(curve);
-  const std::vector<Offset> offsets = offsetsFrom(curve, frames, points, reach * noise);
+  const std::vector<Offset> offsets =
+      offsetsFrom(curve, frames, points, offset_reach * noise);
   for (const double share : {0.5, 0.33, 0.2, 0.12}) {
     const double width = share * noise;
     if (width < least_width)

@@ -20,7 +20,6 @@ namespace linelet {
 namespace {
 
 constexpr std::size_t sample_size = 500;
-constexpr double largest_radius = 17;         // D
 constexpr std::uint32_t least_neighbors = 12; // fewer are linear by chance
 constexpr double linear = 0.5;
 constexpr double row_size = 4; // D

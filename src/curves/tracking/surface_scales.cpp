@@ -15,8 +15,8 @@ namespace linelet {
 
 namespace {
 
-constexpr std::uint32_t least_planar = 8, least_linear = 5; // neighbors
-constexpr double planar = 0.5, linear = 0.75, again_linear = 0.7;
+constexpr std::uint32_t least_planar = 8; // neighbors
+constexpr double planar = 0.5, again_linear = 0.7;
 // So many points of a surface are not even this linear by chance: the points of a curve
 // that scatter far are.
 constexpr double hardly_linear = 0.55;
@@ -44,7 +44,7 @@ fillsDisc(const UniformGrid& grid, const Point& p, double radius, double filled)
   const double reach = disc_radius * radius;
   const EigenSystem axes =
       eigenAnalysis(neighborhoodTensor(near, Point::Zero(), reach, Kernel::Const));
-  if (shapeFactors(axes.values, reach).linearity >= linear)
+  if (shapeFactors(axes.values, reach).linearity >= linear_ball)
     return false; // a curve, whose scatter is flatter than wide
   std::array<char, disc_cells * disc_cells> occupied{};
   const auto cell = [&](double x) {
@@ -75,7 +75,8 @@ surfaceScales(const ShapeGraph& graph, const std::vector<double>& radii)
   bool linear_before = false, hardly_before = false;
   for (std::size_t k = 0; k < graph.size(); ++k) {
     const ScaleShape& shape = graph[k];
-    const bool is_linear = shape.linearity >= linear && shape.neighbors >= least_linear;
+    const bool is_linear =
+        shape.linearity >= linear_ball && shape.neighbors >= least_linear;
     const bool is_hardly = shape.linearity >= hardly_linear && shape.neighbors >= many;
     if (result.any)
       result.linear = result.linear || shape.linearity >= again_linear;

@@ -3,12 +3,20 @@
 
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <linelet/features/multi_scale_types.h>
 #include <linelet/search/uniform_grid.h>
 
 namespace linelet {
+
+inline constexpr double largest_radius = 17; ///< D, of the balls that are looked at
+/// \name Linearity and neighbors from which on a ball is linear
+/// @{
+inline constexpr double linear_ball = 0.75;
+inline constexpr std::uint32_t least_linear = 5;
+/// @}
 
 /** \brief What the multi-scale shape of a point says about a surface through it. */
 struct SurfaceScales {

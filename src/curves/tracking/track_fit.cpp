@@ -14,7 +14,7 @@ namespace linelet {
 
 namespace {
 
-constexpr double reach = 4; // standard deviations, of the points around a track
+constexpr double track_reach = 4; // standard deviations, of the points around a track
 constexpr double node_spacing = 3.6; // spacings of the points, as of a cloud of curves
 constexpr double local_unit = 3;     // spacings: the sixth neighbor on a line, D there
 constexpr double least_noise = 0.02; // D of the scene
@@ -107,8 +107,8 @@ fitTrack(const TrackedScene& scene,
   ModelCurve start = smoothPath(track, spacing);
   start.scale = local_unit / track.density;
   // Of few points, nodes lie far apart and cut the bends between them.
-  const double distance =
-      reach * std::sqrt(track.noise * track.noise + squaredDeparture(track, start));
+  const double distance = track_reach * std::sqrt(track.noise * track.noise +
+                                                  squaredDeparture(track, start));
   if (fit_to == FitTo::Members) {
     for (const Track::Member& m : track.members)
       if (m.weight > 0.5)

@@ -15,10 +15,6 @@ namespace linelet {
 
 namespace {
 
-constexpr double largest_radius = 17;     // D
-constexpr std::uint32_t least_linear = 5; // neighbors
-constexpr double linear = 0.75;
-
 TrackSeed
 seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
 {
@@ -65,7 +61,7 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
     }
     std::size_t finest = graph.size(), coarsest = graph.size();
     for (std::size_t k = 0; k < graph.size(); ++k)
-      if (graph[k].linearity >= linear && graph[k].neighbors >= least_linear) {
+      if (graph[k].linearity >= linear_ball && graph[k].neighbors >= least_linear) {
         coarsest = k;
         if (finest == graph.size())
           finest = k;

@@ -15,8 +15,6 @@ namespace linelet {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 double
 unit(double x)
 {
@@ -85,7 +83,8 @@ GraphReader::read(const std::vector<double>& linearity,
   result_.maxima.clear();
   result_.minima.clear();
   result_.best = LinearityGraph::none;
-  result_.area = result_.largest = result_.blend = nan;
+  result_.area = result_.largest = result_.blend =
+      std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < linearity.size(); ++k) {
     if (std::isnan(linearity[k]))
       continue;

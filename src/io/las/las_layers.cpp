@@ -29,7 +29,7 @@ layersOf(const LasField& field)
   for (const auto& [name, layer] : layers)
     if (field.name == name)
       return layer;
-  return field.bits != 0 ? flags : wave_packet;
+  return field.bits != 0 ? laz::field::flags : wave_packet;
 }
 
 } // namespace linelet::io

@@ -5,8 +5,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace linelet::laz {
+
+/** \brief The first of \a bytes as a number. */
+inline const std::uint8_t*
+beginOf(std::string_view bytes)
+{
+  return reinterpret_cast<const std::uint8_t*>(bytes.data());
+}
 
 /** \brief Little-endian number at \a at. */
 template <class T>

@@ -19,12 +19,6 @@ namespace linelet::laz {
 
 namespace {
 
-const std::uint8_t*
-beginOf(std::string_view bytes)
-{
-  return reinterpret_cast<const std::uint8_t*>(bytes.data());
-}
-
 [[noreturn]] void
 endsEarly()
 {

@@ -23,12 +23,6 @@ constexpr std::uint64_t most_points_per_byte = 2048;
 // prove it before anything is allocated for them.
 constexpr std::uint64_t credible_points_per_byte = 16;
 
-const std::uint8_t*
-beginOf(std::string_view bytes)
-{
-  return reinterpret_cast<const std::uint8_t*>(bytes.data());
-}
-
 /** Offset of the table as stated by the file; 0: none was written. */
 std::uint64_t
 placeOfTable(std::string_view file, std::size_t points_at)

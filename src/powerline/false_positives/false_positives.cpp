@@ -22,7 +22,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double part_of = 0.5;    // of the length beside something straight
 constexpr double part_reach = 2.5; // meters from it
 

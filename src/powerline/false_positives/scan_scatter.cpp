@@ -13,7 +13,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double to_deviation = 1.4826; // of a median absolute deviation, if normal
 
 using Weighted = std::pair<double, double>; // value, weight

@@ -27,7 +27,6 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double company_part = 0.35; // of the length of the longer
-constexpr LinePriors priors;
 
 constexpr double stray_length = 40; // meters of a thinly covered wire that meets none
 

@@ -20,7 +20,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
 constexpr double rather_straight = 2; // nats, 7 to 1
 constexpr double clean_part = 0.75;   // of the length of short wires at the border

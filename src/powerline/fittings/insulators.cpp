@@ -14,7 +14,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr std::size_t fewest = 5; // points of a string
+constexpr std::size_t fewest_of_string = 5; // points of a string
 
 int
 supportOf(const WireEnd& end)
@@ -38,7 +38,8 @@ addTension(const SupportSite& site,
   }
   for (std::size_t e = 0; e < site.ends.size(); ++e) {
     const WireEnd& end = site.ends[e];
-    if (of[e].size() < fewest || end.clamp - end.earthed < priors.shortest_string)
+    if (of[e].size() < fewest_of_string ||
+        end.clamp - end.earthed < priors.shortest_string)
       continue;
     SeenString seen;
     seen.string.kind = InsulatorString::Kind::Tension;
@@ -92,7 +93,7 @@ private:
   bool
   isString(const Indices& body, SeenString& seen) const
   {
-    if (body.size() < fewest)
+    if (body.size() < fewest_of_string)
       return false;
     Points around;
     Point middle = Point::Zero();

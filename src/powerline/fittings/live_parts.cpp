@@ -18,7 +18,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr std::size_t fewest = 5; // points of a body, and of a shape
+constexpr std::size_t fewest_of_body = 5; // points of a body, and of a shape
 
 // The direction of every point whose surroundings are thin; else 0.
 Points
@@ -38,7 +38,7 @@ findThin(const SupportSite& site, const FittingPriors& priors, unsigned threads)
             near.push_back(offset);
             sum += offset;
           });
-      if (near.size() < fewest)
+      if (near.size() < fewest_of_body)
         return;
       const EigenSystem axes = eigenAnalysis(neighborhoodTensor(
           near, sum / static_cast<double>(near.size()), priors.air_gap, Kernel::Const));
@@ -92,7 +92,7 @@ findLiveParts(SupportSite& site, const FittingPriors& priors, unsigned threads)
         static_cast<std::size_t>(std::count_if(body.begin(), body.end(), [&](Index i) {
           return site.tube[i] >= 0 && site.along[i] > priors.air_gap;
         }));
-    if (of_wires >= fewest)
+    if (of_wires >= fewest_of_body)
       for (const Index i : body)
         site.live[i] = 1;
   }

@@ -22,7 +22,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double step = 0.5; // meters along and beside a wire, over the terrain
+constexpr double terrain_step = 0.5; // meters along and beside a wire, over the terrain
 
 /** Approaches of one wire, by what comes near: kind, and id of a support. */
 using ByKind = std::map<std::pair<HazardKind, int>, std::vector<Approach>>;
@@ -37,13 +37,13 @@ approachTerrain(const Ground& ground,
     return;
   const Point ends = curve.at(curve.to()) - curve.at(curve.from());
   const Point across = Point(-ends.y(), ends.x(), 0).normalized();
-  const int pieces =
-      std::max(1, static_cast<int>(std::ceil((curve.to() - curve.from()) / step)));
-  const int aside = static_cast<int>(limit / step);
+  const int pieces = std::max(
+      1, static_cast<int>(std::ceil((curve.to() - curve.from()) / terrain_step)));
+  const int aside = static_cast<int>(limit / terrain_step);
   for (int k = 0; k <= pieces; ++k) {
     const Point p = curve.at(curve.from() + (curve.to() - curve.from()) * k / pieces);
     for (int j = -aside; j <= aside; ++j) {
-      Point place = p + j * step * across;
+      Point place = p + j * terrain_step * across;
       place.z() = ground.heightAt(place.x(), place.y());
       if (!((p - place).squaredNorm() < limit * limit))
         continue; // also where the terrain is not known

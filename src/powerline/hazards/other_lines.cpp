@@ -13,7 +13,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double step = 0.5; // meters along a wire
+constexpr double wire_step = 0.5; // meters along a wire
 
 const Circuit*
 circuitOf(const PowerLineNetwork& network, const Wire& wire)
@@ -111,7 +111,7 @@ appendWiresOfOtherLines(const PowerLineNetwork& network,
       const WireCurve &a = curves[on], &b = curves[of];
       std::vector<Approach> near;
       const int pieces =
-          std::max(1, static_cast<int>(std::ceil((b.to() - b.from()) / step)));
+          std::max(1, static_cast<int>(std::ceil((b.to() - b.from()) / wire_step)));
       for (int k = 0; k <= pieces; ++k) {
         const Point place = b.at(b.from() + (b.to() - b.from()) * k / pieces);
         if (const Approach one = approach(a, place, limit); one.from <= one.to)

@@ -13,9 +13,9 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double gap = 1;    // meters of wire between two stretches that are one
-constexpr double step = 2;   // meters between vertices of a stretch
-constexpr double cell = 0.5; // meters, of areas and volumes
+constexpr double gap = 1;         // meters of wire between two stretches that are one
+constexpr double vertex_step = 2; // meters between vertices of a stretch
+constexpr double cell = 0.5;      // meters, of areas and volumes
 
 using Plan = Eigen::Vector2d;
 
@@ -102,7 +102,8 @@ measureCut(const PowerLineNetwork& network,
 Points
 lineOf(const WireCurve& curve, double from, double to)
 {
-  const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil((to - from) / vertex_step)));
   Points line;
   for (int k = 0; k <= pieces; ++k)
     line.push_back(curve.at(from + (to - from) * k / pieces));

@@ -20,7 +20,6 @@ constexpr double degree = M_PI / 180;
 constexpr std::size_t sample = 600;                // points that take part
 constexpr double noise = 0.05;                     // meters, scales the priors
 constexpr double swing_spread = 0.3;               // radian
-constexpr LinePriors priors;                       // whose bends are 1 / 2a
 constexpr double flattest = 1e-5, tightest = 0.05; // 1 / a
 constexpr double hold = 8; // weight of an attachment point, in points
 

@@ -17,9 +17,8 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double bundle_width = 0.7; // meters between conductors of one bundle
-constexpr double least_cover = 0.5;  // of the bins of a conductor in its own right
+constexpr double own_cover = 0.5;    // of the bins of a conductor in its own right
 constexpr double complete = 0.8;     // part of its neighbor's length
 constexpr double kept = 0.85;        // of its points
 constexpr double alike = 0.25; // of the points of one conductor, another has at least
@@ -49,7 +48,7 @@ completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& resu
     if (growth.look(m, m.begin + k * bin_length, m.begin + (k + 1) * bin_length, 0.2)
             .tube > 0)
       ++occupied;
-  return occupied >= least_cover * bins;
+  return occupied >= own_cover * bins;
 }
 
 /** Frees the points of pieces that are but the scatter of a wire: they lie in its tube,

@@ -28,14 +28,14 @@ struct Scale {
 // ones are lost.
 constexpr std::array<Scale, 4> scales = {
     {{1, 0.85, 5}, {2, 0.93, 5}, {4, 0.975, 5}, {8, 0.995, 6}}};
-constexpr double voxel = 0.5;        // one seed, or one point of the coarse cloud, each
-constexpr double steepest = 0.7;     // of a wire's direction, as sine: 45 degrees
-constexpr double round_enough = 0.3; // sphericity that ends the search for a line
-constexpr std::size_t enough = 8;    // points that make it worth believing
-constexpr double among_radius = 4;   // meters, of the search for a wire among others
+constexpr double voxel = 0.5; // one seed, or one point of the coarse cloud, each
+constexpr double steepest_seed = 0.7;    // of a wire's direction, as sine: 45 degrees
+constexpr double round_enough = 0.3;     // sphericity that ends the search for a line
+constexpr std::size_t enough_points = 8; // points that make it worth believing
+constexpr double among_radius = 4; // meters, of the search for a wire among others
 constexpr double bundle_linearity = 0.5;
-constexpr std::size_t crowded = 400; // points around, too many for wires alone
-constexpr double bundle_tube = 0.12; // meters
+constexpr std::size_t crowded_ball = 400; // points around, too many for wires alone
+constexpr double bundle_tube = 0.12;      // meters
 
 struct VoxelRun {
   Indices order;                   // candidates, voxel by voxel
@@ -117,7 +117,7 @@ seedAmongOthers(const Candidates& candidates, Index c)
   candidates.grid.forEachWithin(center, among_radius, [&](Index i, double) {
     around.push_back(candidates.points[i] - center);
   });
-  if (around.size() < 12 || around.size() > crowded)
+  if (around.size() < 12 || around.size() > crowded_ball)
     return none;
   Point direction;
   for (const double cut : {1e3, 0.6, 0.4, 0.25}) {
@@ -131,7 +131,7 @@ seedAmongOthers(const Candidates& candidates, Index c)
     solver.computeDirect(squares);
     direction = solver.eigenvectors().col(2);
     if (!(shapeFactors(solver.eigenvalues()).linearity >= bundle_linearity) ||
-        std::abs(direction.z()) > steepest)
+        std::abs(direction.z()) > steepest_seed)
       return none;
   }
   std::size_t tube = 0, guard_ring = 0;
@@ -234,12 +234,12 @@ findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monit
                                         fine ? candidates.points : coarse,
                                         candidates.points[c],
                                         scale.radius);
-        if (shape.count >= enough && shape.sphericity > round_enough) {
+        if (shape.count >= enough_points && shape.sphericity > round_enough) {
           round = true;
           break;
         }
         if (shape.count < scale.least_points || shape.linearity < scale.linearity ||
-            std::abs(shape.direction.z()) > steepest ||
+            std::abs(shape.direction.z()) > steepest_seed ||
             shape.linearity <= best[v].linearity)
           continue;
         best[v] = {c,

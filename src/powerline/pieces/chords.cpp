@@ -14,7 +14,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double least_overlap = 10; // meters of a wire beside it
 
 } // namespace

@@ -31,17 +31,17 @@ constexpr double bundle_height = 8;
 constexpr std::size_t fewest = 8; // points of a part
 
 /** A candidate beside a curve. */
-struct Beside {
+struct BesideCurve {
   double place;    ///< of its foot along the curve in plan, meters
   double distance; ///< from the curve
   Index index;
 };
 
 // The free candidates within reach of a curve, each with its nearest place.
-std::vector<Beside>
+std::vector<BesideCurve>
 pointsBeside(const Curve& curve, const Growth& growth)
 {
-  std::vector<Beside> all;
+  std::vector<BesideCurve> all;
   double begin = 0;
   for (std::size_t v = 1; v < curve.points.size(); ++v) {
     const Point &from = curve.points[v - 1], edge = curve.points[v] - from;
@@ -61,15 +61,16 @@ pointsBeside(const Curve& curve, const Growth& growth)
           });
     begin += flat;
   }
-  std::sort(all.begin(), all.end(), [](const Beside& a, const Beside& b) {
+  std::sort(all.begin(), all.end(), [](const BesideCurve& a, const BesideCurve& b) {
     return a.index != b.index ? a.index < b.index : a.distance < b.distance;
   });
-  all.erase(
-      std::unique(all.begin(),
-                  all.end(),
-                  [](const Beside& a, const Beside& b) { return a.index == b.index; }),
-      all.end());
-  std::sort(all.begin(), all.end(), [](const Beside& a, const Beside& b) {
+  all.erase(std::unique(all.begin(),
+                        all.end(),
+                        [](const BesideCurve& a, const BesideCurve& b) {
+                          return a.index == b.index;
+                        }),
+            all.end());
+  std::sort(all.begin(), all.end(), [](const BesideCurve& a, const BesideCurve& b) {
     return a.place != b.place ? a.place < b.place : a.index < b.index;
   });
   return all;
@@ -95,7 +96,7 @@ struct PointMoments {
 
 class Splitter {
 public:
-  Splitter(const std::vector<Beside>& along, const Points& points)
+  Splitter(const std::vector<BesideCurve>& along, const Points& points)
       : along_(along), before_(along.size() + 1)
   {
     const Point origin = along.empty() ? Point::Zero() : points[along.front().index];
@@ -141,29 +142,30 @@ private:
     return (before_[to] - before_[from]).squares();
   }
 
-  const std::vector<Beside>& along_;
+  const std::vector<BesideCurve>& along_;
   std::vector<PointMoments> before_;
 };
 
 // The free candidates that are nearer to each curve than to the others.
-std::vector<std::vector<Beside>>
+std::vector<std::vector<BesideCurve>>
 pointsOf(const std::vector<Curve>& curves, const Growth& growth, unsigned threads)
 {
-  std::vector<std::vector<Beside>> all(curves.size());
+  std::vector<std::vector<BesideCurve>> all(curves.size());
   forEachChunk(curves.size(), 1, threads, [&](std::size_t k, std::size_t) {
     all[k] = pointsBeside(curves[k], growth);
   });
   std::vector<double> nearest(growth.candidates().points.size(),
                               std::numeric_limits<double>::infinity());
-  for (const std::vector<Beside>& along : all)
-    for (const Beside& p : along)
+  for (const std::vector<BesideCurve>& along : all)
+    for (const BesideCurve& p : along)
       nearest[p.index] = std::min(nearest[p.index], p.distance);
-  for (std::vector<Beside>& along : all)
-    along.erase(
-        std::remove_if(along.begin(),
-                       along.end(),
-                       [&](const Beside& p) { return p.distance > nearest[p.index]; }),
-        along.end());
+  for (std::vector<BesideCurve>& along : all)
+    along.erase(std::remove_if(along.begin(),
+                               along.end(),
+                               [&](const BesideCurve& p) {
+                                 return p.distance > nearest[p.index];
+                               }),
+                along.end());
   return all;
 }
 
@@ -171,22 +173,22 @@ pointsOf(const std::vector<Curve>& curves, const Growth& growth, unsigned thread
 // that are free. Half of what stands out from the surroundings lies within the median
 // distance; a curve wider than single wires are is a bundle.
 std::vector<Piece>
-piecesAlong(std::vector<Beside> along, const Growth& growth)
+piecesAlong(std::vector<BesideCurve> along, const Growth& growth)
 {
   const Points& points = growth.candidates().points;
   along.erase(std::remove_if(along.begin(),
                              along.end(),
-                             [&](const Beside& p) {
+                             [&](const BesideCurve& p) {
                                return growth.owner(p.index) != Growth::nobody;
                              }),
               along.end());
   std::vector<double> distances;
-  for (const Beside& p : along)
+  for (const BesideCurve& p : along)
     distances.push_back(p.distance);
   const double reach = tubeRadius(std::move(distances));
   along.erase(std::remove_if(along.begin(),
                              along.end(),
-                             [&](const Beside& p) { return p.distance > reach; }),
+                             [&](const BesideCurve& p) { return p.distance > reach; }),
               along.end());
   std::vector<Piece> pieces;
   if (along.size() < fewest)
@@ -274,7 +276,7 @@ forEachPieceAlong(const std::vector<Curve>& curves,
                   unsigned threads,
                   const std::function<void(Piece&)>& visit)
 {
-  for (std::vector<Beside>& along : pointsOf(curves, growth, threads))
+  for (std::vector<BesideCurve>& along : pointsOf(curves, growth, threads))
     for (Piece& part : piecesAlong(std::move(along), growth))
       for (Piece& piece : growth.betweenSupports(std::move(part)))
         visit(piece);

@@ -18,10 +18,10 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double least_kink = 0.008; // change of slope, mean of the wires
-constexpr double telling = 8;        // evidence of a kink ...
-constexpr double enough = 25;        // evidence for a pole
-constexpr double least_rest = 2;     // meters on both sides of a kink
+constexpr double least_mean_kink = 0.008; // change of slope, mean of the wires
+constexpr double telling = 8;             // evidence of a kink ...
+constexpr double enough_evidence = 25;    // evidence for a pole
+constexpr double least_rest = 2;          // meters on both sides of a kink
 // Log-likelihood ratios of pole to none: six of ten meters of a pole show points, and
 // three of a hundred elsewhere.
 constexpr double hit_meter = 3.0, missed_meter = -0.9;
@@ -122,7 +122,7 @@ LinePoles::kinkAt(double s, const std::vector<Stretch>& wires)
     jumps += hinge.jump;
     count += 1;
   }
-  return jumps <= -least_kink * count ? evidence : 0;
+  return jumps <= -least_mean_kink * count ? evidence : 0;
 }
 
 // Log-likelihood that a pole stands at \a s, by the meters below a wire that have
@@ -168,7 +168,7 @@ LinePoles::search(double low, double high)
   for (double s = low + least_rest; s < high - least_rest; s += profile_step) {
     const double kink = kinkAt(s, wires);
     if (const double evidence = kink + poleAt(s);
-        kink >= telling && evidence >= enough && evidence > best) {
+        kink >= telling && evidence >= enough_evidence && evidence > best) {
       best = evidence;
       place = s;
     }

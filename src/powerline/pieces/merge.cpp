@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double least_cosine = 0.99;   // of the angle between parts of a wire
+constexpr double same_direction = 0.99; // of the angle between parts of a wire
 constexpr double wide_cut = 2;          // meters, first fit of two parts
 constexpr double explained_part = 0.85; // of the points of each part
 constexpr double largest_overlap =
@@ -57,7 +57,7 @@ join(
   const Piece& shorter = &longer == &a ? b : a;
   const SpanModel& l = longer.model;
   const SpanModel& s = shorter.model;
-  if (std::abs(l.direction.dot(s.direction)) < least_cosine)
+  if (std::abs(l.direction.dot(s.direction)) < same_direction)
     return false;
   const double gap = gapBetween(l, s);
   if (gap > std::min(max_gap, l.length() + s.length()) ||

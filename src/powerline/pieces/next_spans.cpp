@@ -23,9 +23,8 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
-constexpr double sharpest_turn = 0.6;                // radians, in plan
-constexpr double steepest = 0.35, steepest_up = 0.2; // slope at a support
+constexpr double sharpest_turn = 0.6;                     // radians, in plan
+constexpr double steepest_down = 0.35, steepest_up = 0.2; // slope at a support
 constexpr double tube = 0.4;           // meters, around a direction that is tried
 constexpr double expected_points = 12; // on the stretch that is tried
 constexpr double shortest = 12, longest = 40; // meters of it
@@ -84,7 +83,7 @@ raysFrom(const Growth& growth, const Piece& wire, int side)
   const double step = 2 * tube / length;
   std::vector<Ray> rays;
   for (double turn = -sharpest_turn; turn <= sharpest_turn; turn += step)
-    for (double rise = -steepest; rise <= steepest_up; rise += step) {
+    for (double rise = -steepest_down; rise <= steepest_up; rise += step) {
       Ray ray;
       SpanModel& m = ray.model;
       m.origin = end.head<2>();

@@ -20,12 +20,12 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double source_length = 20; // meters of a wire whose shape tells of others
-constexpr double stretch = 4;        // meters along
-constexpr double least_cover = 0.25; // of the stretches
+constexpr double source_length = 20;   // meters of a wire whose shape tells of others
+constexpr double stretch = 4;          // meters along
+constexpr double stretch_cover = 0.25; // of the stretches
 constexpr int least_stretches = 4;
 constexpr std::size_t most_tries = 16;
-constexpr std::size_t crowded = 200; // free points per meter, a wood
+constexpr std::size_t crowded_meter = 200; // free points per meter, a wood
 constexpr double off_middle = 0.1; // of its length, the lowest point of a wire cut off
 constexpr double sag_spread = 0.3; // sags of one line differ by this part, at most
 
@@ -74,17 +74,17 @@ struct Place {
 };
 
 /** A free point near a wire, in its frame. */
-struct Beside {
+struct BesideWire {
   int stretch;
   double s, left, up;
 };
 
-std::vector<Beside>
+std::vector<BesideWire>
 freePointsBeside(const Growth& growth, const SpanModel& m, const Zone& zone, int bins)
 {
   const Candidates& candidates = growth.candidates();
   const double step = m.length() / bins;
-  std::vector<Beside> points;
+  std::vector<BesideWire> points;
   for (int k = 0; k < bins; ++k) {
     const double from = m.begin + k * step;
     candidates.grid.forEachWithin(
@@ -96,7 +96,7 @@ freePointsBeside(const Growth& growth, const SpanModel& m, const Zone& zone, int
           if (r.norm() >= zone.from && r.norm() <= zone.to)
             points.push_back({k, s, r[0], r[1]});
         });
-    if (points.size() > crowded * static_cast<std::size_t>(1 + m.length()))
+    if (points.size() > crowded_meter * static_cast<std::size_t>(1 + m.length()))
       return {};
   }
   return points;
@@ -111,7 +111,7 @@ struct Found {
 // Places beside a wire where points stand along much of it, for wires whose tangent is
 // that of the other at \a pivot.
 void
-findPlaces(const std::vector<Beside>& points,
+findPlaces(const std::vector<BesideWire>& points,
            const SpanModel& m,
            const Zone& zone,
            int bins,
@@ -129,7 +129,7 @@ findPlaces(const std::vector<Beside>& points,
   for (int bend = -bends; bend <= bends; ++bend) {
     const double part = bend * cell / std::max(drop, cell);
     std::vector<Count> counts(static_cast<std::size_t>(side * side), Count{0, -1});
-    for (const Beside& p : points) {
+    for (const BesideWire& p : points) {
       const double up = p.up - part * m.z[2] * std::pow(p.s - pivot, 2);
       // A place is four cells wide and shares them with its neighbors.
       const int x = static_cast<int>(std::floor(p.left / cell)) + half;
@@ -144,7 +144,7 @@ findPlaces(const std::vector<Beside>& points,
     }
     for (int at = 0; at < side * side; ++at)
       if (const int n = counts[static_cast<std::size_t>(at)].stretches;
-          n >= least_stretches && n >= least_cover * bins)
+          n >= least_stretches && n >= stretch_cover * bins)
         found.push_back(
             {n, {{(at % side - half) * cell, (at / side - half) * cell}, part, pivot}});
   }
@@ -155,7 +155,7 @@ std::vector<Place>
 findPlaces(const Growth& growth, const SpanModel& m, const Zone& zone)
 {
   const int bins = std::max(1, static_cast<int>(m.length() / stretch));
-  const std::vector<Beside> points = freePointsBeside(growth, m, zone, bins);
+  const std::vector<BesideWire> points = freePointsBeside(growth, m, zone, bins);
   // Wires between the same supports differ least in the middle; where the data cut the
   // span off, its lowest point tells where that is.
   const double middle = (m.begin + m.end) / 2;
@@ -189,7 +189,6 @@ isParallelWire(const Growth& growth,
                const PowerLineSettings& settings)
 {
   const Evidence e = weigh(growth, piece, settings);
-  constexpr LinePriors priors;
   return e.likelihood >= priors.in_company &&
          (e.accepted ||
           (e.sound && piece.model.length() >= whole * source.length() &&

@@ -15,7 +15,6 @@ namespace {
 
 // Standard deviations that the priors allow, in 1/meters.
 constexpr double blow_out = 3e-5;
-constexpr LinePriors priors;
 constexpr double point_noise = 0.05; // meters, scales the priors
 
 double

@@ -17,7 +17,6 @@ namespace linelet::powerline {
 namespace {
 
 constexpr TangentSettings settings;
-constexpr LinePriors priors;
 constexpr double stride = 4; // meters of a wire that are looked at at once
 
 /** A downward break of the slope at a place. */

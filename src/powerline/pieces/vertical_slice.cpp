@@ -21,7 +21,8 @@ constexpr double filled = 0.7;      // of the meters from candidates to wire
 constexpr double contrast = 4;      // points of the pole per points around
 constexpr double alone_from = 0.6, alone_to = 3.0; // meters, empty around a pole ...
 constexpr double filled_alone = 0.4;               // ... that may fill so little
-constexpr std::size_t crowded = 3000; // points below, too many for a pole in the open
+constexpr std::size_t crowded_slice =
+    3000; // points below, too many for a pole in the open
 
 } // namespace
 
@@ -68,7 +69,7 @@ std::vector<double>
 findColumns(const std::vector<Below>& vertical_slice)
 {
   std::vector<double> found;
-  if (vertical_slice.size() > crowded)
+  if (vertical_slice.size() > crowded_slice)
     return found;
   std::vector<Below> points = vertical_slice;
   std::sort(points.begin(), points.end(), [](const Below& a, const Below& b) {

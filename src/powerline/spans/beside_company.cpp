@@ -12,7 +12,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double company_part = 0.7; // of the length of a wire, beside the other
 
 } // namespace

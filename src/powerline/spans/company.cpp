@@ -22,7 +22,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double explained_part = 0.9; // of the points of both parts
 constexpr double widest_cut = 0.6;     // meters, first fit of two parts
 

@@ -23,16 +23,15 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
-constexpr double company_part = 0.7; // of the length of the wire that is to grow
-constexpr double thin_cover = 0.1;   // of the bins of a wire beside others
-constexpr double thin_clean = 0.9;   // of those, clean
-constexpr double patience = 40;      // nats against a wire, whose place is known
-constexpr double overshoot = 1;      // meters beyond the end of the company
-constexpr double stub_reach = 8;     // meters from the end of a wire to its stub
-constexpr double stub_gap = 0.5;     // meters between them where they meet
-constexpr double least_stub = 4;     // meters
-constexpr double least_cosine = 0.99;
+constexpr double guided_part = 0.7; // of the length of the wire that is to grow
+constexpr double thin_cover = 0.1;  // of the bins of a wire beside others
+constexpr double thin_clean = 0.9;  // of those, clean
+constexpr double patience = 40;     // nats against a wire, whose place is known
+constexpr double overshoot = 1;     // meters beyond the end of the company
+constexpr double stub_reach = 8;    // meters from the end of a wire to its stub
+constexpr double stub_gap = 0.5;    // meters between them where they meet
+constexpr double least_stub = 4;    // meters
+constexpr double aligned = 0.99;
 
 // A stub has the length that the data leave it.
 bool
@@ -56,9 +55,9 @@ goesOn(const std::vector<WireWithEnds>& wires,
           return true;
       }
       const Parallel parallel = compare(m, wire.model());
-      if (parallel.overlap >= company_part * m.length() &&
+      if (parallel.overlap >= guided_part * m.length() &&
           parallel.distance <= priors.company_reach &&
-          std::abs(m.direction.dot(wire.model().direction)) >= least_cosine)
+          std::abs(m.direction.dot(wire.model().direction)) >= aligned)
         return true;
     }
   }
@@ -80,7 +79,7 @@ completeByCompany(std::vector<WireWithEnds>& wires,
       if (&other == &wire)
         continue;
       const Parallel parallel = compare(m, other.model());
-      if (parallel.overlap < company_part * m.length() ||
+      if (parallel.overlap < guided_part * m.length() ||
           parallel.distance > priors.company_reach)
         continue;
       const double from = m.along(other.model().at(other.model().begin));

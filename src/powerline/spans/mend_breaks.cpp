@@ -20,7 +20,7 @@ constexpr double near_by = 9;           // meters between wires of one line
 constexpr double same_way = 0.98;       // cosine between their directions
 constexpr double well_past = 10;        // meters that a wire goes on, beyond a place
 constexpr std::size_t least_others = 3; // wires that a line has beside those that end
-constexpr double explained_part = 0.9;  // of the points of both
+constexpr double mended_part = 0.9;     // of the points of both
 constexpr double wide_cut = 2, narrow_cut = 0.6; // meters, fits of two parts
 
 bool
@@ -57,7 +57,7 @@ joinParts(const Growth& growth,
   const std::size_t before = joined.members.size();
   return growth.collect(joined, bundle_radius) &&
          static_cast<double>(joined.members.size()) >=
-             explained_part * static_cast<double>(before) &&
+             mended_part * static_cast<double>(before) &&
          weigh(growth, joined, settings).sound && findKinks(joined, points).empty();
 }
 

@@ -22,7 +22,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double least_seen = 4; // meters of a drop that show
 constexpr double own_way = 0.95; // cosine to its line, at most
 constexpr double step = 0.25;    // meters, on the way to a house

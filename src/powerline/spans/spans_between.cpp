@@ -19,7 +19,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr LinePriors priors;
 constexpr double shortest = 15;      // meters; less is hidden, rather than a span
 constexpr double least_cosine = 0.8; // between a wire and the way to the next
 constexpr double steepest = 0.35;    // slope of that way

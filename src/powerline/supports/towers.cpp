@@ -215,7 +215,6 @@ settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
 void
 attachDrops(const std::vector<Tower>& towers, std::vector<WireWithEnds>& wires)
 {
-  constexpr LinePriors priors;
   for (WireWithEnds& wire : wires)
     for (int side = 0; side < 2; ++side) {
       if (!wire.leaves[static_cast<std::size_t>(side)])

@@ -25,4 +25,12 @@ reconstruct(Geometry geometry,
   return reconstructPublished(bench::sample(geometry, sampling), settings);
 }
 
+inline void
+expectSame(const CurveNetwork& a, const CurveNetwork& b)
+{
+  ASSERT_EQ(a.curves.size(), b.curves.size());
+  for (std::size_t i = 0; i < a.curves.size(); ++i)
+    EXPECT_EQ(a.curves[i].points, b.curves[i].points);
+}
+
 } // namespace linelet::test

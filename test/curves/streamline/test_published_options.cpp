@@ -17,18 +17,6 @@
 using namespace linelet;
 using namespace linelet::test;
 
-namespace {
-
-void
-expectSame(const CurveNetwork& a, const CurveNetwork& b)
-{
-  ASSERT_EQ(a.curves.size(), b.curves.size());
-  for (std::size_t i = 0; i < a.curves.size(); ++i)
-    EXPECT_EQ(a.curves[i].points, b.curves[i].points);
-}
-
-} // namespace
-
 // Which mode is which is tested in test_direction_field.cpp.
 TEST(Published, EveryDirectionModeFollowsACircle)
 {

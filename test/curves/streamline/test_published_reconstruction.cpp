@@ -16,14 +16,6 @@ using namespace linelet::test;
 
 namespace {
 
-void
-expectSame(const CurveNetwork& a, const CurveNetwork& b)
-{
-  ASSERT_EQ(a.curves.size(), b.curves.size());
-  for (std::size_t i = 0; i < a.curves.size(); ++i)
-    EXPECT_EQ(a.curves[i].points, b.curves[i].points);
-}
-
 Points
 randomPoints(std::size_t count, std::uint64_t seed)
 {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include <linelet/features/multi_scale.h>
 
 namespace linelet_test {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 inline double
 uniform(std::mt19937& engine)

@@ -20,9 +20,8 @@ using linelet::MultiScaleShapes;
 using linelet::multiScaleShapes;
 using linelet::Point;
 using linelet::Points;
+using linelet_test::nan;
 using linelet_test::randomPoints;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(MultiScale, DegenerateClouds)
 {

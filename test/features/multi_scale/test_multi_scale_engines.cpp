@@ -28,6 +28,7 @@ using linelet::Point;
 using linelet::Points;
 using linelet::ScaleEngine;
 using linelet_test::graphsOf;
+using linelet_test::nan;
 using linelet_test::randomPoints;
 
 TEST(MultiScaleEngines, SameForAnyNumberOfThreads)
@@ -53,8 +54,6 @@ TEST(MultiScaleEngines, SameForAnyNumberOfThreads)
   for (std::size_t i = 0; i < cloud.size(); ++i)
     ASSERT_EQ(silent.shapes[i].optimal_radius, one.shapes[i].optimal_radius);
 }
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The results of both engines, scale by scale.
 void
