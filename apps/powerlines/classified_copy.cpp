@@ -4,12 +4,15 @@
 #include "classified_copy.h"
 
 #include <algorithm>
+#include <future>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <linelet/io/cloud_sink.h>
 #include <linelet/io/merge.h>
 #include <linelet/io/point_stream.h>
+#include <linelet/support/threads.h>
 
 namespace linelet::apps {
 
@@ -71,6 +74,45 @@ withoutPoints(const io::Cloud& cloud, const std::vector<std::string>& attributes
   return empty;
 }
 
+/** Blocks of points, each read while the one before is worked on. */
+class ReadAhead {
+public:
+  ReadAhead(io::PointStream& stream, unsigned threads)
+      : stream_(stream),
+        policy_(threadCount(threads) > 1 ? std::launch::async : std::launch::deferred)
+  {
+    // What there is to warn of comes with the first block, at its place among others.
+    read(std::launch::deferred);
+  }
+
+  bool
+  next(io::Cloud& cloud)
+  {
+    std::optional<io::Cloud> block = ahead_.get();
+    if (!block)
+      return false;
+    cloud = std::move(*block);
+    read(policy_);
+    return true;
+  }
+
+private:
+  void
+  read(std::launch policy)
+  {
+    ahead_ = std::async(policy, [this] {
+      std::optional<io::Cloud> block(std::in_place);
+      if (!stream_.next(*block))
+        block.reset();
+      return block;
+    });
+  }
+
+  io::PointStream& stream_;
+  std::launch policy_;
+  std::future<std::optional<io::Cloud>> ahead_;
+};
+
 } // namespace
 
 CopiedPoints
@@ -95,7 +137,8 @@ copyClassified(const std::string& path,
   CopiedPoints copied;
   for (std::size_t i = 0; i < files.size(); ++i) {
     io::PointStream stream(files[i], options, block_size, warnings, monitor);
-    for (bool begun = i > 0; stream.next(block); begun = true) {
+    ReadAhead blocks(stream, options.threads);
+    for (bool begun = i > 0; blocks.next(block); begun = true) {
       if (several && !begun)
         first = withoutPoints(block, common);
       io::Cloud cloud = several ? first : std::move(block);

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <utility>
 
 #include <linelet/io/cloud_sink.h>
 #include <linelet/io/merge.h>
 #include <linelet/powerline/extract_power_lines.h>
 #include <linelet/powerline_output/review_file.h>
+#include <linelet/support/threads.h>
 
 #include "classified_copy.h"
 
@@ -164,17 +166,23 @@ PowerlinesJob::runWhole()
   const std::vector<std::string> files =
       powerline::powerLineFiles(folder_, output_.compress);
   if (again) {
+    std::vector<std::string> of_cloud;
+    // Beside the layers, which GDAL writes one after the other.
+    auto copied = std::async(threadCount(frame_.threads) > 1 ? std::launch::async
+                                                             : std::launch::deferred,
+                             [&, shift = cloud.shift, wkt = cloud.wkt] {
+                               return copyInput(network, shift, wkt, &of_cloud);
+                             });
     powerline::writeNetworkFiles(
         folder_, cloud, network, output_, &warnings, &frame_.monitor);
-    const Point shift = cloud.shift;
-    const std::string wkt = cloud.wkt;
-    cloud = {};
-    std::vector<std::string> of_cloud;
     std::size_t unconfirmed = 0;
     try {
-      unconfirmed = copyInput(network, shift, wkt, &of_cloud);
+      unconfirmed = copied.get();
     }
     catch (const io::PartsDiffer&) {
+      const Point shift = cloud.shift;
+      const std::string wkt = cloud.wkt;
+      cloud = {};
       unconfirmed = writeInOnePiece(network, shift, wkt, &of_cloud);
     }
     powerline::warnOfDoubts(network, unconfirmed, output_.classes, &warnings);

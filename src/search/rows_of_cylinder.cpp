@@ -74,8 +74,8 @@ RowsOfCylinder::alongRow(const Interval& y_of_row, const Interval& z_of_row) con
   if (!(y[0] <= y[1] && z[0] <= z[1]))
     return nowhere;
   // The ball around it.
-  const double across = std::hypot(distanceTo(y), distanceTo(z));
-  const double rest = squared_reach_ - across * across;
+  const double across_y = distanceTo(y), across_z = distanceTo(z);
+  const double rest = squared_reach_ - across_y * across_y - across_z * across_z;
   if (rest < 0)
     return nowhere;
   const double ball = std::sqrt(rest);

@@ -57,10 +57,10 @@ public:
         return;
       state.advance(h, walk());
       const double hide = density / visible_points, show = density / hidden_points;
-      const double shown = visible * std::exp(-(density + hide) * h) +
-                           (1 - visible) * (1 - std::exp(-show * h));
-      const double hidden =
-          (1 - visible) * std::exp(-show * h) + visible * (1 - std::exp(-hide * h));
+      const double still = std::exp(-show * h); // hidden
+      const double shown =
+          visible * std::exp(-(density + hide) * h) + (1 - visible) * (1 - still);
+      const double hidden = (1 - visible) * still + visible * (1 - std::exp(-hide * h));
       score += std::log(shown + hidden);
       length += visible * h;
       visible = shown / (shown + hidden);

@@ -4,6 +4,7 @@
 #include "direction_seeds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 
@@ -109,19 +110,19 @@ reachOfNeighbors(const OpenPoints& open, const Point& at)
   return 0;
 }
 
-/** \brief Offsets as columns, for sums over all of them at once. */
+/** \brief Offsets of points as columns, for loops over all of them at once. */
 struct Offsets {
-  Eigen::ArrayXf x, y, z, squared, free;
+  using Column = std::array<float, most_points>;
+
+  std::size_t count;
+  Column x, y, z, squared;
+  std::array<int, most_points> free; ///< 1: no curve explains it yet
 
   Offsets(const OpenPoints& open, const Point& at, const Neighbors& points)
-      : x(size(points)),
-        y(size(points)),
-        z(size(points)),
-        squared(size(points)),
-        free(size(points))
+      : count(points.size())
   {
-    for (Eigen::Index k = 0; k < x.size(); ++k) {
-      const Index i = points[static_cast<std::size_t>(k)].second;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Index i = points[k].second;
       const Eigen::Vector3f v = (open.grid.sortedPoints()[i] - at).cast<float>();
       free[k] = open.free[i] ? 1 : 0;
       x[k] = v.x();
@@ -130,13 +131,47 @@ struct Offsets {
       squared[k] = v.squaredNorm();
     }
   }
+};
+
+/** \brief What lies in a cylinder about the origin. */
+struct InCylinder {
+  float in_ball = 0; ///< points in the ball around its middle that holds it
+  float members = 0; ///< free points in the cylinder
+
+  InCylinder(const Offsets& offsets,
+             const Eigen::Vector3f& direction,
+             float squared_half,
+             float squared_radius)
+      : count_(static_cast<Eigen::Index>(offsets.count))
+  {
+    int inside = 0, chosen = 0;
+    for (std::size_t k = 0; k < offsets.count; ++k) {
+      const float along = direction.x() * offsets.x[k] + direction.y() * offsets.y[k] +
+                          direction.z() * offsets.z[k];
+      off_[k] = offsets.squared[k] - along * along;
+      // Without branches, so that compilers use vectors.
+      const int near = static_cast<int>(offsets.squared[k] <= squared_half);
+      const int within = static_cast<int>(off_[k] <= squared_radius);
+      const int member = near & within & offsets.free[k];
+      member_[k] = static_cast<float>(member);
+      inside += near;
+      chosen += member;
+    }
+    in_ball = static_cast<float>(inside);
+    members = static_cast<float>(chosen);
+  }
+
+  /** \brief Sum of the squared distances of the members from the axis. */
+  float
+  squaresOff() const
+  {
+    using Map = Eigen::Map<const Eigen::ArrayXf>;
+    return (Map(member_.data(), count_) * Map(off_.data(), count_)).sum();
+  }
 
 private:
-  static Eigen::Index
-  size(const Neighbors& points)
-  {
-    return static_cast<Eigen::Index>(points.size());
-  }
+  Eigen::Index count_;
+  Offsets::Column off_, member_;
 };
 
 /** \brief The best cylinder through point \a i, with its evidence as quality. */
@@ -177,19 +212,16 @@ bestSeed(const OpenPoints& open, std::size_t i, Around& found)
     const double half = std::min(half_length * distance, visible);
     const double wide = radius * distance;
     const Eigen::Vector3f direction = (next / distance).cast<float>();
-    const auto along = direction.x() * offsets.x + direction.y() * offsets.y +
-                       direction.z() * offsets.z;
-    const auto inside =
-        (offsets.squared <= static_cast<float>(half * half)).cast<float>();
-    const Eigen::ArrayXf off = offsets.squared - along.square();
-    const Eigen::ArrayXf member =
-        offsets.free * inside * (off <= static_cast<float>(wide * wide)).cast<float>();
-    const double members = member.sum();
+    const InCylinder found_there(offsets,
+                                 direction,
+                                 static_cast<float>(half * half),
+                                 static_cast<float>(wide * wide));
+    const double members = found_there.members;
     if (members < least_members)
       continue;
     // Two of them chose the cylinder, which takes this share of the ball.
     const double more = members - 2;
-    const double expected = inside.sum() * 1.5 * wide * wide / (half * half);
+    const double expected = found_there.in_ball * 1.5 * wide * wide / (half * half);
     const double evidence = more * std::log(more / expected) - more + expected;
     if (evidence <= best.quality)
       continue;
@@ -198,7 +230,7 @@ bestSeed(const OpenPoints& open, std::size_t i, Around& found)
     best.direction = next / distance;
     best.radius = half;
     best.density = members / (2 * half);
-    best.noise = std::sqrt(std::max(0.0F, (member * off).sum()) / (2 * members));
+    best.noise = std::sqrt(std::max(0.0F, found_there.squaresOff()) / (2 * members));
     best.quality = evidence;
   }
   best.quality = std::max(0.0, best.quality - std::log(double(neighbors)));

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include <linelet/search/uniform_grid.h>
 
@@ -50,27 +52,84 @@ offsetsFrom(const ModelCurve& curve,
   return some;
 }
 
+/** \brief Offsets by their x, for counting those nearby. */
+class SortedOffsets {
+public:
+  explicit SortedOffsets(const std::vector<Offset>& offsets) : order_(offsets.size())
+  {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return offsets[a].x() < offsets[b].x();
+    });
+    for (const std::size_t i : order_) {
+      x_.push_back(offsets[i].x());
+      y_.push_back(offsets[i].y());
+    }
+  }
+
+  /** \brief Leaves out the offsets that are \a used. */
+  void
+  leaveOut(const std::vector<char>& used)
+  {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < order_.size(); ++k)
+      if (used[order_[k]] == 0) {
+        order_[kept] = order_[k];
+        x_[kept] = x_[k];
+        y_[kept++] = y_[k];
+      }
+    order_.resize(kept);
+    x_.resize(kept);
+    y_.resize(kept);
+  }
+
+  /** \brief The offset that most lie nearer to than \a near, the first of equals, and
+   * how many these are, itself among them. */
+  std::pair<std::size_t, std::size_t>
+  mostCrowded(double near) const
+  {
+    const double squared_near = near * near;
+    std::size_t best = 0, most = 0, low = 0, high = 0;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      while ((x_[k] - x_[low]) * (x_[k] - x_[low]) >= squared_near)
+        ++low;
+      while (high < order_.size() &&
+             (x_[k] - x_[high]) * (x_[k] - x_[high]) < squared_near)
+        ++high;
+      if (high - low < most)
+        continue;
+      std::size_t count = 0;
+      for (std::size_t j = low; j < high; ++j) {
+        const double dx = x_[k] - x_[j], dy = y_[k] - y_[j];
+        count += dx * dx + dy * dy < squared_near ? 1 : 0;
+      }
+      if (count > most || (count == most && order_[k] < best)) {
+        best = order_[k];
+        most = count;
+      }
+    }
+    return {best, most};
+  }
+
+private:
+  std::vector<std::size_t> order_; // places in the offsets
+  std::vector<double> x_, y_;
+};
+
 /** \brief Where \a offsets gather on the scale \a width, the most of them first. */
 std::vector<Offset>
 modesOf(const std::vector<Offset>& offsets, double width)
 {
   std::vector<char> used(offsets.size(), 0);
   std::vector<Offset> modes;
+  SortedOffsets left(offsets);
   const double near = 1.5 * width;
   while (modes.size() < most_lines) {
-    std::size_t best = 0;
-    Offset mode;
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
-      std::size_t count = 0;
-      for (std::size_t j = 0; !used[i] && j < offsets.size(); ++j)
-        count += !used[j] && (offsets[i] - offsets[j]).squaredNorm() < near * near;
-      if (count > best) {
-        best = count;
-        mode = offsets[i];
-      }
-    }
-    if (static_cast<double>(best) < least_share * static_cast<double>(offsets.size()))
+    const auto [first, best] = left.mostCrowded(near);
+    if (best == 0 ||
+        static_cast<double>(best) < least_share * static_cast<double>(offsets.size()))
       break;
+    Offset mode = offsets[first];
     for (int round = 0; round < 3; ++round) {
       Offset sum = Offset::Zero();
       double count = 0;
@@ -85,6 +144,7 @@ modesOf(const std::vector<Offset>& offsets, double width)
     for (std::size_t j = 0; j < offsets.size(); ++j)
       if ((mode - offsets[j]).norm() < 2.5 * width)
         used[j] = 1;
+    left.leaveOut(used);
     modes.push_back(mode);
   }
   return modes;

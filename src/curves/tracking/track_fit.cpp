@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cross_section.h"
 #include "curves/mixture/model_score.h"
@@ -143,6 +144,7 @@ fitTrack(const TrackedScene& scene,
   const EmFit one = result.fit;
   // Where a wide beam makes ribbons, lines side by side must tell more than these:
   // either where each goes its own way, or as modes of one cross-section.
+  std::optional<double> gain_of_one;
   const auto beatRibbons = [&](const ParallelLines& lines, const EmFit& fit) {
     const double needed =
         0.5 * least_gain * (static_cast<double>(fit.curves.size()) - 1);
@@ -150,7 +152,9 @@ fitTrack(const TrackedScene& scene,
       return unevenScatterGain(of, points, grid, settings.least_noise) -
              0.5 * scoreOf(of, points.size());
     };
-    return gain(fit) > gain(one) + needed ||
+    if (!gain_of_one)
+      gain_of_one = gain(one);
+    return gain(fit) > *gain_of_one + needed ||
            modesGain(one, lines.offsets, points, grid, settings.least_noise) > needed;
   };
   double best = scoreOf(result.fit, points.size());

@@ -76,16 +76,12 @@ struct Shape {
 };
 
 Shape
-shapeAround(const UniformGrid& grid,
-            const Points& points,
-            const Point& center,
-            double radius)
+shapeAround(const UniformGrid& grid, const Point& center, double radius)
 {
   Shape shape;
   Point sum = Point::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  grid.forEachWithin(center, radius, [&](Index i, double) {
-    const Point v = points[i] - center;
+  grid.forEachOffsetWithin(center, radius, [&](const Point& v, double) {
     sum += v;
     squares.noalias() += v * v.transpose();
     ++shape.count;
@@ -114,9 +110,8 @@ seedAmongOthers(const Candidates& candidates, Index c)
   const Seed none = {c, 0, 0, Point::Zero()};
   const Point& center = candidates.points[c];
   std::vector<Point> around;
-  candidates.grid.forEachWithin(center, among_radius, [&](Index i, double) {
-    around.push_back(candidates.points[i] - center);
-  });
+  candidates.grid.forEachOffsetWithin(
+      center, among_radius, [&](const Point& v, double) { around.push_back(v); });
   if (around.size() < 12 || around.size() > crowded_ball)
     return none;
   Point direction;
@@ -230,10 +225,8 @@ findSeeds(const Candidates& candidates, unsigned threads, ProgressMonitor* monit
       bool round = false;
       for (const Scale& scale : scales) {
         const bool fine = scale.radius <= 2;
-        const Shape shape = shapeAround(fine ? candidates.grid : coarse_grid,
-                                        fine ? candidates.points : coarse,
-                                        candidates.points[c],
-                                        scale.radius);
+        const Shape shape = shapeAround(
+            fine ? candidates.grid : coarse_grid, candidates.points[c], scale.radius);
         if (shape.count >= enough_points && shape.sphericity > round_enough) {
           round = true;
           break;
