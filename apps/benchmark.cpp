@@ -13,6 +13,7 @@
 #include <bench/runs/benchmark.h>
 #include <bench/runs/benchmark_grid.h>
 #include <bench/runs/benchmark_summary.h>
+#include <bench/runs/random_runs.h>
 #include <CLI/CLI.hpp>
 
 #include <linelet/curves/reconstruct_curves.h>
@@ -115,6 +116,11 @@ geometriesOf(const std::vector<std::string>& names)
 std::vector<BenchmarkRun>
 runsOf(const BenchmarkOptions& options)
 {
+  if (options.geometries == std::vector<std::string>{"random"}) {
+    if (options.all || options.clean)
+      throw std::runtime_error("--geometries random has neither --all nor --clean");
+    return bench::randomRuns(options.sample, static_cast<std::uint32_t>(options.seed));
+  }
   const std::vector<bench::Geometry> geometries = geometriesOf(options.geometries);
   std::vector<BenchmarkRun> runs;
   if (options.clean) {
@@ -333,7 +339,7 @@ runBenchmark(const std::vector<std::string>& arguments)
       .add_option("--geometries",
                   options.geometries,
                   "names, or benchmark (the ten), or held-out (those that nothing is "
-                  "tuned on)")
+                  "tuned on); or random: shapes drawn at random, at any scale")
       ->delimiter(',')
       ->type_name("NAME,...")
       ->default_str(options.geometries.front());

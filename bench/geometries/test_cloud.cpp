@@ -9,49 +9,13 @@
 #include <string>
 #include <vector>
 
+#include <bench/geometries/network_arc.h>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
 
 namespace linelet::bench {
 
 namespace {
-
-/** \brief The curves of a network laid end to end and parameterized by arc length. */
-class Arc {
-public:
-  explicit Arc(const CurveNetwork& network)
-  {
-    for (const Curve& curve : network.curves) {
-      const std::size_t count = curve.points.size();
-      for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i)
-        add(curve.points[i], curve.points[(i + 1) % count]);
-    }
-  }
-
-  /** \brief The point at \a t in [0, 1]. */
-  Point
-  at(double t) const
-  {
-    const double s = t * end_.back();
-    const auto found = std::upper_bound(end_.begin(), end_.end(), s);
-    const auto i =
-        std::min(static_cast<std::size_t>(found - end_.begin()), end_.size() - 1);
-    const double begin = i == 0 ? 0 : end_[i - 1];
-    return from_[i] + (to_[i] - from_[i]) * ((s - begin) / (end_[i] - begin));
-  }
-
-private:
-  void
-  add(const Point& a, const Point& b)
-  {
-    from_.push_back(a);
-    to_.push_back(b);
-    end_.push_back((end_.empty() ? 0 : end_.back()) + (b - a).norm());
-  }
-
-  Points from_, to_;
-  std::vector<double> end_; // arc position of to_
-};
 
 /** \brief Maps even positions in [0, 1] to positions that follow a density. */
 class DensityWarp {
@@ -104,7 +68,7 @@ sampleAlong(const CurveNetwork& network,
   check(settings);
   boost::random::mt19937_64 random(settings.seed);
   boost::random::uniform_01<double> uniform;
-  const Arc arc(network);
+  const NetworkArc arc(network);
   const DensityWarp warp(density);
 
   std::vector<double> r(settings.points);

@@ -58,6 +58,31 @@ private:
   Clock::time_point curves_begun_;
 };
 
+RandomCloud
+cloudOf(const BenchmarkRun& run)
+{
+  if (run.random)
+    return randomCloud(*run.random, run.sampling);
+  return {sample(run.geometry, run.sampling),
+          truthOf(run.geometry, run.sampling.out_of_plane),
+          1};
+}
+
+/** \brief The measures of \a found in a unit of which the extent of the \a truth has
+ * ten, as for the geometries. */
+Measures
+measureIn(double unit, const CurveNetwork& found, const CurveNetwork& truth)
+{
+  MeasureSettings settings;
+  settings.step *= unit;
+  settings.reach *= unit;
+  settings.max_mean_distance *= unit;
+  Measures result = measure(found, truth, settings);
+  result.e_h /= unit;
+  result.e_v /= unit;
+  return result;
+}
+
 } // namespace
 
 BenchmarkRow
@@ -69,13 +94,14 @@ perform(const std::string& method,
   BenchmarkRow row;
   row.method = method;
   row.run = run;
-  const Points points = sample(run.geometry, run.sampling);
+  const RandomCloud cloud = cloudOf(run);
+  const Points& points = cloud.points;
   StageTimer timer(cancel);
   const CurveNetwork found = reconstruct(points, &timer);
   const Clock::time_point done = Clock::now();
   row.feature_ms = milliseconds(timer.featuresDone() - timer.begun);
   row.reconstruction_ms = milliseconds(done - timer.featuresDone());
-  row.measures = measure(found, truthOf(run.geometry, run.sampling.out_of_plane));
+  row.measures = measureIn(cloud.unit, found, cloud.truth);
   MultiScaleSettings shape; // with the centroid for which the noise rate is defined
   shape.engine = ScaleEngine::Grid; // accurate enough for a rate, and single-threaded
   shape.threads = 1;

@@ -22,10 +22,10 @@ constexpr std::size_t seeds = 7;
 // number, with the seed fastest.
 constexpr std::size_t per_stratum = levels * outliers * seeds;
 
-using Random = boost::random::mt19937_64;
+using Engine = boost::random::mt19937_64;
 
 void
-shuffle(std::vector<std::size_t>& values, Random& random)
+shuffle(std::vector<std::size_t>& values, Engine& random)
 {
   for (std::size_t i = values.size(); i > 1; --i)
     std::swap(
@@ -35,7 +35,7 @@ shuffle(std::vector<std::size_t>& values, Random& random)
 
 /** \brief \a count numbers below \a range in random order, each equally often. */
 std::vector<std::size_t>
-balanced(std::size_t count, std::size_t range, Random& random)
+balanced(std::size_t count, std::size_t range, Engine& random)
 {
   std::vector<std::size_t> order(range), result;
   for (std::size_t i = 0; i < range; ++i)
@@ -50,6 +50,12 @@ balanced(std::size_t count, std::size_t range, Random& random)
 }
 
 } // namespace
+
+std::string
+shapeName(const BenchmarkRun& run)
+{
+  return run.random ? kindName(*run.random) : std::string(nameOf(run.geometry));
+}
 
 BenchmarkGrid::BenchmarkGrid(const std::vector<Geometry>& geometries)
     : geometries_(geometries)
@@ -91,7 +97,7 @@ BenchmarkGrid::stratifiedSample(std::size_t count, std::uint64_t seed) const
       sample.push_back(i);
     return sample;
   }
-  Random random(seed);
+  Engine random(seed);
   const auto strata = balanced(count, size() / per_stratum, random);
   const auto distributions = balanced(count, levels, random);
   const auto m = balanced(count, outliers, random);

@@ -5,18 +5,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <bench/geometries/geometries.h>
+#include <bench/geometries/random_cloud.h>
 #include <bench/geometries/test_cloud.h>
 
 namespace linelet::bench {
 
-/** \brief One run of the benchmark: a geometry and how it is sampled. */
+/** \brief One run of the benchmark: a geometry, or a kind of random shapes, and how it
+ * is sampled. */
 struct BenchmarkRun {
   Geometry geometry = Geometry::Circle;
+  std::optional<RandomCloudKind> random; ///< instead of the geometry
   SamplingSettings sampling;
 };
+
+/** \brief What is sampled in \a run: the name of the geometry or kind. */
+std::string
+shapeName(const BenchmarkRun& run);
 
 /** \brief The grid of runs: geometry x N x S_D x S_J x M x seed.
  *

@@ -22,6 +22,15 @@ format(const char* pattern, double value)
   return text;
 }
 
+/** \brief What \ref shapeName calls so. */
+void
+setShape(BenchmarkRun& run, const std::string& name)
+{
+  run.random = randomCloudKind(name);
+  if (!run.random)
+    run.geometry = fromName<Geometry>(name);
+}
+
 } // namespace
 
 const char* const benchmark_csv_header =
@@ -33,7 +42,7 @@ keyOf(const std::string& method, const BenchmarkRun& run)
 {
   const SamplingSettings& s = run.sampling;
   std::ostringstream key;
-  key << method << ',' << nameOf(run.geometry) << ',' << s.points << ','
+  key << method << ',' << shapeName(run) << ',' << s.points << ','
       << format("%.3g", s.distribution) << ',' << format("%.3g", s.jitter) << ','
       << s.outliers << ',' << s.seed;
   return key.str();
@@ -70,7 +79,7 @@ readCsv(std::istream& in)
     try {
       BenchmarkRow row;
       row.method = fields[0];
-      row.run.geometry = fromName<Geometry>(fields[1]);
+      setShape(row.run, fields[1]);
       row.run.sampling.points = std::stoul(fields[2]);
       row.run.sampling.distribution = std::stod(fields[3]);
       row.run.sampling.jitter = std::stod(fields[4]);

@@ -72,6 +72,15 @@ summaryOf(const Rows& rows)
   return summary;
 }
 
+/** \brief The geometry, or the family of random shapes and its dimensions. */
+std::string
+shapeOf(const BenchmarkRun& run)
+{
+  return run.random ? std::string(nameOf(run.random->family)) +
+                          (run.random->flat ? "-2d" : "-3d")
+                    : std::string(nameOf(run.geometry));
+}
+
 std::string
 oneDigit(double value)
 {
@@ -128,8 +137,8 @@ std::vector<SummaryGroup>
 summarizeByProperty(const std::vector<BenchmarkRow>& rows)
 {
   using Name = std::string (*)(const BenchmarkRow&);
-  const std::pair<const char*, Name> properties[] = {
-      {"geometry", [](const auto& r) { return std::string(nameOf(r.run.geometry)); }},
+  std::vector<std::pair<const char*, Name>> properties = {
+      {"geometry", [](const auto& r) { return shapeOf(r.run); }},
       {"points", [](const auto& r) { return std::to_string(r.run.sampling.points); }},
       {"S_D", [](const auto& r) { return oneDigit(r.run.sampling.distribution); }},
       {"S_J", [](const auto& r) { return oneDigit(r.run.sampling.jitter); }},
@@ -139,6 +148,10 @@ summarizeByProperty(const std::vector<BenchmarkRow>& rows)
                          static_cast<double>(r.run.sampling.points));
        }},
       {"n_R", noiseRateInterval}};
+  if (std::all_of(rows.begin(), rows.end(), [](const auto& r) { return r.run.random; }))
+    properties.push_back({"noise", [](const auto& r) {
+                            return std::string(nameOf(r.run.random->noise));
+                          }});
 
   std::vector<SummaryGroup> groups;
   for (const auto& [title, nameOfRow] : properties) {

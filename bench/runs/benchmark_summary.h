@@ -30,8 +30,8 @@ struct RunSummary {
 
 /** \brief Runs grouped by one of their properties. */
 struct SummaryGroup {
-  std::string title; ///< the property: geometry, points, S_D, S_J, M / N or n_R
-  std::vector<std::pair<std::string, RunSummary>> entries; ///< one group per value
+  std::string title; ///< the property: geometry, points, S_D, S_J, M / N, n_R or noise
+  std::vector<std::pair<std::string, RunSummary>> entries; ///< a value each
 };
 
 /** \brief All \a rows as one group. */
@@ -39,7 +39,8 @@ RunSummary
 summarize(const std::vector<BenchmarkRow>& rows);
 
 /** \brief \a rows by geometry (in the order of the rows), number of points, noise and
- * intervals of the noise rate (by size). */
+ * intervals of the noise rate (by size), those of random shapes also by kind of noise.
+ */
 std::vector<SummaryGroup>
 summarizeByProperty(const std::vector<BenchmarkRow>& rows);
 

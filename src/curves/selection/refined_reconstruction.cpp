@@ -287,11 +287,11 @@ reconstruct(const Points& all,
   }
   const double explained = explainedBy(curves);
   const bool little = explained < least_explained * static_cast<double>(points.size());
-  if (isSmall(traits) && (little || thicknessOf(curves) > sharp)) {
+  const bool is_scene = (traits.high - traits.low).norm() > scene_extent * scale_unit;
+  if (isSmall(traits) && (little || (is_scene && thicknessOf(curves) > sharp))) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
     if ((little && explainedBy(mixed) > explained) ||
-        ((traits.high - traits.low).norm() > scene_extent * scale_unit &&
-         standOut(mixed, curves, traits.points)))
+        (is_scene && standOut(mixed, curves, traits.points)))
       curves = std::move(mixed);
   }
   return networkOf(curves);

@@ -122,7 +122,9 @@ public:
       density = count / length;
       noise = std::max(std::sqrt(squares / weights), least_gate_noise * scene_.unit);
       pass(h - place);
-      if (looped || (most_points_ > 0 && members.size() >= most_points_))
+      // A loop that is joined after the first points never comes back to them.
+      const bool looping = looped || members.size() > scene_.points().size();
+      if (looping || (most_points_ > 0 && members.size() >= most_points_))
         break;
     }
     members.resize(kept);
