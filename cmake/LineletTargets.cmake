@@ -40,10 +40,6 @@ function(linelet_library name)
   if(LINELET_WITH_OPENMP)
     target_link_libraries(${target} PUBLIC OpenMP::OpenMP_CXX)
   endif()
-  if(LINELET_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE
-      <algorithm> <cmath> <functional> <string> <vector> <Eigen/Core>)
-  endif()
   if(BUILD_SHARED_LIBS AND NOT ROOM_STATIC AND NOT APPLE)
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
@@ -81,13 +77,14 @@ function(linelet_part name)
   add_library(linelet::${name} ALIAS linelet_core)
 endfunction()
 
-# linelet_test(NAME SOURCES a.cpp ... LINK linelet::room ... [INSIDE])
+# linelet_test(NAME SOURCES a.cpp ... LINK linelet::room ... [INSIDE] [TOGETHER])
 #
 # A test program. It finds the reference data in LINELET_TEST_DATA (environment, or the
 # folder ../shared/data beside the project) through test/test_data.h. With INSIDE it
-# uses symbols that shared libraries hide, so it is left out of shared builds.
+# uses symbols that shared libraries hide, so it is left out of shared builds. With TOGETHER
+# its tests run in one process and compute once what they share.
 function(linelet_test name)
-  cmake_parse_arguments(TEST "INSIDE" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "INSIDE;TOGETHER" "TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(TEST_INSIDE AND BUILD_SHARED_LIBS)
     return()
   endif()
@@ -105,6 +102,11 @@ function(linelet_test name)
     LINELET_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     LINELET_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
   target_link_libraries(${target} PRIVATE ${TEST_LINK} GTest::gtest GTest::gtest_main)
+  if(TEST_TOGETHER)
+    add_test(NAME ${name}.all COMMAND ${target})
+    set_tests_properties(${name}.all PROPERTIES TIMEOUT ${TEST_TIMEOUT})
+    return()
+  endif()
   include(GoogleTest)
   # Test names are listed when a program is first read from disk; on a busy machine that
   # takes longer than CMake's default of 5 s.

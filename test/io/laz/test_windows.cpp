@@ -30,15 +30,17 @@ namespace {
 
 using Place = std::tuple<double, double, double>;
 
-std::multiset<Place>
+/** \brief Places of the points in \a box, sorted. */
+std::vector<Place>
 placesIn(const Cloud& cloud, const std::vector<double>& box)
 {
-  std::multiset<Place> places;
+  std::vector<Place> places;
   for (const Point& point : cloud.points) {
     const Point p = cloud.shift + point;
     if (p.x() >= box[0] && p.x() <= box[2] && p.y() >= box[1] && p.y() <= box[3])
-      places.insert({p.x(), p.y(), p.z()});
+      places.emplace_back(p.x(), p.y(), p.z());
   }
+  std::sort(places.begin(), places.end());
   return places;
 }
 
@@ -120,8 +122,9 @@ TEST(Windows, HoldThePointsThatTheWholeFileHasThere)
           first.x() - half, first.y() - half, first.x() + half, first.y() + half};
       options.shift = whole.shift;
       const Cloud part = readCloud(path, options);
-      EXPECT_TRUE(placesIn(whole, options.bounds) == placesIn(part, options.bounds));
-      EXPECT_EQ(part.points.size(), placesIn(whole, options.bounds).size());
+      const std::vector<Place> places = placesIn(whole, options.bounds);
+      EXPECT_TRUE(places == placesIn(part, options.bounds));
+      EXPECT_EQ(part.points.size(), places.size());
     }
   }
 }
