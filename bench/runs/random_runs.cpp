@@ -9,7 +9,7 @@ namespace linelet::bench {
 
 namespace {
 
-constexpr std::array<std::size_t, 5> point_counts = {100, 150, 250, 400, 800};
+constexpr std::array<std::size_t, 5> random_counts = {100, 150, 250, 400, 800};
 constexpr std::array<double, 3> distributions = {0, 0.5, 1};
 constexpr std::array<double, 5> jitters = {0, 0.1, 0.2, 0.4, 0.6};
 constexpr int most_outliers = 4; // tenths of N
@@ -44,7 +44,7 @@ randomRuns(std::size_t count, std::uint32_t seed)
   for (std::size_t i = 0; i < count; ++i) {
     BenchmarkRun run;
     run.random = kinds[i % kinds.size()];
-    run.sampling.points = oneOf(point_counts, random);
+    run.sampling.points = oneOf(random_counts, random);
     run.sampling.distribution = oneOf(distributions, random);
     run.sampling.jitter = oneOf(jitters, random);
     run.sampling.outliers = static_cast<std::size_t>(random.integer(0, most_outliers)) *
