@@ -21,8 +21,7 @@ doubled(const ModelCurves& curves,
         const Points& points,
         const UniformGrid& grid,
         double reach,
-        double least_spread,
-        std::size_t copies)
+        double least_spread)
 {
   ModelCurves result;
   bool any = false;
@@ -59,11 +58,7 @@ doubled(const ModelCurves& curves,
     any = true;
     const Eigen::Vector2d shift =
         std::sqrt(values.y() / count) * eigen.eigenvectors().col(1);
-    // As far out as leaves the spread as it is.
-    const double last = static_cast<double>(copies - 1);
-    const double outermost = std::sqrt(3 * last / (last + 2));
-    for (std::size_t copy = 0; copy < copies; ++copy) {
-      const double side = outermost * (2 * static_cast<double>(copy) / last - 1);
+    for (const double side : {-1.0, 1.0}) {
       result.push_back(curve);
       Points& nodes = result.back().nodes;
       for (std::size_t k = 0; k < nodes.size(); ++k) {

@@ -9,8 +9,7 @@
 
 namespace linelet {
 
-/** \brief \a curves, with every one in two or more \a copies side by side whose points
- * lie on two sides of it.
+/** \brief \a curves, with every one doubled whose points lie on two sides of it.
  *
  * This shows in the spread of their offsets across the curve: the variance in one
  * direction is at least \a least_spread times that in the other.
@@ -22,7 +21,6 @@ doubled(const ModelCurves& curves,
         const Points& points,
         const UniformGrid& grid,
         double reach,
-        double least_spread,
-        std::size_t copies = 2);
+        double least_spread);
 
 } // namespace linelet

@@ -8,11 +8,9 @@
 #include <boost/container_hash/hash.hpp>
 
 #include "curves/mixture/model_score.h"
-#include "curves/network/bridging.h"
 #include "curves/network/curve_similarity.h"
 #include "curves/network/pairing.h"
 #include "curves/ridges/spanning_curves.h"
-#include "curves/ridges/straight_curves.h"
 
 namespace linelet {
 
@@ -27,14 +25,6 @@ constexpr std::size_t large_component = 5000;
 constexpr std::size_t least_spanned = 6;
 constexpr double spanning_bandwidth = 0.35;
 constexpr double least_spanning_gain = 12;
-// Points without a curve, as a share of all, that straight curves stand out from at
-// least; their least length in standard deviations and in D; and the least bandwidth,
-// in D, that their fit begins with.
-constexpr double least_background = 0.02;
-constexpr double straight_noises = 4, straight_units = 2;
-constexpr double least_straight_bandwidth = 0.5;
-// The noise that a fit begins with, as a share of the bandwidth.
-constexpr double noise_of_bandwidth = 0.5;
 
 /** \brief Of all that a fit of \a start depends on. */
 std::size_t
@@ -137,39 +127,6 @@ ComponentModel::trySpanning()
   tryTraces(*spanning_, spanning_bandwidth * unit(), least_spanning_gain);
 }
 
-bool
-ComponentModel::tryStraight()
-{
-  const EmFit& best = best_.fit;
-  const double n = static_cast<double>(points_.size());
-  // One curve is followed by its ridge well enough.
-  if (best.curves.size() < 2)
-    return false;
-  StraightSettings settings;
-  settings.noise = best.noise;
-  settings.density = n * (1 - best.outlier_share) / length(best.curves);
-  settings.background =
-      n * std::max(best.outlier_share, least_background) / frame_.volume;
-  settings.dimensions = frame_.dimensions;
-  settings.least_length =
-      std::max(straight_noises * best.noise, straight_units * scale_unit_);
-  ModelCurves curves = straightCurves(points_, settings);
-  if (curves.empty())
-    return false;
-  const double b =
-      std::max(best.noise / noise_of_bandwidth, least_straight_bandwidth * scale_unit_);
-  for (ModelCurve& curve : curves)
-    curve.scale = b;
-  const ModelCurves joined = bridgeGaps(curves, 2 * b, 0, 2 * b, M_PI);
-  Fitted fitted = fitStart(curves, b);
-  if (joined.size() < curves.size()) {
-    Fitted other = fitStart(joined, b);
-    if (other.score < fitted.score)
-      fitted = std::move(other);
-  }
-  return take(std::move(fitted.fit), fitted.settings);
-}
-
 std::optional<Fitted>
 ComponentModel::runnerUp(double most_behind) const
 {
@@ -209,29 +166,20 @@ ComponentModel::tryTraces(const Traces& traces, double b, double gain)
   for (ModelCurve& curve : start)
     curve.scale =
         std::min(bandwidthAt(curve.nodes.front()), bandwidthAt(curve.nodes.back()));
-  Fitted fitted = fitStart(start, b);
-  const double score = fitted.score;
-  if (!fitted.fit.curves.empty())
-    traced_.push_back(fitted);
-  take(std::move(fitted.fit), fitted.settings, gain);
-  return score;
-}
-
-Fitted
-ComponentModel::fitStart(const ModelCurves& start, double b)
-{
-  Fitted result;
-  EmSettings& settings = result.settings;
+  EmSettings settings;
   settings.scales = scales_;
   settings.spacing = std::max(0.4 * unit(), 0.24 * b);
-  settings.noise = noise_of_bandwidth * b;
+  settings.noise = 0.5 * b;
   settings.least_noise = 0.1 * unit();
   settings.bending = 1 / frame_.diagonal;
   settings.varied_noise = varied_noise_;
   settings.even_curvature = best_.settings.even_curvature;
-  result.fit = fitter_.fit(start, settings, best_.score);
-  result.score = scoreOf(result.fit, points_.size());
-  return result;
+  EmFit fit = fitter_.fit(start, settings, best_.score);
+  const double score = scoreOf(fit, points_.size());
+  if (!fit.curves.empty())
+    traced_.push_back({fit, settings, score});
+  take(std::move(fit), settings, gain);
+  return score;
 }
 
 } // namespace linelet

@@ -117,12 +117,6 @@ public:
   void
   trySpanning();
 
-  /** \brief Where the best fit has several curves, fits straight ones (\ref
-   * straightCurves), as they are and joined where ends meet.
-   * \return whether they are better */
-  bool
-  tryStraight();
-
   /** \brief The best fit of traces whose curves take another course than those of the
    * best fit overall, if its score is behind by at most \a most_behind. */
   std::optional<Fitted>
@@ -150,9 +144,6 @@ private:
    * \return as \ref tryBandwidth does */
   double
   tryTraces(const Traces& traces, double b, double gain = 0);
-  /** \brief Fits \a start with the settings of bandwidth \a b. */
-  Fitted
-  fitStart(const ModelCurves& start, double b);
 
   const Points& points_;
   double scale_unit_;

@@ -50,9 +50,6 @@ constexpr double least_tails = 0.9;
 // The curves' effective parameters across them, per curve, from which on they may be
 // thought to bend evenly: an arc has three.
 constexpr double least_even_curvature = 6;
-// Curves side by side have this share of the noise of the one before, together, to begin
-// with.
-constexpr double share_of_copies = 1.2;
 constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
 constexpr double most_kurtosis = 2.2;
 constexpr std::size_t least_rest = 8;
@@ -103,26 +100,22 @@ rejoinOnce(ComponentModel& component)
   return better;
 }
 
-/** \brief The fit that \a fitted becomes when every curve whose points lie to two sides
- * of it is replaced by \a copies; no curve where there is none. What falls far behind
- * the score \a rival is given up. */
+/** \brief The fit that \a fitted becomes when every curve is doubled whose points lie
+ * to two sides of it; no curve where there is none. What falls far behind the score
+ * \a rival is given up. */
 EmFit
-doubledFit(ComponentModel& component,
-           const Fitted& fitted,
-           double rival,
-           std::size_t copies = 2)
+doubledFit(ComponentModel& component, const Fitted& fitted, double rival)
 {
   const double noise = fitted.fit.noise;
   const ModelCurves pairs = doubled(fitted.fit.curves,
                                     component.points(),
                                     component.grid(),
                                     4 * noise,
-                                    doubled_spread,
-                                    copies);
+                                    doubled_spread);
   if (pairs.empty())
     return {};
   EmSettings settings = fitted.settings;
-  settings.noise = share_of_copies / static_cast<double>(copies) * noise;
+  settings.noise = 0.6 * noise;
   return component.fit(pairs, settings, rival);
 }
 
@@ -137,9 +130,7 @@ doubleCurves(ComponentModel& component)
                            ? std::numeric_limits<double>::infinity()
                            : component.best().score;
   EmFit fit = doubledFit(component, component.best(), rival);
-  EmFit three = doubledFit(component, component.best(), component.best().score, 3);
   const bool taken = component.take(fit, settings);
-  component.take(std::move(three), settings);
   // One curve between two explains their points badly, and a narrower bandwidth, that
   // leaves both in pieces, better; yet doubled it is both of them.
   ModelCurves last;

@@ -29,10 +29,8 @@ constexpr std::size_t samples = 3;
 // left: a fit of all points would begin with noise so wide that each is near
 // everything.
 constexpr double widest_rest = 15;
-constexpr double any = std::numeric_limits<double>::infinity();
 // Two fits are revised in components up to this size, the second one where its score is
-// behind by no more than this; by however much where the first one is of straight
-// curves, which the bandwidths cannot have led to.
+// behind by no more than this.
 constexpr std::size_t revised_component = 5000;
 constexpr double most_behind = 50;
 // Networks with fewer ends or curves are tried in components up to this size.
@@ -94,6 +92,7 @@ revise(ComponentModel& component, const ScaleField* scales)
   rejoin(component);
   if (size <= (scales ? simplified_component : spanned_component))
     component.trySpanning();
+  constexpr double any = std::numeric_limits<double>::infinity();
   traceTheRest(component, sampled ? widest_rest * component.scaleUnit() : any);
   if (size <= simplified_component)
     simplify(component);
@@ -108,12 +107,12 @@ finish(ComponentModel& component, const EmFit& rejected)
   sharpen(component);
 }
 
-/** \brief Revises the runner-up of the bandwidths as well as the best fit, if it is
- * behind by at most \a behind: often it is ahead in the end. */
+/** \brief Revises the runner-up of the bandwidths as well as the best fit: what is
+ * behind at first is often ahead of it in the end. */
 void
-reviseBoth(ComponentModel& component, const ScaleField* scales, double behind)
+reviseBoth(ComponentModel& component, const ScaleField* scales)
 {
-  const std::optional<Fitted> runner_up = component.runnerUp(behind);
+  const std::optional<Fitted> runner_up = component.runnerUp(most_behind);
   finish(component, revise(component, scales));
   if (!runner_up)
     return;
@@ -163,7 +162,6 @@ refineComponent(const Points& points,
 
   // What costs many fits, or integrals of every pair, is too slow for millions.
   const bool sampled = points.size() > sampled_component;
-  double behind = most_behind; // of a runner-up
   if (sampled) {
     const std::size_t chosen = bandwidthOfSamples(points, component.grid(), user, stop);
     progress(0.4);
@@ -178,11 +176,9 @@ refineComponent(const Points& points,
     }
     evenCurvature(component);
     followNoise(component, scales);
-    if (points.size() <= revised_component && component.tryStraight())
-      behind = any;
   }
   if (points.size() <= revised_component)
-    reviseBoth(component, scales, behind);
+    reviseBoth(component, scales);
   else {
     const EmFit rejected = revise(component, scales);
     if (!sampled)

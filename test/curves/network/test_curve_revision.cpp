@@ -125,26 +125,6 @@ TEST(CurveRevision, CurveBetweenTwoArcsIsDoubled)
   EXPECT_TRUE(doubled({middle}, one, UniformGrid(one, 1), 2, 2).empty());
 }
 
-TEST(CurveRevision, CurveAmidThreeArcsIsTripled)
-{
-  boost::random::mt19937 random(4);
-  ModelCurve middle;
-  for (double angle = 0; angle < 4; angle += 0.05)
-    middle.nodes.emplace_back(5 * std::cos(angle), 5 * std::sin(angle), 0);
-  Points points;
-  for (const double radius : {4.2, 5.0, 5.8})
-    addArc(points, radius, random);
-  const ModelCurves found = doubled({middle}, points, UniformGrid(points, 1), 2, 2, 3);
-  ASSERT_EQ(found.size(), 3u);
-  std::vector<double> radii;
-  for (const ModelCurve& curve : found)
-    radii.push_back(curve.nodes.front().norm());
-  std::sort(radii.begin(), radii.end());
-  EXPECT_NEAR(radii[0], 4.2, 0.1);
-  EXPECT_NEAR(radii[1], 5, 0.1);
-  EXPECT_NEAR(radii[2], 5.8, 0.1);
-}
-
 /** \brief A straight line of length 20 whose points are moved by \a displace. */
 template <class Displace>
 Points
