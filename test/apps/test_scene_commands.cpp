@@ -184,7 +184,13 @@ TEST_F(SceneCommands, AMissingReferenceSystemIsReportedOnce)
   cloud.wkt.clear();
   io::writeCloud(path("nowhere.las"), cloud);
   const Outcome run = runWell(call + path("nowhere.las") + " " + path("unknown"));
-  EXPECT_EQ(lines(run.error), 2) << run.error;
+  // Once for what is read, once for the file that cannot do without.
+  const std::string said = "no reference system";
+  std::size_t times = 0;
+  for (std::size_t at = run.error.find(said); at != std::string::npos;
+       at = run.error.find(said, at + 1))
+    ++times;
+  EXPECT_EQ(times, 2) << run.error;
   EXPECT_THAT(run.error, HasSubstr("its coordinates count as meters"));
   EXPECT_THAT(run.error, HasSubstr(path("unknown/wires.geojson")));
   EXPECT_THAT(run.error, HasSubstr("take the coordinates for degrees"));
