@@ -37,8 +37,8 @@ struct LinePriors {
   double in_company = 12; ///< if its line predicts its position
   /// @}
 
-  /// Of the logarithm of the scatter of wires in one scan, at least: the beam meets them
-  /// at different angles and distances
+  /// Of the logarithm of the scatter of wires in one scan, at least: the beam meets
+  /// them at different angles and distances
   double scatter_spread = 0.15;
 
   double hidden = 0.3; ///< fraction of a wire hidden by crowns, supports and dropouts
