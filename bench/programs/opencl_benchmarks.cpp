@@ -35,7 +35,7 @@ treeSeconds(const Points& points, const TensorSettings& settings)
          queries / static_cast<double>(some.size());
 }
 
-struct Case {
+struct DeviceCase {
   Scene scene = Scene::Volume;
   const char* weight = "const";
   double neighbors = 100;
@@ -43,7 +43,7 @@ struct Case {
 };
 
 void
-openCl(benchmark::State& state, const Case& c)
+openCl(benchmark::State& state, const DeviceCase& c)
 {
   const Points& points = scene(c.scene, 200000, Order::Shuffled);
   const double radius = radiusFor(c.scene, c.neighbors);
@@ -101,7 +101,7 @@ addOpenClBenchmarks()
 {
   if (opencl::devices().empty())
     return;
-  const auto add = [](const Case& c) {
+  const auto add = [](const DeviceCase& c) {
     benchmark::RegisterBenchmark(
         (std::string("opencl") + (c.scene == Scene::Volume ? "/volume/" : "/surface/") +
          c.weight + (c.nearest ? "/nearest:" : "/neighbors:") +
