@@ -25,6 +25,14 @@ isSmall(const CloudTraits& traits)
   return traits.points <= most_tried_twice;
 }
 
+/** \brief Whether a cloud is too small to show whether it is one of curves alone. */
+inline bool
+isTiny(const CloudTraits& traits)
+{
+  constexpr double fewest_told = 1000; // points
+  return traits.points < fewest_told;
+}
+
 /** \brief Whether a cloud is one of curves alone: linear around most of its points. */
 inline bool
 isOfCurvesAlone(const CloudTraits& traits)

@@ -242,7 +242,7 @@ traitsOf(const Points& points,
                                         : scaleUnit(points, 1024, 1, threads);
   if (hasScale(traits))
     traits.linear_share =
-        isSmall(traits) ? 1 : linearShare(points, traits.scale_unit, threads);
+        isTiny(traits) ? 1 : linearShare(points, traits.scale_unit, threads);
   return traits;
 }
 
@@ -267,17 +267,17 @@ reconstruct(const Points& all,
   settings.whole = traits;
   const double scale_unit = traits.scale_unit;
   ModelCurves curves;
+  const bool alone_first = isSmall(traits) || isOfCurvesAlone(traits);
   const std::size_t blocks = CurveBlocks(traits).count();
   if (blocks > 1) {
     CurveNetwork network = curvesByBlocks(points, settings, monitor);
     if (!network.curves.empty() || traits.linear_share < least_explained)
       return network;
   }
-  else if (!isOfCurvesAlone(traits))
+  else if (!alone_first)
     curves = mixedCurves(points, scale_unit, settings, monitor);
   // Curves too noisy to be followed may be most of a cloud still.
-  if (isOfCurvesAlone(traits) ||
-      (curves.empty() && traits.linear_share >= least_explained)) {
+  if (alone_first || (curves.empty() && traits.linear_share >= least_explained)) {
     const Indices kept = thinned(points, scale_unit);
     std::optional<SubsetSearch> thin;
     if (search != nullptr && kept.size() < points.size())
@@ -287,7 +287,8 @@ reconstruct(const Points& all,
   }
   const double explained = explainedBy(curves);
   const bool little = explained < least_explained * static_cast<double>(points.size());
-  const bool is_scene = (traits.high - traits.low).norm() > scene_extent * scale_unit;
+  const bool is_scene = !isOfCurvesAlone(traits) ||
+                        (traits.high - traits.low).norm() > scene_extent * scale_unit;
   if (isSmall(traits) && (little || (is_scene && thicknessOf(curves) > sharp))) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
     if ((little && explainedBy(mixed) > explained) ||

@@ -51,8 +51,11 @@ constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
 // strips of surfaces and crowns lie above, and six hundredths of the wires.
 constexpr double widest = 1.0 / 30;
 
-// What runs along a surface is not a curve of its own either: within so many D, and
-// beyond the curve's own scatter, on most of its length.
+// Noise of a curve, in that of its scene, at most, unless it stands out very clearly.
+constexpr double widest_of_scene = 3;
+
+// What runs along a surface is not a curve of its own either, unless it is very sure:
+// within so many D, and beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
 constexpr double own_width = 3; // standard deviations, of its own points about it
 
@@ -106,6 +109,27 @@ shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double nois
   return all > 0 ? on / all : 0;
 }
 
+// Noise of a scene's curves: the sensor's, or the size of bundles. A median by
+// evidence, so that the clearest curves decide.
+double
+typicalNoise(const ModelCurves& curves)
+{
+  std::vector<std::pair<double, double>> noise_evidence;
+  double all = 0;
+  for (const ModelCurve& curve : curves) {
+    noise_evidence.emplace_back(curve.noise, curve.evidence);
+    all += curve.evidence;
+  }
+  std::sort(noise_evidence.begin(), noise_evidence.end());
+  double sum = 0;
+  for (const auto& [noise, evidence] : noise_evidence) {
+    sum += evidence;
+    if (sum >= 0.5 * all)
+      return noise;
+  }
+  return 0;
+}
+
 /** \brief Follows curves from seeds, and keeps book of what they explain. */
 class SceneCurves {
 public:
@@ -149,6 +173,15 @@ public:
   ModelCurves
   release()
   {
+    const double most_noise = widest_of_scene * typicalNoise(curves_);
+    const double clear = very_sure * evidenceNeeded(points_);
+    curves_.erase(std::remove_if(curves_.begin(),
+                                 curves_.end(),
+                                 [&](const ModelCurve& curve) {
+                                   return curve.noise > most_noise &&
+                                          curve.evidence < clear;
+                                 }),
+                  curves_.end());
     return std::move(curves_);
   }
 
@@ -223,7 +256,8 @@ private:
         (fit.fit.noise * std::sqrt(count) > widest * length(fit.fit.curves) &&
          track.evidence < very_sure * needed_))
       return false;
-    if (shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
+    if (track.evidence < very_sure * evidenceNeeded(points_) &&
+        shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
       return false;
     explainPoints(scene_, track, fit);
     for (std::size_t c = 0; c < fit.fit.curves.size(); ++c) {
@@ -262,18 +296,24 @@ mixedCurves(const Points& all,
             ProgressMonitor* monitor)
 {
   TrackedScene scene(onePerCell(all, least_distance * unit), unit);
-  const std::vector<TrackSeed> seeds = measureScene(scene, settings.threads, monitor);
+  const SceneSeeds seeds = measureScene(scene, settings.threads, monitor);
   if (monitor)
-    monitor->begin("curves", (settings.only_stiff ? 1 : 2) * seeds.size());
+    monitor->begin("curves",
+                   (settings.only_stiff ? 1 : 2) * seeds.open.size() +
+                       seeds.on_sparse_surfaces.size());
   // Of the whole cloud, if this is a part of it.
   const double points = settings.whole.points > 0
                             ? settings.whole.points
                             : static_cast<double>(scene.points().size());
   SceneCurves curves(scene, settings, points, monitor);
   // First: what they explain misleads no other any more.
-  curves.follow(seeds, stiff);
+  curves.follow(seeds.open, stiff);
   if (!settings.only_stiff)
-    curves.follow(seeds, flexible);
+    curves.follow(seeds.open, flexible);
+  // Very sure curves show that what looked like a sparse surface is none.
+  for (const Index i : seeds.sparse_surfaces)
+    scene.surface[i] = 0;
+  curves.follow(seeds.on_sparse_surfaces, stiff, very_sure);
   const std::vector<TrackSeed> sparse =
       seedsAlongDirections(scene, points, settings.threads, monitor);
   if (monitor)

@@ -98,6 +98,7 @@ surfaceScales(const ShapeGraph& graph, const std::vector<double>& radii)
       continue;
     result.any = true;
     result.radius = radii[k - 2];
+    result.density = graph[k - 2].neighbors / (M_PI * result.radius * result.radius);
     result.linear = linear_before;
     result.hardly = hardly_before;
   }

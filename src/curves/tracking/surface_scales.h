@@ -22,6 +22,7 @@ inline constexpr std::uint32_t least_linear = 5;
 struct SurfaceScales {
   bool any = false;
   double radius = 0;   ///< the smallest scale at which the neighborhood is one
+  double density = 0;  ///< points per area there
   bool linear = false; ///< whether a smaller or a larger scale is linear
   bool hardly = false; ///< whether a smaller one is at least weakly so
 

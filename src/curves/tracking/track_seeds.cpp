@@ -15,6 +15,11 @@ namespace linelet {
 
 namespace {
 
+// Points per area of the best sampled surfaces of a scene, as a quantile over the
+// points on surfaces, and the share of it below which a surface is sparse: single
+// strips where most overlap have half, and slopes half again.
+constexpr double best_sampled = 0.95, sparse_share = 0.3;
+
 TrackSeed
 seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
 {
@@ -33,9 +38,30 @@ seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
   return seed;
 }
 
+/** \brief Points of \a scene on surfaces whose \a density is far below that of
+ * others. */
+Indices
+sparseSurfaces(const TrackedScene& scene, const std::vector<float>& density)
+{
+  std::vector<float> sorted;
+  for (std::size_t i = 0; i < density.size(); ++i)
+    if (scene.surface[i] != 0)
+      sorted.push_back(density[i]);
+  Indices result;
+  if (sorted.empty())
+    return result;
+  const auto best = sorted.begin() + static_cast<std::ptrdiff_t>(
+                                         best_sampled * double(sorted.size() - 1));
+  std::nth_element(sorted.begin(), best, sorted.end());
+  for (std::size_t i = 0; i < density.size(); ++i)
+    if (scene.surface[i] != 0 && density[i] < sparse_share * *best)
+      result.push_back(static_cast<Index>(i));
+  return result;
+}
+
 } // namespace
 
-std::vector<TrackSeed>
+SceneSeeds
 measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
 {
   const Points& points = scene.points();
@@ -51,10 +77,12 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
     SurfaceScales scales;
   };
   std::vector<Doubtful> doubtful;
+  std::vector<float> density(points.size(), 0); // of the surface through the point
   const auto sink = [&](std::size_t i, const ShapeGraph& graph) {
     const SurfaceScales surface = surfaceScales(graph, radii);
     if (surface.any) {
       scene.surface[i] = 1;
+      density[i] = static_cast<float>(surface.density);
       if (!surface.isDoubtful())
         return;
       doubtful.push_back({static_cast<Index>(i), surface});
@@ -78,18 +106,22 @@ measureScene(TrackedScene& scene, unsigned threads, ProgressMonitor* monitor)
       scene.surface[doubtful[k].index] =
           isSurface(scene.grid, points[doubtful[k].index], doubtful[k].scales);
   });
-  seeds.erase(std::remove_if(seeds.begin(),
-                             seeds.end(),
-                             [&](const TrackSeed& seed) {
-                               return scene.surface[seed.index] != 0;
-                             }),
-              seeds.end());
   std::sort(seeds.begin(), seeds.end(), [](const auto& a, const auto& b) {
     if (a.quality != b.quality)
       return a.quality > b.quality;
     return a.index != b.index ? a.index < b.index : a.radius < b.radius;
   });
-  return seeds;
+  SceneSeeds result;
+  result.sparse_surfaces = sparseSurfaces(scene, density);
+  for (const TrackSeed& seed : seeds) {
+    if (scene.surface[seed.index] == 0)
+      result.open.push_back(seed);
+    else if (std::binary_search(result.sparse_surfaces.begin(),
+                                result.sparse_surfaces.end(),
+                                seed.index))
+      result.on_sparse_surfaces.push_back(seed);
+  }
+  return result;
 }
 
 } // namespace linelet

@@ -246,6 +246,72 @@ TEST(MixedReconstruction, ShortNoisyCurvesAreCurves)
   }
 }
 
+// A point every two meters on wires six meters apart: any ball around one of them that
+// holds enough points is flat. Roofs show how densely surfaces of this scan are
+// sampled.
+TEST(MixedReconstruction, SparseCurvesSideBySideAreNotASurface)
+{
+  constexpr int count = 6;
+  const auto at = [](int wire, double x) {
+    return Point(x, 6.0 * wire, 25 + 20 * std::pow(x / 500 - 1, 2));
+  };
+  for (const unsigned seed : {31U, 32U, 33U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.05);
+    Points points;
+    for (int roof = 0; roof < 10; ++roof)
+      for (int k = 0; k < 250; ++k)
+        points.emplace_back(
+            100 * roof + 15 * unit(random), 50 + 15 * unit(random), 6 + noise(random));
+    for (int wire = 0; wire < count; ++wire)
+      for (int k = 0; k < 500; ++k)
+        points.push_back(at(wire, 1000 * unit(random)) +
+                         Point(noise(random), noise(random), noise(random)));
+    std::shuffle(points.begin(), points.end(), random);
+    const CurveNetwork network = reconstructCurves(points);
+    int near = 0, all = 0;
+    for (int wire = 0; wire < count; ++wire)
+      for (double x = 5; x < 995; x += 5, ++all)
+        near += distanceTo(network, at(wire, x)) <= 0.15;
+    EXPECT_GE(near, 0.9 * all);
+  }
+}
+
+// Scattered undergrowth lines up here and there, ten times as wide as a wire.
+TEST(MixedReconstruction, ThickTracksAreClutterAmongThinCurves)
+{
+  for (const unsigned seed : {41U, 42U, 43U}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.05);
+    Points points;
+    const auto at = [](int wire, double x) {
+      return Point(x, 8.0 * wire - 8, 18 + 20 * std::pow(x / 400 - 1, 2));
+    };
+    for (int bush = 0; bush < 800; ++bush) {
+      const Point middle(800 * unit(random), 120 * unit(random) - 60, 2);
+      for (int k = 0; k < 6; ++k)
+        points.push_back(middle + Point(4 * unit(random) - 2,
+                                        4 * unit(random) - 2,
+                                        3 * unit(random) - 1.5));
+    }
+    for (int wire = 0; wire < 3; ++wire)
+      for (int k = 0; k < 480; ++k)
+        points.push_back(at(wire, 800 * unit(random)) +
+                         Point(noise(random), noise(random), noise(random)));
+    std::shuffle(points.begin(), points.end(), random);
+    double low = 0;
+    for (const Curve& curve : reconstructCurves(points).curves)
+      for (std::size_t k = 0; k + 1 < curve.points.size(); ++k)
+        if (curve.points[k].z() < 8)
+          low += (curve.points[k + 1] - curve.points[k]).norm();
+    EXPECT_LE(low, 0.05 * 2400);
+  }
+}
+
 // A wide beam spreads the points of a wire over a ribbon many times as wide as it is
 // high; three side by side look like a surface from scales of a meter on.
 TEST(MixedReconstruction, RibbonsSideBySideAreNotASurface)
