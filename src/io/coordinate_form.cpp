@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

@@ -8,7 +8,7 @@
 
 #include "gunzip.h"
 #include "io/columns.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 #include "nrrd_header.h"
 
 namespace linelet::io {

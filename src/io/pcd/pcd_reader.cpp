@@ -9,7 +9,7 @@
 #include <lzf.h>
 
 #include "io/columns.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

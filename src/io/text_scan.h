@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/source.h"
-#include "io/values.h"
+#include "source.h"
+#include "values.h"
 
 namespace linelet::io {
 
