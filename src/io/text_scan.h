@@ -98,7 +98,7 @@ parseValue(std::string_view word, T& value)
   return true;
 }
 
-/** \brief Fails because \a word is not a value of the attribute \a name. */
+/** \brief The message that \a word is not a value of the attribute \a name. */
 inline std::string
 noValue(std::string_view word, const std::string& name)
 {
