@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <linelet/curves/curve_blocks.h>
+#include <linelet/curves/refined_reconstruction.h>
 #include <linelet/fragments/records.h>
 
 #include "curves_part.h"

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <linelet/features/read_linearity_graph.h>
 #include <linelet/io/vector_file.h>
 #include <linelet/search/kd_tree.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Nothing is fused or reordered but sums of integers: all instruction sets give the
+// Only sums of integers are fused or reordered: all instruction sets give the
 // same bits.
 
 #include "box_kernels.h"

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <linelet/clustering/cluster_settings.h>
 #include <linelet/support/points.h>
 
 namespace linelet::clustering {
@@ -31,15 +30,6 @@ struct CellFrame {
   double tangent_x = 1, tangent_y = 1; ///< half of the view at depth 1
   double scale_x = 1, scale_y = 1;     ///< cells per unit at depth 1
   std::vector<double> depths;          ///< where the layers of cells end, ascending
-
-  /** \brief Around the finite points, as the settings say; \a leaf, if not 0, replaces
-   * theirs.
-   * \throws std::invalid_argument if there would be too many cells */
-  static CellFrame
-  around(const Points& points,
-         const ClusterSettings& settings,
-         double leaf,
-         int threads);
 
   /** \brief Finds the cell of \a point, and how far through it the point is, in [0, 1]
    * along each axis; in the middle if there is only one cell. Devices do the same: only

@@ -7,7 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include <linelet/clustering/cluster_points.h>
+#include <linelet/clustering/cluster_settings.h>
+#include <linelet/clustering/clusters.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 #include "point_passes.h"

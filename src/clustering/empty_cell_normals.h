@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <linelet/clustering/cluster_points.h>
+#include <linelet/clustering/clusters.h>
 
 #include "cell_directory.h"
 #include "cell_frame.h"

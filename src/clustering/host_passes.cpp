@@ -52,7 +52,7 @@ public:
   {
     reserveHuge(assigned_, points_.size());
     assigned_.resize(points_.size());
-    // Uninitialized: filling them on one thread would take as long as all the rest.
+    // Uninitialized: filling them on one thread would take as long as everything else.
     home_.reset(border > 0 ? new Index[points_.size()] : nullptr);
     face_.reset(border > 0 ? new std::uint8_t[points_.size()] : nullptr);
     runs_.clear();

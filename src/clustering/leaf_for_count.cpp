@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "frame_around.h"
+
 namespace linelet::clustering {
 
 double
@@ -18,10 +20,10 @@ leafForCount(PointPasses& passes,
   ClusterSettings one = settings;
   one.cells = {1, 1, 1};
   const double extent =
-      CellFrame::around(points, one, 0, threads).size.maxCoeff() * (1 + 1e-9);
+      frameAround(points, one, 0, threads).size.maxCoeff() * (1 + 1e-9);
   const auto wanted = static_cast<double>(settings.count);
   const auto occupied = [&](double leaf) {
-    const CellFrame frame = CellFrame::around(points, settings, leaf, threads);
+    const CellFrame frame = frameAround(points, settings, leaf, threads);
     CellDirectory directory(frame.cells);
     passes.fill(directory, frame);
     return static_cast<double>(std::max<std::size_t>(directory.occupied.count, 1));

@@ -43,7 +43,7 @@ public:
     reserveHuge(keys, points / points_of_cell);
   }
 
-  /** \brief The number of the cell with that key. */
+  /** \brief The number of the cell with this key. */
   Index
   number(std::uint64_t key)
   {

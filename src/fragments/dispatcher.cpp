@@ -72,7 +72,7 @@ Dispatcher::next(std::size_t device)
     return fragment;
   }
   const bool slow = device == slow_;
-  // The fastest is the one that is expected to need least for what comes next.
+  // The fastest is the one expected to take least time for what comes next.
   const TimePrediction* fastest = nullptr;
   for (std::size_t d = 0; d < on_.size() && !queue.empty(); ++d)
     if (d != slow_ && on_[d].known() &&

@@ -85,7 +85,7 @@ endsLater(const Choice& a, const Choice& b)
   return a.completion > b.completion;
 }
 
-/** Between two devices of one kind all fragments suffer alike, but for rounding: then
+/** Between two equal devices all fragments suffer alike, except for rounding: then
  * the longest one is to be placed first. */
 bool
 suffersMore(const Choice& a, const Choice& b)

@@ -21,10 +21,10 @@ struct CloudSink::State {
   FileWork target;
   bool compress;
   std::unique_ptr<OutputFile> file;
-  Cloud head; ///< without points, for what comes before and behind them
+  Cloud head; ///< without points, for what comes before and after them
   std::unique_ptr<LasFront> front;
   LasTotals totals;
-  std::string buffer;                     ///< records that make no chunk yet
+  std::string buffer;                     ///< records that do not fill a chunk yet
   std::vector<std::uint32_t> chunks;      ///< bytes of each
   std::uint64_t points_at = 0, bytes = 0; ///< of the points in the file
 

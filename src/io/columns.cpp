@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 
 namespace {
 
 constexpr int most_decimals = 9;
-constexpr double double_rounding = 0x1p-51; // some roundings of a double
+constexpr double double_rounding = 0x1p-51; // a few roundings of a double
 constexpr double float_rounding = 0x1p-24;  // one rounding to float
 
-/** Calls f(world coordinate) for all finite ones until it says false. */
+/** Calls f(world coordinate) for all finite ones until it returns false. */
 template <class F>
 bool
 allCoordinates(const Cloud& cloud, F f)

@@ -10,6 +10,7 @@
 #include <linelet/io/output_check.h>
 #include <linelet/io/output_file.h>
 
+#include "crop.h"
 #include "files.h"
 #include "hdf5/cloud_reader.h"
 #include "hdf5/vtk_hdf.h"

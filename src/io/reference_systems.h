@@ -48,7 +48,7 @@ referenceSystems();
 
 /** \brief WKT of the reference system that a user declares: EPSG:n, a WKT, or a file
  * that holds one.
- * \param[in] option that it is the value of, for messages
+ * \param[in] option it was given with, for messages
  * \throws FileError if it is none of these, or without linelet::vector */
 std::string
 declaredReference(const std::string& text, const std::string& option = "--crs");

@@ -11,7 +11,7 @@
 #include <linelet/io/output_file.h>
 
 #include "files.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

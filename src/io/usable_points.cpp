@@ -9,7 +9,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

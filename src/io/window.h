@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <linelet/io/cloud.h>
 #include <linelet/io/file_options.h>
+#include <linelet/support/points.h>
 
 namespace linelet::io {
 
@@ -38,10 +38,5 @@ windowOf(const ReadOptions& options);
 
 /** \brief The warning about --resolution for files without levels. */
 constexpr const char* no_copc = "it is not a COPC file; --resolution has no effect";
-
-/** \brief Keeps the points of \a cloud that are in \a window; all of them, finite or
- * not, if it is everything. */
-void
-crop(Cloud& cloud, const Window& window);
 
 } // namespace linelet::io

@@ -3,7 +3,13 @@
 
 #pragma once
 
+#include <cstddef>
 #include <vector>
+
+#include <linelet/features/tensor_estimation.h>
+#include <linelet/opencl/stage_times.h>
+#include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 #include "slabs.h"
 

@@ -9,7 +9,9 @@
 
 #include <Eigen/Geometry>
 
-#include <linelet/opencl/tensor_engine.h>
+#include <linelet/opencl/stage_times.h>
+#include <linelet/support/points.h>
+#include <linelet/support/progress_monitor.h>
 
 #include "stages.h"
 

@@ -23,7 +23,7 @@ struct Ellipsoid {
   Point at = Point::Zero();
   double pixels_per_unit = 1;
   Eigen::Matrix2d inverse; // of the upper left of A
-  Eigen::Vector2d tilt;    // depth of the middle of the chord a pixel
+  Eigen::Vector2d tilt;    // depth of the middle of the chord per pixel
   double bulge = 0;        // half of the longest chord, squared
   Eigen::Matrix3d full;    // inverse of A
   double width = 0, height = 0;

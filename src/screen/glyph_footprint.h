@@ -8,7 +8,8 @@
 
 #include <Eigen/Core>
 
-#include <linelet/screen/tensor_splats.h>
+#include <linelet/screen/tensor_glyph.h>
+#include <linelet/support/camera.h>
 
 namespace linelet::screen {
 

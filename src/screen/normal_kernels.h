@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include <linelet/screen/screen_normals.h>
+#include <linelet/screen/screen_normal_settings.h>
 
 #include "support/uninitialized.h"
 

@@ -3,7 +3,11 @@
 
 #pragma once
 
-#include <linelet/screen/screen_normals.h>
+#include <Eigen/Core>
+
+#include <linelet/screen/normal_image.h>
+#include <linelet/screen/sample_layers.h>
+#include <linelet/screen/screen_normal_settings.h>
 #include <linelet/support/visibility.h>
 
 #include "normal_kernels.h"

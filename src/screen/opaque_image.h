@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include <linelet/screen/tensor_splats.h>
+#include <linelet/screen/glyph_image.h>
 #include <linelet/support/threads.h>
 
 #include "glyph_footprint.h"

@@ -179,25 +179,6 @@ opacity(const ShapeFactors& shape, const SplatSettings& settings)
   return std::pow(std::clamp(1 - shape.sphericity, 0.0, 1.0), settings.fade);
 }
 
-TensorGlyph
-glyphOf(const Point& center,
-        const EigenSystem& system,
-        const ShapeFactors& shape,
-        double size,
-        const std::array<std::array<double, 3>, 3>& colors)
-{
-  TensorGlyph glyph;
-  glyph.center = center;
-  glyph.axes = system.vectors;
-  glyph.half_lengths = (system.values / system.values[2]).cwiseSqrt() * size;
-  glyph.shape = shape;
-  for (std::size_t c = 0; c < 3; ++c)
-    glyph.color[c] = static_cast<float>(shape.linearity * colors[0][c] +
-                                        shape.planarity * colors[1][c] +
-                                        shape.sphericity * colors[2][c]);
-  return glyph;
-}
-
 GlyphImage
 drawSplats(const std::vector<TensorGlyph>& glyphs,
            const Camera& camera,

@@ -15,7 +15,7 @@ using Interval = std::array<double, 2>;
 
 constexpr Interval nowhere{1, 0};
 
-/** \brief The part of \a range in which a t is that \a low <= a t <= \a high. */
+/** \brief The part of \a range where \a low <= a t <= \a high. */
 Interval
 cut(const Interval& range, double a, double low, double high)
 {

@@ -65,7 +65,7 @@ SubsetSearch::nearest(const Point& query, std::size_t count, Indices& found) con
     asked = std::min(asked, findable_);
     const double distance = whole_.nearest(query, asked, all);
     candidates.clear();
-    // There may be more points at the distance of the last one, of higher index.
+    // More points, of higher index, may be as far as the last one.
     if (asked < findable_)
       whole_.within(query, distance * (1 + 1e-12), all);
     forEachPlace(all, [&](Index i, Index place) {

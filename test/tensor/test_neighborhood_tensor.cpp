@@ -12,6 +12,7 @@
 
 #include <linelet/tensor/eigen_analysis.h>
 #include <linelet/tensor/neighborhood_tensor.h>
+#include <linelet/tensor/point_moments.h>
 #include <linelet/tensor/shape_factors.h>
 
 using namespace linelet;
@@ -48,6 +49,26 @@ TEST(NeighborhoodTensor, IsTheWeightedMeanOfOuterProducts)
   EXPECT_EQ(t.xz, 0);
   EXPECT_EQ(t.yz, 0);
   EXPECT_DOUBLE_EQ(t.trace(), 2.75 / 1.25);
+}
+
+TEST(PointMoments, GiveTheTensorAroundTheMean)
+{
+  // Corners of a box of 2 x 4 x 6 around (3, 5, 7): variances are squared half edges.
+  PointMoments box, none;
+  for (int corner = 0; corner < 8; ++corner)
+    box.add({corner & 1 ? 4.0 : 2.0, corner & 2 ? 7.0 : 3.0, corner & 4 ? 10.0 : 4.0});
+  const SymmetricTensor t = box.covariance();
+  EXPECT_EQ(t.matrix(), Eigen::Matrix3d(Eigen::Vector3d(1, 4, 9).asDiagonal()));
+
+  // Two points: the outer product of half their difference.
+  PointMoments pair;
+  pair.add({1, 0, -1});
+  pair.add({3, 4, 5});
+  Eigen::Matrix3d expected;
+  expected << 1, 2, 3, 2, 4, 6, 3, 6, 9;
+  EXPECT_EQ(pair.covariance().matrix(), expected);
+
+  EXPECT_TRUE(std::isnan(none.covariance().trace()));
 }
 
 // The form in the publications of 2012.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include <linelet/features/read_linearity_graph.h>
 #include <linelet/features/tensor_record.h>
 
 namespace linelet::view {

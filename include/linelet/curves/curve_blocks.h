@@ -10,7 +10,6 @@
 #include <linelet/curves/curve_parts.h>
 #include <linelet/curves/refined_settings.h>
 #include <linelet/support/points.h>
-#include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 namespace LINELET_PUBLIC linelet {
@@ -59,19 +58,8 @@ private:
   double margin_ = 0;
 };
 
-/** \brief The curves of one block, as far as it owns them.
- * \param[in] points of the cloud, in its order; all that take part in the block, and
- * possibly others
- * \param[in] settings with the traits of the whole cloud
- * \throws as \ref reconstructRefined */
-CurvePart
-curvesOfBlock(const Points& points,
-              std::size_t block,
-              const RefinedSettings& settings,
-              ProgressMonitor* monitor = nullptr);
-
 /** \brief The curves of the whole cloud.
- * \param[in] parts by block
+ * \param[in] parts by block, as \ref curvesOfBlock gives them
  * \param[in] whole of the cloud */
 CurveNetwork
 joinBlocks(std::vector<CurvePart> parts, const CloudTraits& whole);

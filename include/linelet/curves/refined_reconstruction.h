@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <cstddef>
+
 #include <linelet/curves/curve_network.h>
+#include <linelet/curves/curve_parts.h>
 #include <linelet/curves/refined_settings.h>
 #include <linelet/search/neighbor_search.h>
 #include <linelet/support/points.h>
@@ -50,5 +53,16 @@ reconstructRefined(const NeighborSearch& search,
                    const Points& points,
                    const RefinedSettings& settings = {},
                    ProgressMonitor* monitor = nullptr);
+
+/** \brief The curves of one block of \ref CurveBlocks, as far as it owns them.
+ * \param[in] points of the cloud, in its order; all that take part in the block, and
+ * possibly others
+ * \param[in] settings with the traits of the whole cloud
+ * \throws as \ref reconstructRefined */
+CurvePart
+curvesOfBlock(const Points& points,
+              std::size_t block,
+              const RefinedSettings& settings,
+              ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

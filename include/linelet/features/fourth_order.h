@@ -126,7 +126,7 @@ public:
   double
   along(const Eigen::Vector3d& v) const;
 
-  /** \brief As a tensor with the lesser symmetry, whose eigentensors can be asked for.
+  /** \brief The same tensor in the form that has eigentensors.
    */
   FourthOrderTensor
   expanded() const;

@@ -72,8 +72,8 @@ describe(MultiScaleSettings& s, Visit&& visit)
   visit("radii", s.radii, "radii, ascending, instead of growth and largest radius");
   visit("stop-change",
         s.stop_change,
-        "stop at the first radius where no shape factor of any point changes by this "
-        "much any more (mean and median centroids); 0: off");
+        "stop at the first radius where the shape factors of all points change by less "
+        "than this (mean and median centroids); 0: off");
   visit("scale-unit",
         s.scale_unit,
         "scale unit D, in the unit of the cloud; 0: measured");

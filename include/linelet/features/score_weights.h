@@ -32,7 +32,8 @@ struct ScoreWeights {
 
   /** \brief From "published" or "NAME=VALUE,...", with the names above; those not named
    * keep their defaults.
-   * \throws std::invalid_argument for an unknown name or what is no finite number */
+   * \throws std::invalid_argument for an unknown name or a value that is not a finite
+   * number */
   explicit ScoreWeights(std::string_view text);
 
   /** \brief Those that differ from the published ones, as text for that constructor. */

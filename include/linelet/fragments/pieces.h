@@ -76,7 +76,7 @@ private:
   struct Share {
     std::size_t input;
     Ranges octree;
-    std::uint64_t points; ///< of an octree, no less
+    std::uint64_t points; ///< of an octree: an upper bound
   };
 
   std::vector<Share>

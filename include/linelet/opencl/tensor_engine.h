@@ -10,21 +10,11 @@
 
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/opencl/device.h>
+#include <linelet/opencl/stage_times.h>
 #include <linelet/support/visibility.h>
 
 namespace linelet {
 namespace LINELET_PUBLIC opencl {
-
-/** \brief Elapsed time of every stage, seconds. */
-struct StageTimes {
-  /// Cells and positions on the host, and their transfer to the device
-  double upload = 0;
-  double grid = 0;     ///< cell keys, sorting and the cell table
-  double nearest = 0;  ///< the search for k nearest points
-  double tensor = 0;   ///< the tensor kernel
-  double analysis = 0; ///< eigen-analysis and records, on the device
-  double download = 0; ///< transfer to the host
-};
 
 /** \brief The neighborhood tensor on an OpenCL 1.2 device (Grasso et al. 2015).
  *

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include <linelet/screen/tensor_splats.h>
+#include <linelet/screen/glyph_image.h>
 #include <linelet/support/camera.h>
 #include <linelet/support/face.h>
 #include <linelet/support/visibility.h>

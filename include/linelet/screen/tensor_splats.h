@@ -3,56 +3,15 @@
 
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
+#include <linelet/screen/glyph_image.h>
+#include <linelet/screen/tensor_glyph.h>
 #include <linelet/support/camera.h>
-#include <linelet/support/points.h>
 #include <linelet/support/visibility.h>
-#include <linelet/tensor/eigen_analysis.h>
 #include <linelet/tensor/shape_factors.h>
 
 namespace LINELET_PUBLIC linelet {
-
-/** \brief A tensor as it is to be drawn at its point. */
-struct TensorGlyph {
-  Point center = Point::Zero();
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns e1, e2, e3
-  /// Along these, in the unit of the cloud
-  Eigen::Vector3d half_lengths = Eigen::Vector3d::Ones();
-  ShapeFactors shape{};
-  std::array<float, 3> color{}; ///< red, green, blue in [0, 1]
-};
-
-/** \brief The glyph of a tensor whose longest half axis is \a size; the half axes are
- * proportional to the square roots of the eigenvalues.
- * \param[in] colors of linearity, planarity and sphericity, mixed by the factors */
-TensorGlyph
-glyphOf(const Point& center,
-        const EigenSystem& system,
-        const ShapeFactors& shape,
-        double size,
-        const std::array<std::array<double, 3>, 3>& colors);
-
-/** \brief A picture with transparency, row by row: red, green, blue, each times alpha,
- * and alpha. */
-struct GlyphImage {
-  int width = 0, height = 0;
-  std::vector<std::array<float, 4>> pixels;
-
-  std::array<float, 4>&
-  at(int x, int y)
-  {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
-  }
-  const std::array<float, 4>&
-  at(int x, int y) const
-  {
-    return const_cast<GlyphImage*>(this)->at(x, y);
-  }
-};
 
 /** \brief How tensor splats look. */
 struct SplatSettings {

@@ -14,7 +14,7 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief Restricts a search over all points to some of them: other points are
- * left out, and results are places among the chosen. */
+ * left out, and results are places among those chosen. */
 class SubsetSearch : public NeighborSearch {
 public:
   /** \param[in] whole over \a points; kept by reference

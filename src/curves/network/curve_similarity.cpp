@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <linelet/tensor/point_moments.h>
 #include <linelet/tensor/shape_factors.h>
 
 namespace linelet {
@@ -90,9 +91,7 @@ looksLinear(const Points& points, const UniformGrid& grid, double size)
   for (std::size_t i = 0; i < points.size(); i += stride) {
     double linearity = 0;
     for (const double radius : {2 * size, 4 * size}) {
-      Point first = Point::Zero();
-      Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-      double count = 0;
+      PointMoments moments;
       std::size_t near = 0;
       grid.forEachRun(points[i], radius, [&](std::size_t begin, std::size_t end) {
         near += end - begin;
@@ -103,17 +102,12 @@ looksLinear(const Points& points, const UniformGrid& grid, double size)
         std::size_t sorted_index = begin + skipped;
         for (; sorted_index < end; sorted_index += step) {
           const Point v = grid.sortedPoints()[sorted_index] - points[i];
-          if (v.squaredNorm() > radius * radius)
-            continue;
-          first += v;
-          second += v * v.transpose();
-          count += 1;
+          if (v.squaredNorm() <= radius * radius)
+            moments.add(v);
         }
         skipped = sorted_index - end;
       });
-      first /= count;
-      linearity =
-          std::max(linearity, linearityOf(second / count - first * first.transpose()));
+      linearity = std::max(linearity, linearityOf(moments.covariance().matrix()));
     }
     best.push_back(linearity);
   }

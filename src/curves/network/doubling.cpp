@@ -49,6 +49,7 @@ doubled(const ModelCurves& curves,
         count += 1;
       });
     }
+    // In two dimensions, in frames that turn with the curve: no neighborhood tensor.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(spread);
     const Eigen::Vector2d& values = eigen.eigenvalues();
     if (count < least_doubled || values.y() < least_spread * values.x()) {

@@ -5,15 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
-#include <linelet/curves/refined_reconstruction.h>
-
-#include "curves/network/model_network.h"
-#include "curves/ridges/distinct_points.h"
-#include "curves/selection/cloud_kind.h"
-#include "curves/tracking/mixed_reconstruction.h"
+#include "curves/cloud_kind.h"
+#include "whole_as_part.h"
 
 namespace linelet {
 
@@ -22,9 +17,8 @@ namespace {
 // In D: the longest side of a block, and the margin around it. The shape of a point
 // takes 17, the evidence of a curve the rest.
 constexpr double longest_side = 400, margin = 50;
-// In D: how far curves are noted that were cut, and across which distance those of two
-// blocks are one.
-constexpr double noted = 20, same_curve = 0.5;
+// In D: across which distance curves of two blocks are one.
+constexpr double same_curve = 0.5;
 
 } // namespace
 
@@ -103,28 +97,6 @@ CurveBlocks::reach() const
   return (1 + rounding) * (std::max(sides_[0], sides_[1]) / 2 + margin_);
 }
 
-CurvePart
-curvesOfBlock(const Points& points,
-              std::size_t block,
-              const RefinedSettings& settings,
-              ProgressMonitor* monitor)
-{
-  const CurveBlocks blocks(settings.whole);
-  const PartOwner owner = [&](const Point& p) { return blocks.owner(p); };
-  const double reach = noted * settings.whole.scale_unit;
-  if (blocks.count() == 1)
-    return ownedBy(reconstructRefined(points, settings, monitor), 0, owner, reach);
-  Points near;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](auto& p) {
-    return p.allFinite() && blocks.takesPart(p, block);
-  });
-  if (near.empty())
-    return {};
-  const ModelCurves curves = mixedCurves(
-      pointsAt(near, distinct(near)), settings.whole.scale_unit, settings, monitor);
-  return ownedBy(networkOf(curves), block, owner, reach);
-}
-
 CurveNetwork
 joinBlocks(std::vector<CurvePart> parts, const CloudTraits& whole)
 {
@@ -134,9 +106,7 @@ joinBlocks(std::vector<CurvePart> parts, const CloudTraits& whole)
 CurveNetwork
 inOrderOfPlaces(const CurveNetwork& found)
 {
-  return joinParts({ownedBy(
-                       found, 0, [](const Point&) { return 0; }, 0)},
-                   0);
+  return joinParts({wholeAsPart(found)}, 0);
 }
 
 } // namespace linelet

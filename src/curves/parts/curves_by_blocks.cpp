@@ -4,19 +4,24 @@
 #include "curves_by_blocks.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include <linelet/support/threads.h>
 
+#include "curves/network/model_network.h"
 #include "curves/ridges/distinct_points.h"
+#include "curves/tracking/mixed_reconstruction.h"
 #include "support/parallel_failure.h"
 
 namespace linelet {
 
 namespace {
+
+// In D: how far curves are noted that were cut.
+constexpr double noted = 20;
 
 /** \brief Passes on that work is to end; progress is by block. */
 class BlockMonitor : public ProgressMonitor {
@@ -73,12 +78,35 @@ curvesByBlocks(const Points& points,
     failure.guard([&] {
       const std::size_t block = order[k];
       const Indices own = std::move(members[block]);
-      parts[block] = curvesOfBlock(pointsAt(points, own), block, settings, &inner);
+      parts[block] = ownCurves(pointsAt(points, own), blocks, block, settings, &inner);
       if (monitor)
         monitor->advance(1);
     });
   failure.rethrow();
   return joinBlocks(std::move(parts), settings.whole);
+}
+
+CurvePart
+ownCurves(const Points& points,
+          const CurveBlocks& blocks,
+          std::size_t block,
+          const RefinedSettings& settings,
+          ProgressMonitor* monitor)
+{
+  Points near;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(near), [&](auto& p) {
+    return p.allFinite() && blocks.takesPart(p, block);
+  });
+  if (near.empty())
+    return {};
+  const double scale_unit = settings.whole.scale_unit;
+  const ModelCurves curves =
+      mixedCurves(pointsAt(near, distinct(near)), scale_unit, settings, monitor);
+  return ownedBy(
+      networkOf(curves),
+      block,
+      [&](const Point& p) { return blocks.owner(p); },
+      noted * scale_unit);
 }
 
 } // namespace linelet

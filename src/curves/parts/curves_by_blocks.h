@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <cstddef>
+
 #include <linelet/curves/curve_blocks.h>
+#include <linelet/support/progress_monitor.h>
 
 namespace linelet {
 
@@ -15,5 +18,13 @@ CurveNetwork
 curvesByBlocks(const Points& points,
                const RefinedSettings& settings,
                ProgressMonitor* monitor);
+
+/** \brief The curves of one of several blocks, as \ref curvesOfBlock. */
+CurvePart
+ownCurves(const Points& points,
+          const CurveBlocks& blocks,
+          std::size_t block,
+          const RefinedSettings& settings,
+          ProgressMonitor* monitor);
 
 } // namespace linelet

@@ -76,6 +76,7 @@ RidgeField::sample(const Point& x) const
   result.support = sums.weight;
   if (!(result.support > 0))
     return result;
+  // Weighted by the smoothing kernel, whose sums the vectorized kernels have made.
   const Point first = Point(sums.first) / sums.weight;
   const auto& s = sums.second;
   result.covariance << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include <linelet/tensor/point_moments.h>
 #include <linelet/tensor/shape_factors.h>
 
 #include "search/nearest_walk.h"
@@ -77,18 +78,13 @@ ScaleField::ScaleField(const Points& points,
   auto values = std::make_shared<std::vector<double>>();
   for (std::size_t i = 0; i < points.size(); ++i) {
     double sum = 0;
-    Point mean = Point::Zero();
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    PointMoments moments;
     for (const Index j : near[i]) {
       sum += logarithms[j];
-      const Point v = points[j] - points[i];
-      mean += v;
-      second += v * v.transpose();
+      moments.add(points[j] - points[i]);
     }
-    const auto count = static_cast<double>(near[i].size());
-    values->push_back(std::exp(sum / count));
-    mean /= count;
-    if (linearityOf(second / count - mean * mean.transpose()) >= least_linearity)
+    values->push_back(std::exp(sum / static_cast<double>(moments.count)));
+    if (linearityOf(moments.covariance().matrix()) >= least_linearity)
       linear.push_back(values->back());
   }
   if (static_cast<double>(linear.size()) >=

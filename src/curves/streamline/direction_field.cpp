@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include <features/multi_scale/scale_sweep.h>
-#include <linelet/features/linearity_graph.h>
+#include <features/scale_sweep.h>
+#include <linelet/features/read_linearity_graph.h>
 #include <linelet/features/tensor_estimation.h>
 #include <linelet/tensor/eigen_analysis.h>
 

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include <features/multi_scale/multi_scale_grid.h>
-#include <features/multi_scale/scale_sweep.h>
 #include <features/multi_scale/shape_summary.h>
 #include <features/multi_scale/stop_rule.h>
 #include <features/multi_scale/sweep_queries.h>
+#include <features/scale_sweep.h>
 #include <linelet/features/fourth_order.h>
 #include <linelet/search/scale_unit.h>
 #include <linelet/support/text.h>

@@ -20,7 +20,7 @@ struct ScaleCost {
 
 /** \brief Costs as they were measured on lines and planes of 300 to 20,000 points with
  * 6 to 1,900 neighbors, Fermi-Dirac weights around the query: right within a factor of
- * two, const weights being cheaper and other points of reference dearer on both.
+ * two; const weights cost less and other points of reference more, on both.
  * \param[in] thinness points of the surface for a query
  * \param[in] neighbors of a query within the largest radius */
 ScaleCost

@@ -27,7 +27,7 @@ constexpr double least_change_on_grid = 1e-3;
 
 /** \brief Changes of the shapes of points from one scale to the next. */
 struct Change {
-  double largest = 0;   ///< of a factor; a point that has just got a shape: 1
+  double largest = 0;   ///< of a factor; 1 for a point that has only now got a shape
   bool defined = false; ///< any point has a shape
 
   void

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <features/multi_scale/scale_sweep.h>
+#include <features/scale_sweep.h>
 #include <linelet/search/neighbor_search.h>
 #include <linelet/search/uniform_grid.h>
 #include <linelet/support/threads.h>

@@ -13,7 +13,7 @@ namespace linelet::io {
 namespace {
 
 constexpr std::size_t info_size = 160, entry_size = 32;
-constexpr int most_levels = 31; // coordinates of nodes have so many bits
+constexpr int most_levels = 31; // bits of a node's coordinates
 
 } // namespace
 

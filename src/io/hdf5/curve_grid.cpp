@@ -82,7 +82,7 @@ integers(const Handle& group, const char* name)
   return StoredColumn(group, name).all<std::int64_t>(H5T_NATIVE_INT64);
 }
 
-/** \brief The same, of a value each of \a count lines. */
+/** \brief The same for one value per line, of \a count lines. */
 std::vector<std::int64_t>
 integers(const Handle& group, const char* name, std::size_t count)
 {

@@ -75,7 +75,8 @@ Column1D::Column1D(const Handle& group,
   check(H5Pset_chunk(create.id(), 1, &chunk_rows), what);
   check(H5Pset_shuffle(create.id()), what);
   check(H5Pset_deflate(create.id(), deflate_level), what);
-  check(H5Pset_obj_track_times(create.id(), false), what); // the same bytes every day
+  // No time stamps: the same input gives the same bytes.
+  check(H5Pset_obj_track_times(create.id(), false), what);
   dataset_ = Handle(H5Dcreate2(group.id(),
                                name.c_str(),
                                file_type,

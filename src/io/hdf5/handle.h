@@ -141,7 +141,7 @@ textAttribute(const Handle& object,
               const char* name,
               const std::string& otherwise = {});
 
-/** \brief Exactly \a count finite or other numbers. \throws Error */
+/** \brief Exactly \a count numbers, finite or not. \throws Error */
 std::vector<double>
 numbersAttribute(const Handle& object, const char* name, std::size_t count);
 

@@ -13,7 +13,7 @@ namespace linelet::io {
 
 namespace {
 
-/** \brief Bytes that no column can agree with but by chance, and then rightly. */
+/** \brief Stands for bytes that the columns hold. */
 void
 appendZeros(hdf5::Column1D& data, std::size_t count)
 {

@@ -40,7 +40,7 @@ setType(const Handle& group)
   check(H5Awrite(attribute.id(), type.id(), type_name), what);
 }
 
-/** \brief World coordinates, three a row. */
+/** \brief World coordinates, three per row. */
 void
 writePlaces(const Handle& group, const Cloud& cloud, const FileWork& work)
 {
@@ -53,7 +53,8 @@ writePlaces(const Handle& group, const Cloud& cloud, const FileWork& work)
   check(H5Pset_chunk(create.id(), 2, chunk.data()), what);
   check(H5Pset_shuffle(create.id()), what);
   check(H5Pset_deflate(create.id(), 1), what);
-  check(H5Pset_obj_track_times(create.id(), false), what); // the same bytes every day
+  // No time stamps: the same input gives the same bytes.
+  check(H5Pset_obj_track_times(create.id(), false), what);
   const Handle places(H5Dcreate2(group.id(),
                                  "Points",
                                  H5T_IEEE_F64LE,

@@ -92,7 +92,7 @@ LasBlocks::keep(std::size_t first, std::size_t behind)
 const char*
 LasBlocks::firstRecord() const
 {
-  // That of a chunk is not compressed.
+  // The first record of a chunk is not compressed.
   return blocks_.empty() ? nullptr : source_.bytes.data() + blocks_.front().at;
 }
 

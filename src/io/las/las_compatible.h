@@ -9,7 +9,7 @@
 
 namespace linelet::io {
 
-/** \brief Whether the points are those of such a mode, see below. */
+/** \brief Whether the points are in the compatibility mode described below. */
 bool
 isCompatible(const LasOrigin& origin);
 

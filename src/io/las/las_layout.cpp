@@ -86,7 +86,7 @@ chooseFields(const Cloud& cloud, LasLayout& layout)
     if (!fits)
       rest.push_back(&column);
   }
-  // LAS wants colors of 16 bit: 8 bit ones fill the upper half.
+  // LAS colors have 16 bits: those of 8 bits go into the upper half.
   if (isByte(cloud.find("red")) && isByte(cloud.find("green")) &&
       isByte(cloud.find("blue")))
     layout.color_factor = 256;

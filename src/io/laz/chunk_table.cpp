@@ -28,7 +28,8 @@ std::uint64_t
 placeOfTable(std::string_view file, std::size_t points_at)
 {
   auto place = load<std::uint64_t>(beginOf(file) + points_at);
-  if (place == ~std::uint64_t{0}) // told at the end of what could not be gone back in
+  // A writer that cannot seek states it in the last bytes of the file.
+  if (place == ~std::uint64_t{0})
     place = load<std::uint64_t>(beginOf(file) + file.size() - 8);
   const bool none = place == points_at || place == 0 || place == ~std::uint64_t{0};
   return none ? 0 : place;

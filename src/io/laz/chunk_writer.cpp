@@ -46,7 +46,7 @@ writeItems(const Layout& layout, const Records& records)
 bool
 varies(const Layer<Encoder>& layer, const Records& records)
 {
-  // What the plan layer codes of the flags is not of theirs.
+  // The scanner channel, two bits of the flags, belongs to the plan layer.
   const unsigned mask = layer.field == field::flags ? 0xCFU : 0xFFU;
   for (std::size_t i = 1; i < records.count; ++i)
     for (std::size_t b = layer.place.at; b < layer.place.at + layer.size; ++b)

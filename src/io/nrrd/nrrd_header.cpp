@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 
@@ -177,8 +177,8 @@ private:
     return result;
   }
 
-  /** \brief What kind of tensors an axis of that kind, without one if empty, and that
-   * many samples holds. */
+  /** \brief The tensors that an axis of this kind (empty: none stated) and size
+   * holds. */
   SampleKind
   kindOf(std::string_view kind, std::size_t size) const
   {

@@ -8,7 +8,7 @@
 
 #include "gunzip.h"
 #include "io/columns.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 #include "nrrd_header.h"
 
 namespace linelet::io {
@@ -28,7 +28,7 @@ numbersOf(const Source& source, const NrrdHeader& header)
   std::vector<double> numbers;
   if (header.encoding == "ascii" || header.encoding == "text" ||
       header.encoding == "txt") {
-    check(header.data.size()); // a number takes a character at least
+    check(header.data.size()); // a number takes at least one character
     std::string_view text = header.data;
     numbers.reserve(count);
     for (std::string_view word = takeWord(text, ", \t\r\n");

@@ -9,7 +9,7 @@
 #include <lzf.h>
 
 #include "io/columns.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 
@@ -262,7 +262,7 @@ private:
   readAscii()
   {
     makeColumns(0);
-    // Every value takes a character and a gap at least.
+    // Every value takes at least one character and a gap.
     const std::size_t most = lines_.rest().size() / (2 * columns_.size()) + 1;
     for (Column& column : columns_)
       std::visit([&](auto& values) { values.reserve(std::min(*points_, most)); },

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "io/columns.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

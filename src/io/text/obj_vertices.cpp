@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "io/columns.h"
+#include "io/text_scan.h"
 #include "text_rows.h"
-#include "text_scan.h"
 
 namespace linelet::io {
 

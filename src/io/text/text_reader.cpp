@@ -8,7 +8,7 @@
 
 #include "io/columns.h"
 #include "io/las/las_format.h"
-#include "text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

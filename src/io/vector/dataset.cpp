@@ -17,7 +17,7 @@ openDataset(const std::string& path, const Complaints& complaints)
   GDALAllRegister();
   std::string driver = findReadLayerDriver(path);
   if (driver.empty())
-    driver = layerDriver(path); // which says what is wrong
+    driver = layerDriver(path); // throws with the reason
   const char* const drivers[] = {driver.c_str(), nullptr};
   std::unique_ptr<GDALDataset> dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));

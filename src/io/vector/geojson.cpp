@@ -7,7 +7,7 @@
 
 #include <ogr_spatialref.h>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 #include "reference.h"
 
 namespace linelet::io {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

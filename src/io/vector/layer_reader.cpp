@@ -7,9 +7,9 @@
 
 #include <linelet/io/vector_file.h>
 
+#include "curve_through.h"
 #include "geometry_walk.h"
 #include "io/files.h"
-#include "io/vector/curves/curve_lines.h"
 
 namespace linelet::io {
 

@@ -4,10 +4,11 @@
 // The neighborhood tensor of one query per work-item.
 //
 // Built with constants: CENTROID (CENTROID_Mean and the like), TENSOR_WEIGHT and
-// CENTROID_WEIGHT (KERNEL_Linear and the like) with their parameters W_FIRST, W_SECOND, C_FIRST, C_SECOND; BY_COUNT
-// if sums are divided by the number of neighbors instead of their weight; EXACT where
-// the device computes in double, and ENDING_AT_POINTS if all balls reach to the k-th nearest
-// point, which float never decides. Left out of programs built without them.
+// CENTROID_WEIGHT (KERNEL_Linear and the like) with their parameters W_FIRST, W_SECOND,
+// C_FIRST and C_SECOND; BY_COUNT if sums are divided by the number of neighbors instead
+// of their weight; EXACT where the device computes in double; and ENDING_AT_POINTS if all
+// balls reach to the k-th nearest point, which float never decides. Left out of programs
+// built without them.
 
 #if defined(CENTROID) && !defined(NEAREST)
 

@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <linelet/support/threads.h>
+#include <linelet/tensor/point_moments.h>
 #include <linelet/tensor/shape_factors.h>
 
 namespace linelet::powerline {
@@ -79,19 +80,16 @@ Shape
 shapeAround(const UniformGrid& grid, const Point& center, double radius)
 {
   Shape shape;
-  Point sum = Point::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  grid.forEachOffsetWithin(center, radius, [&](const Point& v, double) {
-    sum += v;
-    squares.noalias() += v * v.transpose();
-    ++shape.count;
-  });
+  PointMoments moments;
+  grid.forEachOffsetWithin(
+      center, radius, [&](const Point& v, double) { moments.add(v); });
+  shape.count = moments.count;
   if (shape.count < 3)
     return shape;
-  const double n = static_cast<double>(shape.count);
-  const Eigen::Matrix3d spread = squares / n - sum * sum.transpose() / (n * n);
+  // The closed form: eigenAnalysis takes three times as long, for digits that no
+  // threshold here needs.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(spread);
+  solver.computeDirect(moments.covariance().matrix());
   const Point values = solver.eigenvalues().cwiseMax(0);
   if (!(values.sum() > 0))
     return shape;
@@ -116,6 +114,7 @@ seedAmongOthers(const Candidates& candidates, Index c)
     return none;
   Point direction;
   for (const double cut : {1e3, 0.6, 0.4, 0.25}) {
+    // Tukey's weights around the line, and moments about the point, not the mean.
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const Point& v : around) {
       const double off = cut < 1e3 ? v.cross(direction).squaredNorm() / (cut * cut) : 0;

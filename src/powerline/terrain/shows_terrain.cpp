@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include <linelet/tensor/point_moments.h>
 #include <linelet/tensor/shape_factors.h>
 
 #include "powerline/terrain/plan_extent.h"
@@ -31,9 +30,7 @@ constexpr std::uint8_t first_part = 13, last_part = 16;
 /** A place and what is around it. */
 struct Place {
   Point lowest = Point::Constant(std::numeric_limits<double>::infinity());
-  Point sum = Point::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  std::size_t count = 0;
+  PointMoments moments; // of points nearby, about the lowest
   std::bitset<static_cast<std::size_t>(parts) * parts> occupied;
 
   void
@@ -41,11 +38,8 @@ struct Place {
   {
     occupied.set(part);
     const Point v = p - lowest;
-    if (v.squaredNorm() > reach * reach)
-      return;
-    sum += v;
-    squares.noalias() += v * v.transpose();
-    ++count;
+    if (v.squaredNorm() <= reach * reach)
+      moments.add(v);
   }
 
   /** Whether a line lies lowest. A thin scan line is one too, but others lie beside it.
@@ -53,13 +47,8 @@ struct Place {
   bool
   isLinear() const
   {
-    if (occupied.count() >= covered)
-      return false;
-    const double n = static_cast<double>(count);
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(squares / n - sum * sum.transpose() / (n * n),
-                         Eigen::EigenvaluesOnly);
-    return shapeFactors(solver.eigenvalues().cwiseMax(0)).linearity >= linear;
+    return occupied.count() < covered &&
+           linearityOf(moments.covariance().matrix()) >= linear;
   }
 };
 
@@ -103,7 +92,7 @@ surfaceLiesLowest(const Points& points)
       placeOf(p).add(p, partOf(p));
   std::size_t lines = 0, others = 0;
   for (const Place& place : places)
-    if (place.count >= least_points)
+    if (place.moments.count >= least_points)
       ++(place.isLinear() ? lines : others);
   return lines <= others;
 }

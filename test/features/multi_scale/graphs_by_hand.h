@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include <linelet/features/linearity_graph.h>
+#include <linelet/features/read_linearity_graph.h>
 
 namespace linelet::test {
 

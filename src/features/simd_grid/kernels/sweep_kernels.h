@@ -51,7 +51,7 @@ struct Ball {
   float inside;  ///< squared distance from the center up to which a point is certainly
                  ///< a neighbor of all of them; negative: none is
   float outside; ///< and beyond which it is of none
-  /// Up to which its weight is not that of \ref WeightTable for certain
+  /// Squared distance up to which weights may differ from \ref WeightTable
   float near = 0;
 };
 

@@ -264,7 +264,7 @@ struct Weight {
   }
 
   /** \brief (1 - sqrt(1 - 4 s^2)) / 2 of the halves, without the cancellation. At s =
-   * 1/2 it is steep: 1 - 4 s^2 is had from u, not from its rounded root. */
+   * 1/2 it is steep: 1 - 4 s^2 follows from u, not from its rounded root. */
   static HWY_INLINE V
   circular(V u, V x)
   {

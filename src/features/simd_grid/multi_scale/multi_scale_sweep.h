@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include <features/multi_scale/scale_sweep.h>
+#include <features/scale_sweep.h>
 #include <linelet/features/multi_scale_settings.h>
 #include <linelet/support/progress_monitor.h>
 

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "curve_lines.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

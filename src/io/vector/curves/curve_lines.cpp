@@ -3,9 +3,7 @@
 
 #include "curve_lines.h"
 
-#include <utility>
-
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 
@@ -43,19 +41,6 @@ appendPlaces(std::string& text, const Curve& curve, std::size_t first)
   for (std::size_t i = 0; i < curve.points.size() + (curve.closed ? 1 : 0); ++i)
     text += ' ' + std::to_string(first + i % curve.points.size());
   text += '\n';
-}
-
-Curve
-curveThrough(Points vertices)
-{
-  Curve curve;
-  curve.closed = vertices.size() > 2 && vertices.front() == vertices.back();
-  if (curve.closed) {
-    vertices.pop_back();
-    curve.front.kind = curve.back.kind = EndKind::Loop;
-  }
-  curve.points = std::move(vertices);
-  return curve;
 }
 
 } // namespace linelet::io

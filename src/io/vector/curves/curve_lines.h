@@ -46,9 +46,4 @@ appendVertices(std::string& text,
 void
 appendPlaces(std::string& text, const Curve& curve, std::size_t first);
 
-/** \brief The curve through \a vertices: closed, with the last left out, where that is
- * the first. */
-Curve
-curveThrough(Points vertices);
-
 } // namespace linelet::io

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "curve_lines.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
+#include "io/vector/curve_through.h"
 
 namespace linelet::io {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "curve_lines.h"
+#include "io/vector/curve_through.h"
 #include "scanned_words.h"
 
 namespace linelet::io {

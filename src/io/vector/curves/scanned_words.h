@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "io/source.h"
-#include "io/text/text_scan.h"
+#include "io/text_scan.h"
 
 namespace linelet::io {
 

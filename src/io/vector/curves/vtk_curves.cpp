@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curve_lines.h"
+#include "io/vector/curve_through.h"
 #include "scanned_words.h"
 
 namespace linelet::io {

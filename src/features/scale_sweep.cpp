@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <features/multi_scale/scale_sweep.h>
+#include <features/scale_sweep.h>
 
 #include <algorithm>
 #include <cmath>

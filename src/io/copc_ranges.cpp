@@ -4,18 +4,17 @@
 #include <linelet/io/copc_ranges.h>
 
 #include <algorithm>
-#include <limits>
 
-#include "copc_index.h"
-#include "io/files.h"
+#include "io/copc/copc_index.h"
 #include "io/las/las_header.h"
-#include "io/source.h"
+
+#include "files.h"
+#include "source.h"
+#include "window.h"
 
 namespace linelet::io {
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /** \brief Whether two lists name the same chunks, so that places in the one are places
  * in the other. */
@@ -52,19 +51,18 @@ copcRanges(const std::string& path, const std::array<double, 4>& bounds)
     return {};
   try {
     const CopcIndex index(source.bytes, info->data);
-    const std::vector<laz::Chunk> all =
-        index.chunks({Point::Constant(-unlimited), Point::Constant(unlimited)}, 0);
+    Window window = windowOf({});
+    const std::vector<laz::Chunk> all = index.chunks(window, 0);
     if (!areSame(all,
                  laz::readChunkTable(
                      source.bytes, header.points_at, header.count, *origin.compression)
                      .chunks))
       return {};
+    window.low.head<2>() << bounds[0], bounds[1];
+    window.high.head<2>() << bounds[2], bounds[3];
     std::vector<PointRange> ranges;
     auto place = all.begin();
-    for (const laz::Chunk& chunk :
-         index.chunks({Point(bounds[0], bounds[1], -unlimited),
-                       Point(bounds[2], bounds[3], unlimited)},
-                      0)) {
+    for (const laz::Chunk& chunk : index.chunks(window, 0)) {
       while (place->at != chunk.at)
         ++place;
       if (!ranges.empty() && ranges.back().first + ranges.back().count == place->first)

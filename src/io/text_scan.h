@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/source.h"
-#include "io/values.h"
+#include "source.h"
+#include "values.h"
 
 namespace linelet::io {
 
@@ -98,7 +98,7 @@ parseValue(std::string_view word, T& value)
   return true;
 }
 
-/** \brief Fails because \a word is not a value of the attribute \a name. */
+/** \brief The message that \a word is not a value of the attribute \a name. */
 inline std::string
 noValue(std::string_view word, const std::string& name)
 {

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 the linelet authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# No circles: of folders, apart from those inside a folder, which its entry points use,
+# and of files, where a header and its source are one.
+cmake_policy(SET CMP0057 NEW)
+
+# A file by its folder in src/ and its name without ending; a public header is where its
+# source is.
+function(place_of file out)
+  string(REGEX REPLACE "^(include/linelet|src)/" "" file ${file})
+  string(REGEX REPLACE "[.][a-z]+$" "" file ${file})
+  string(REPLACE /impl/ / file ${file})
+  get_filename_component(name ${file} NAME)
+  string(REGEX MATCH "^[a-z_]+" room ${file})
+  if(EXISTS ${SOURCE_DIR}/include/linelet/${file}.h)
+    file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}/src
+      ${SOURCE_DIR}/src/${room}/${name}.cpp)
+    if(sources MATCHES "^([^;]+)[.]cpp$")
+      set(file ${CMAKE_MATCH_1})
+    endif()
+  endif()
+  set(${out} ${file} PARENT_SCOPE)
+endfunction()
+
+# What depends on nothing goes until only circles, and what depends on them, remain.
+function(check_circles kind nodes)
+  set(before)
+  while(NOT nodes STREQUAL before)
+    set(before "${nodes}")
+    foreach(node IN LISTS before)
+      set(left)
+      foreach(other IN LISTS ${kind}_${node})
+        if(other IN_LIST nodes)
+          list(APPEND left ${other})
+        endif()
+      endforeach()
+      set(${kind}_${node} ${left})
+      if(NOT left)
+        list(REMOVE_ITEM nodes ${node})
+      endif()
+    endforeach()
+  endwhile()
+  if(nodes)
+    list(GET nodes 0 node)
+    set(path)
+    while(NOT node IN_LIST path)
+      list(APPEND path ${node})
+      list(GET ${kind}_${node} 0 node)
+    endwhile()
+    list(FIND path ${node} start)
+    list(SUBLIST path ${start} -1 path)
+    list(JOIN path " -> " path)
+    message(SEND_ERROR "${kind} form a circle: ${path} -> ${node}")
+  endif()
+endfunction()
+
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/src/*.h
+  ${SOURCE_DIR}/src/*.cpp ${SOURCE_DIR}/include/linelet/*.h
+  ${SOURCE_DIR}/include/linelet/*.hpp)
+foreach(file IN LISTS files)
+  place_of(${file} here)
+  get_filename_component(folder ${file} DIRECTORY)
+  get_filename_component(home ${here} DIRECTORY)
+  list(APPEND all_files ${here})
+  list(APPEND all_folders ${home})
+  file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^#include [<\"]")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include .([^>\"]+).*" "\\1" name "${line}")
+    foreach(candidate ${folder}/${name} src/${name} include/${name})
+      if(EXISTS ${SOURCE_DIR}/${candidate})
+        place_of(${candidate} there)
+        get_filename_component(other ${there} DIRECTORY)
+        # Vectorized parts of a source are included by it alone. In these two folders
+        # the entry points also hold the types.
+        if(NOT there STREQUAL here AND NOT there MATCHES "-inl$"
+            AND NOT home MATCHES "^powerline/(fittings|hazards)$")
+          list(APPEND files_${here} ${there})
+        endif()
+        string(FIND ${other}/ ${home}/ below)
+        if(below)
+          list(APPEND folders_${home} ${other})
+        endif()
+        break()
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES all_folders)
+list(REMOVE_DUPLICATES all_files)
+check_circles(folders "${all_folders}")
+check_circles(files "${all_files}")
