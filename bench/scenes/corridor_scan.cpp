@@ -170,10 +170,8 @@ scan(const Scene& scene,
      ProgressMonitor* monitor)
 {
   Scanner scanner(scene, settings, random);
-  std::vector<Flight> flights(settings.strips);
-  Point shared = Point::Zero();
   for (unsigned k = 0; k < settings.strips; ++k) {
-    Flight& flight = flights[k];
+    Flight flight;
     flight.number = static_cast<std::uint16_t>(k + 1);
     flight.y = settings.width * ((k + 0.5) / settings.strips - 0.5) * 0.6;
     flight.tilt = random.uniform(-6, 6) * pi / 180;
@@ -181,10 +179,6 @@ scan(const Scene& scene,
     flight.start_time = 300000000.0 + 240.0 * k + 0.001 * random.integer(0, 100000);
     for (int axis = 0; axis < 3; ++axis)
       flight.error[axis] = random.normal(settings.strip_error);
-    shared += flight.error / settings.strips;
-  }
-  for (Flight& flight : flights) {
-    flight.error -= shared; // no strip shows what is wrong with all
     scanner.fly(flight, monitor);
   }
   return scanner.finish();

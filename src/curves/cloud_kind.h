@@ -33,11 +33,12 @@ isTiny(const CloudTraits& traits)
   return traits.points < fewest_told;
 }
 
+inline constexpr double curves_alone = 0.9; ///< share of points linear around them
+
 /** \brief Whether a cloud is one of curves alone: linear around most of its points. */
 inline bool
 isOfCurvesAlone(const CloudTraits& traits)
 {
-  constexpr double curves_alone = 0.9;
   return traits.linear_share >= curves_alone;
 }
 

@@ -181,14 +181,20 @@ scan(const World& world,
      ProgressMonitor* monitor)
 {
   Scanner scanner(world, plan, random, out);
+  std::vector<Flight> flights(plan.strips);
+  Point shared = Point::Zero();
   for (unsigned k = 0; k < plan.strips; ++k) {
-    Flight flight;
+    Flight& flight = flights[k];
     flight.number = static_cast<std::uint16_t>(k + 1);
     flight.across = world.width * ((k + 0.5) / plan.strips - 0.5) * 1.2 +
                     random.uniform(-0.1, 0.1) * plan.altitude;
     flight.tilt = random.uniform(-6, 6) * pi / 180;
     for (int axis = 0; axis < 3; ++axis)
       flight.offset[axis] = random.normal(plan.misfit);
+    shared += flight.offset / plan.strips;
+  }
+  for (Flight& flight : flights) {
+    flight.offset -= shared; // no strip shows what is wrong with all
     scanner.fly(flight, monitor);
   }
 }

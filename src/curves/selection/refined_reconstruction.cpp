@@ -99,7 +99,7 @@ traitsOf(const Points& points,
                                         : scaleUnit(points, 1024, 1, threads);
   if (hasScale(traits))
     traits.linear_share =
-        isTiny(traits) ? 1 : linearShare(points, traits.scale_unit, threads);
+        isSmall(traits) ? 1 : linearShare(points, traits.scale_unit, threads);
   return traits;
 }
 
@@ -144,9 +144,13 @@ reconstruct(const Points& all,
   }
   const double explained = explainedBy(curves);
   const bool little = explained < least_explained * static_cast<double>(points.size());
-  const bool is_scene = !isOfCurvesAlone(traits) ||
-                        (traits.high - traits.low).norm() > scene_extent * scale_unit;
-  if (isSmall(traits) && (little || (is_scene && thicknessOf(curves) > sharp))) {
+  const auto isScene = [&] {
+    return (traits.high - traits.low).norm() > scene_extent * scale_unit ||
+           (!isTiny(traits) &&
+            linearShare(points, scale_unit, settings.threads) < curves_alone);
+  };
+  const bool is_scene = isSmall(traits) && thicknessOf(curves) > sharp && isScene();
+  if (is_scene || (isSmall(traits) && little)) {
     ModelCurves mixed = mixedCurves(points, scale_unit, settings, monitor);
     if ((little && explainedBy(mixed) > explained) ||
         (is_scene && standOut(mixed, curves, traits.points)))
