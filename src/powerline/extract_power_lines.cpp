@@ -35,6 +35,7 @@
 #include "powerline/pieces/merge.h"
 #include "powerline/pieces/next_spans.h"
 #include "powerline/pieces/parallel_wires.h"
+#include "powerline/spans/company.h"
 #include "powerline/spans/completion.h"
 #include "powerline/spans/joints.h"
 #include "powerline/spans/mend_breaks.h"
@@ -194,11 +195,13 @@ extractPowerLines(const Points& points,
     addNextSpans(growth, pieces, underside, settings, monitor);
     addParallelWires(growth, pieces, settings);
     throwIfCanceled(monitor);
+    addBundles(growth, seeds, pieces, settings);
     mergePieces(growth, pieces, settings);
     std::vector<WireWithEnds> with_ends;
     for (Strand& strand : sortBundles(growth, std::move(pieces), settings))
       with_ends.push_back({std::move(strand), {}});
     stages.begin("supports");
+    joinBesideCompany(with_ends, growth, settings);
     completeByCompany(with_ends, growth, settings);
     matchEnds(with_ends);
     if (addSpansBetween(with_ends, growth, underside, settings))
@@ -210,7 +213,7 @@ extractPowerLines(const Points& points,
     throwIfCanceled(monitor);
     for (const WireWithEnds& wire : with_ends)
       lines.push_back(seenLine(wire.strand.piece));
-    dropFalsePositives(with_ends, growth, points, ground);
+    dropFalsePositives(with_ends, growth, points, ground, settings.min_height);
     matchEnds(with_ends);
     throwIfCanceled(monitor);
     const bool terrain = !network.ground.heights.empty();

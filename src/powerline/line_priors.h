@@ -22,7 +22,6 @@ struct LinePriors {
                              ///< sag / span each, of a sag of 1 to 2 % of the span
   double joint_spread = 0.1; ///< and their standard deviation
   double company_reach = 14; ///< between neighboring wires of a span, at most
-  double point_noise = 0.05; ///< of points about a wire, against which priors count
   double alike = 0.01;       ///< slope between two wires of a span, standard deviation:
                              ///< crossarms differ, and sags by some percent
   /// A span is at most this many times as long as the visible part of it
@@ -44,12 +43,19 @@ struct LinePriors {
 
   double hidden = 0.3; ///< fraction of a wire hidden by crowns, supports and dropouts
 
-  double rack = 1; ///< between wires of a rack or bundle, which share their supports
-                   ///< and what hides them; at most
+  /// \name What hides a wire also hides those right beside it
+  /// @{
+  double rack = 1;           ///< between wires of a rack or bundle, which share their
+                             ///< supports and what hides them; at most
+  double hardly_seen = 0.25; ///< of the length of a wire
+  double well_seen = 0.75;   ///< of the same stretch of the other
+  /// @}
 
-  /// Fraction of a wire with an open view to the ground: crowns let pulses through,
-  /// roofs do not
-  double open = 0.5;
+  double open = 0.25;       ///< fraction of a line with an open view to the ground
+  double open_itself = 0.5; ///< of each wire: crowns let pulses through, roofs do not
+
+  double guy_slope = 0.45; ///< against the ground, at least, where a guy is anchored
+  double guy_reach = 4;    ///< meters from there to where it is seen, at most
 
   /// \name Service drops
   /// @{

@@ -36,6 +36,12 @@ constexpr double fence_filled = 0.5; // of its bins and slices
 constexpr double fence_contrast = 2; // filled there to filled beside
 constexpr double plan_cell = 2;      // meters
 
+constexpr double longest_arm = 45;    // meters, both sides of a pylon
+constexpr double arm_reach = 4;       // meters, of a wire's end from the crossarm
+constexpr double most_parallel = 0.5; // cosine of crossarm and wire
+constexpr double arm_part = 0.4;      // of its length, that the ends spread over
+constexpr int carried = 2;            // wires that a crossarm holds, at least
+
 constexpr double ledge_from = 0.25; // meters beside a railing, where the roof ...
 constexpr double ledge_to = 1.8;    // ... that it stands on ...
 constexpr double ledge_low = 2.2;   // ... lies at most this far below ...
@@ -176,18 +182,65 @@ isLedge(const Growth& growth, const Piece& piece)
   return false;
 }
 
+// Whether a wire is a crossarm: short, and longer wires end at it from the side.
+bool
+isCrossarm(const std::vector<WireWithEnds>& wires, std::size_t candidate)
+{
+  const SpanModel& m = wires[candidate].model();
+  if (m.length() > longest_arm)
+    return false;
+  int held = 0;
+  double low = m.end, high = m.begin;
+  for (std::size_t w = 0; w < wires.size(); ++w) {
+    const SpanModel& other = wires[w].model();
+    if (w == candidate || other.length() < m.length() ||
+        std::abs(m.direction.dot(other.direction)) > most_parallel)
+      continue;
+    for (int side = 0; side < 2; ++side) {
+      const Point end = other.at(wires[w].edge(side));
+      const double s = std::clamp(m.along(end), m.begin, m.end);
+      if ((m.at(s) - end).norm() > arm_reach)
+        continue;
+      ++held;
+      low = std::min(low, s);
+      high = std::max(high, s);
+    }
+  }
+  // Where a line branches off, others end at one end of its wires.
+  return held >= carried && high - low >= arm_part * m.length();
+}
+
+// Whether a wire leads into the ground at one end, as guys do.
+bool
+isGuy(const WireWithEnds& wire, const Ground& ground, double lowest)
+{
+  const SpanModel& m = wire.model();
+  for (int side = 0; side < 2; ++side) {
+    const auto height = [&](double on) {
+      const Point p = m.at(wire.edge(side) + (side == 0 ? -on : on));
+      return p.z() - ground.heightAt(p.x(), p.y());
+    };
+    const double fall = height(0) - height(1); // per meter
+    if (fall >= priors.guy_slope && height(0) <= lowest + priors.guy_reach * fall)
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 void
 dropFalsePositives(std::vector<WireWithEnds>& wires,
                    Growth& growth,
                    const Points& points,
-                   const Ground& ground)
+                   const Ground& ground,
+                   double min_height)
 {
   std::vector<char> wrong = findFences(wires, points, ground);
   for (std::size_t w = 0; w < wires.size(); ++w) {
     const Piece& piece = wires[w].strand.piece;
-    wrong[w] = wrong[w] != 0 || isLedge(growth, piece) ||
+    wrong[w] = wrong[w] != 0 || isLedge(growth, piece) || isCrossarm(wires, w) ||
+               isGuy(wires[w], ground, min_height) ||
                (piece.model.length() >= straight_length &&
                 bendOf(piece, growth.candidates().points).rulesOut(flattest));
   }

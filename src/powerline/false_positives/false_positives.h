@@ -13,12 +13,14 @@
 namespace linelet::powerline {
 
 /** \brief Drops long, thin things that are not wires: those too straight even for a
- * taut one (jibs, ridges, pipes), fences, edges and railings of roofs. Their points
- * become free. \a points is the whole cloud. */
+ * taut one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms, guys.
+ * Their points become free. \a points is the whole cloud, of which nothing below \a
+ * min_height above the ground is a candidate. */
 void
 dropFalsePositives(std::vector<WireWithEnds>& wires,
                    Growth& growth,
                    const Points& points,
-                   const Ground& ground);
+                   const Ground& ground,
+                   double min_height);
 
 } // namespace linelet::powerline

@@ -27,9 +27,8 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double company_part = 0.35; // of the length of the longer
-constexpr std::size_t many = 4;       // wires of a family that prove each other
-constexpr double stray_length = 40;   // meters of a thinly covered wire that meets none
-constexpr double stray_cover = 0.5;   // of its bins
+
+constexpr double stray_length = 40; // meters of a thinly covered wire that meets none
 
 double
 chainLength(const std::vector<WireWithEnds>& wires, std::size_t start)
@@ -131,12 +130,34 @@ weighAnew(Growth& growth, const Piece& piece, const PowerLineSettings& settings)
   return evidence;
 }
 
+// Whether a wire of a short chain inside the data is a rope: steep from end to end, and
+// taut.
+bool
+isRope(const SpanModel& m, const Surroundings& beyond)
+{
+  const double rise = m.height(m.end) - m.height(m.begin);
+  return !beyond.border && std::abs(rise) > steep * m.length() && m.z[2] < clear_bend;
+}
+
 // Whether a short wire ends at nothing and has few points.
 bool
 isStray(const SpanModel& m, const Evidence& evidence, const Surroundings& beyond)
 {
-  return evidence.occupied < stray_cover * evidence.bins && m.length() < stray_length &&
+  return evidence.occupied < lone_cover * evidence.bins && m.length() < stray_length &&
          !beyond.joined && !beyond.border;
+}
+
+// Whether \a other hangs right beside the whole of \a m.
+bool
+accompanies(const SpanModel& other, const SpanModel& m)
+{
+  for (const double part : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    const Point p = m.at(m.begin + part * m.length());
+    const double s = other.along(p);
+    if (s < other.begin || s > other.end || other.residual(p, s).norm() > priors.rack)
+      return false;
+  }
+  return true;
 }
 
 ScanScatter::Sample
@@ -154,6 +175,21 @@ scatterOf(const std::vector<WireWithEnds>& wires, const std::vector<Evidence>& e
     if (wires[w].strand.piece.thickness == 0)
       samples.push_back(scatterOf(wires[w], evidence[w]));
   return ScanScatter(samples);
+}
+
+// Drops wires that are hardly seen where one beside them is: scattered points of that
+// one. \param[in] seen share of the length of every wire
+void
+dropScatter(const std::vector<WireWithEnds>& wires,
+            const std::vector<double>& seen,
+            std::vector<char>& keep)
+{
+  for (std::size_t w = 0; w < wires.size(); ++w)
+    for (std::size_t other = 0; seen[w] < priors.hardly_seen && other < wires.size();
+         ++other)
+      if (seen[other] > priors.well_seen &&
+          accompanies(wires[other].model(), wires[w].model()))
+        keep[w] = 0;
 }
 
 // Keeps the wires marked in \a keep, and frees the points of the others.
@@ -196,6 +232,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   PowerLineSettings any_length = settings; // the border of the data leaves short ones
   any_length.min_length = 0;
   std::vector<LineWire> lines;
+  std::vector<double> seen(wires.size(), 1);
   std::vector<Evidence> evidence_of;
   evidence_of.reserve(wires.size());
   for (const WireWithEnds& wire : wires)
@@ -208,6 +245,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   }
   for (std::size_t w = 0; w < wires.size(); ++w) {
     const SpanModel& m = wires[w].model();
+    const double chain = chainLength(wires, w);
     const Surroundings beyond = lookBeyond(wires[w], underside);
     const std::size_t root = family_of.root(w);
     const bool at_begin = leaves(wires[w], 0, root, lines);
@@ -217,12 +255,18 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
                       bend.value > priors.spread * bend.spread;
     wires[w].leaves = {drop && at_begin, drop && at_end};
     Family& family = families[root];
-    family.longest = std::max(family.longest, chainLength(wires, w));
+    family.longest = std::max(family.longest, chain);
     family.single = std::max(family.single, m.length());
+    family.joined = family.joined || beyond.joined;
     family.border = family.border || beyond.border;
-    addBend(family, bend);
+    addBend(family, wires[w], growth.candidates().points, underside);
+    addDescent(family, wires, w, underside);
     addJoints(family, wires, w);
+    family.open += m.length() * openBelow(m, underside);
+    family.length += m.length();
     const Evidence& evidence = evidence_of[w];
+    if (evidence.bins > 0)
+      seen[w] = static_cast<double>(evidence.occupied) / evidence.bins;
     // A line predicts how its wires scatter, too.
     const double excess = wires[w].strand.piece.thickness > 0
                               ? 0
@@ -232,14 +276,20 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     if (evidence.bins > 0 && evidence.likelihood + logPriorOfScatter(excess) <
                                  (company ? priors.in_company : priors.alone))
       keep[w] = 0;
-    if (!drop && isStray(m, evidence, beyond))
-      keep[w] = 0;
-    family.drop = family.drop || (drop && keep[w] != 0);
+    if (chain >= long_line)
+      continue; // a long chain needs no further evidence
+    if (keep[w] == 0)
+      continue;
+    family.drop = family.drop || drop;
+    addEvidence(family, m, evidence, underside);
+    // Unlikely whatever its family says.
+    keep[w] = drop || (!isRope(m, beyond) && !isStray(m, evidence, beyond));
   }
   for (std::size_t w = 0; w < wires.size(); ++w)
     // Rows and edges of roofs do not become wires by running beside some.
-    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)]) &&
+    keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)], terrain) &&
               (!terrain || isOpenBelow(wires[w].model(), underside));
+  dropScatter(wires, seen, keep);
   keepOnly(keep, wires, growth);
 }
 

@@ -13,9 +13,10 @@
 
 namespace linelet::powerline {
 
-/** \brief Drops what only looks like a wire. A wire has the evidence and the
- * scatter of its line; lines are long, leave the data or lead to a house, and hang.
- * What is dropped frees its points. Ends must be matched before.
+/** \brief Drops what only looks like a wire. A wire ends at a support or at the border
+ * of the data; short families of wires inside the data with neither, or without sag,
+ * are chords of booms and crossarms, and straight steep loose pieces are ropes. Their
+ * points become free. Ends must be matched before.
  * \param[in] terrain whether the cloud shows terrain: lines then hang clear of it */
 void
 dropUnlikely(std::vector<WireWithEnds>& wires,

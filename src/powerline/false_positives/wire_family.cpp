@@ -3,22 +3,47 @@
 
 #include "powerline/false_positives/wire_family.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "powerline/line_priors.h"
+#include "powerline/pieces/bend.h"
+#include "powerline/pieces/data_border.h"
+#include "powerline/pieces/evidence.h"
+#include "powerline/pieces/open_below.h"
 #include "powerline/pieces/span_model.h"
+#include "powerline/spans/wire_with_ends.h"
+#include "powerline/terrain/underside.h"
 
 namespace linelet::powerline {
 
 namespace {
 
+constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
 constexpr double rather_straight = 2; // nats, 7 to 1
+constexpr double clean_part = 0.75;   // of the length of short wires at the border
+constexpr double lone_length = 18;    // meters of a lone wire in the clear
+constexpr double lone_clean = 0.8;    // of its bins
+constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
 
-// The mean bend of its wires.
-Bend
-bendOf(const Family& family)
+// A wire that ends at nothing but a hidden part shows most of its span.
+double
+largestSpan(const WireWithEnds& wire, const Underside& underside)
 {
-  return {family.bends / family.precision, 1 / std::sqrt(family.precision)};
+  const SpanModel& m = wire.model();
+  if (wire.ends[0].partner >= 0 && wire.ends[1].partner >= 0)
+    return m.length();
+  return leavesData(m, 0, underside) || leavesData(m, 1, underside)
+             ? std::numeric_limits<double>::infinity()
+             : priors.longer * m.length();
+}
+
+// Slope of a wire from \a side on to its other end.
+double
+slopeFrom(const SpanModel& m, int side)
+{
+  return (side == 0 ? 1 : -1) * m.rise((m.begin + m.end) / 2);
 }
 
 // How much better a straight thing, as a pipe is, explains the bend of \a family and
@@ -26,13 +51,11 @@ bendOf(const Family& family)
 double
 straightOverWires(const Family& family)
 {
-  const Bend bend = bendOf(family);
-  const double noise = bend.spread * bend.spread;
+  const double bend = family.bends / family.precision;
+  const double noise = 1 / family.precision;
   const double wires = noise + priors.bend_spread * priors.bend_spread;
-  const double off = bend.value - priors.usual_bend;
-  return (std::log(wires / noise) + off * off / wires -
-          bend.value * bend.value / noise) /
-             2 +
+  const double off = bend - priors.usual_bend;
+  return (std::log(wires / noise) + off * off / wires - bend * bend / noise) / 2 +
          family.unbroken;
 }
 
@@ -54,23 +77,71 @@ slopeVariance(const SpanModel& m, int side)
 } // namespace
 
 bool
-plausible(const Family& family)
+plausible(const Family& family, bool terrain)
 {
-  const bool is_long = family.longest >= long_line;
-  // What the border of the data cuts off may be short.
-  const bool cut_off =
-      family.border && (family.wires > 1 || family.single >= priors.short_line);
-  return family.drop ||
-         ((is_long || cut_off) && straightOverWires(family) < rather_straight) ||
-         (is_long && bendOf(family).isAbove(flattest));
+  const double bend = family.bend / family.weight;
+  // Too short to be seen to bend, what falls off to both sides of a support hangs
+  // there: 4 sag / span at the end of a span.
+  const bool hangs =
+      family.stubs > 0 && family.descent >= 2 * 4 * priors.least_sag * family.stubs;
+  if ((!hangs &&
+       family.bends - family.least < -priors.spread * std::sqrt(family.precision)) ||
+      (terrain && family.open < priors.open * family.length))
+    return false;
+  if (family.drop)
+    return true;
+  const bool straight = straightOverWires(family) >= rather_straight;
+  if (family.longest >= long_line)
+    return ((family.joined || family.border) && !straight) || bend >= least_bend;
+  // What the border of the data cuts off may be short, but hardly straight.
+  if (family.border)
+    return !straight &&
+           (family.wires >= many || family.clean >= clean_part * family.occupied) &&
+           (family.wires > 1 || family.single >= priors.short_line);
+  // Alone, it must be seen to hang.
+  return family.bends > priors.spread * std::sqrt(family.precision) &&
+         (family.clear || (family.single >= priors.short_line && bend >= clear_bend &&
+                           family.occupied >= lone_cover * family.bins &&
+                           family.clean >= clean_part * family.occupied));
 }
 
 void
-addBend(Family& family, const Bend& bend)
+addBend(Family& family,
+        const WireWithEnds& wire,
+        const Points& points,
+        const Underside& underside)
 {
-  const double precision = 1 / (bend.spread * bend.spread);
-  family.bends += precision * bend.value;
+  const SpanModel& m = wire.model();
+  const double weight = std::pow(m.length(), 3);
+  // What the points say, not what the prior of the fit does.
+  const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
+  family.bend += weight * (m.z[2] - vague);
+  family.weight += weight;
+  const Bend own = bendOf(wire.strand.piece, points);
+  const double precision = 1 / (own.spread * own.spread);
+  family.bends += precision * own.value;
+  family.least += precision * priors.leastBend(largestSpan(wire, underside));
   family.precision += precision;
+}
+
+void
+addDescent(Family& family,
+           const std::vector<WireWithEnds>& wires,
+           std::size_t w,
+           const Underside& underside)
+{
+  for (int side = 0; side < 2; ++side) {
+    const End& end = wires[w].ends[static_cast<std::size_t>(side)];
+    if (end.partner <= static_cast<int>(w))
+      continue;
+    const SpanModel& m = wires[w].model();
+    const SpanModel& other = wires[static_cast<std::size_t>(end.partner)].model();
+    if (!leavesData(m, 1 - side, underside) ||
+        !leavesData(other, 1 - end.partner_side, underside))
+      continue;
+    family.stubs += 1;
+    family.descent -= slopeFrom(m, side) + slopeFrom(other, end.partner_side);
+  }
 }
 
 void
@@ -89,6 +160,22 @@ addJoints(Family& family, const std::vector<WireWithEnds>& wires, std::size_t w)
     family.unbroken +=
         (std::log(hung / noise) + off * off / hung - down * down / noise) / 2;
   }
+}
+
+void
+addEvidence(Family& family,
+            const SpanModel& m,
+            const Evidence& evidence,
+            const Underside& underside)
+{
+  family.clean += evidence.clean;
+  family.occupied += evidence.occupied;
+  family.bins += evidence.bins;
+  family.clear = family.clear || (m.length() >= lone_length &&
+                                  evidence.slope + evidence.chord <= steep &&
+                                  evidence.clean >= lone_clean * evidence.occupied &&
+                                  evidence.occupied >= lone_cover * evidence.bins &&
+                                  openBelow(m, underside) >= lone_open);
 }
 
 } // namespace linelet::powerline

@@ -20,6 +20,8 @@ namespace linelet::powerline {
 
 namespace {
 
+constexpr double plain_gap = 8; // meters without a point that are nothing unusual
+
 std::string
 meters(double value)
 {
@@ -41,9 +43,9 @@ judge(Wire& wire, const Evidence& evidence, double max_gap)
 {
   const double density = static_cast<double>(wire.points) / std::max(1.0, wire.length);
   lower(wire, 0.4 + 0.6 * density, meters(density) + " points per meter");
-  if (wire.largest_gap > growth_gap)
+  if (wire.largest_gap > plain_gap)
     lower(wire,
-          1 - 0.6 * (wire.largest_gap - growth_gap) / std::max(1.0, max_gap),
+          1 - 0.6 * (wire.largest_gap - plain_gap) / std::max(1.0, max_gap),
           "gap of " + meters(wire.largest_gap) + " m");
   const double covered =
       static_cast<double>(evidence.occupied) / std::max(1, evidence.bins);

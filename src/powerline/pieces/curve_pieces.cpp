@@ -25,6 +25,9 @@ namespace linelet::powerline {
 
 namespace {
 
+// Conductors come in bundles from 220 kV on; those stay 6.7 m above ground at least
+// where they hang lowest (EN 50341-1, 5.9), in the mean higher.
+constexpr double bundle_height = 8;
 constexpr std::size_t fewest = 8; // points of a part
 
 /** A candidate beside a curve. */
@@ -286,8 +289,10 @@ growAlong(const std::vector<Curve>& curves,
           const PowerLineSettings& settings)
 {
   forEachPieceAlong(curves, growth, settings.threads, [&](Piece& piece) {
-    if (!weigh(growth, piece, settings).accepted ||
-        (piece.thickness > 0 && isRemainder(piece, wires)))
+    const Evidence evidence = weigh(growth, piece, settings);
+    if (!evidence.accepted ||
+        (piece.thickness > 0 &&
+         (evidence.height < bundle_height || isRemainder(piece, wires))))
       return;
     growth.claim(piece, static_cast<int>(wires.size()));
     wires.push_back(std::move(piece));

@@ -19,13 +19,16 @@ namespace {
 
 constexpr double largest_rms = 0.64; // of the widest tolerance
 constexpr double bundle_rms = 0.35;  // meters
+// Slope of a wire at its ends, against its chord, and of the chord: that of terrain.
+constexpr double steepest_end = 0.6, steepest_chord = 1;
 constexpr double least_height = 4;   // meters, mean
 constexpr double hump = 0.10;        // meters of negative sag that noise may cause
 constexpr double clean_length = 6;   // meters that must be clean at least
 constexpr double clean_part = 0.5;   // of the occupied bins
 constexpr double least_cover = 0.35; // of the bins
 constexpr double crowd = 0.35;       // guard ring points a tube point in a clean bin
-constexpr double largest_log = 500;  // of an exponent, short of the range of a double
+constexpr std::size_t least_points = 8;
+constexpr double largest_log = 500; // of an exponent, short of the range of a double
 
 // Evidence of a wire by the counts along it. It is hidden on a part of its way, which
 // is estimated with its density.
@@ -74,6 +77,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   e.rms = std::sqrt(squares / n);
   e.height /= n;
   e.chord = std::abs(m.rise((m.begin + m.end) / 2));
+  e.slope = std::abs(m.z[2]) * m.length();
   e.sag = m.z[2] * m.length() * m.length() / 4;
   e.bins = static_cast<int>(std::ceil(m.length() / bin_length));
   const double step = m.length() / e.bins;
@@ -100,8 +104,10 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
         smooth[k].larger += counts[other].larger;
       }
   e.likelihood = likelihoodOf(smooth);
-  e.hangs = e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms * m.widest) &&
-            e.sag >= -hump && e.height >= least_height;
+  e.hangs = piece.members.size() >= least_points &&
+            e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms * m.widest) &&
+            e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
+            e.height >= least_height;
   e.sound = e.hangs && e.clean >= clean_part * e.occupied &&
             e.clean * bin_length >= clean_length;
   e.accepted = e.sound && e.occupied >= least_cover * e.bins &&

@@ -16,6 +16,7 @@ struct Evidence {
   int clean = 0;     ///< occupied, and hardly anything right around the wire
   double rms = 0;    ///< of the members, meters
   double sag = 0;    ///< of the model between its ends, meters; negative: bulges upward
+  double slope = 0;  ///< at the ends, against the chord
   double chord = 0;  ///< slope from end to end
   double height = 0; ///< mean of the members above ground, meters
   double likelihood = 0; ///< log-likelihood ratio (natural) of a wire to the

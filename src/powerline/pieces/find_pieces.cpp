@@ -15,19 +15,21 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double bundle_tolerance = 0.15; // meters; what fits closer is one wire
-// Points per meter of a bundle, else its guard ring says nothing.
-constexpr double bundle_density = 6;
+// Points per meter of a bundle, else its guard ring says nothing: beside single wires
+// that may be told apart, and where these have been found.
+constexpr double bundle_density = 6, last_density = 3;
 
-} // namespace
-
-// A bundle whose conductors the points do not tell apart fills a wider tube, and the
-// guard ring lies around that.
+// Whether a piece is a bundle whose conductors the points do not tell apart: then it
+// fills a wider tube, and the guard ring lies around that.
 bool
-becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings)
+isBundle(const Growth& growth,
+         Piece& piece,
+         double least_density,
+         const PowerLineSettings& settings)
 {
   if (piece.model.length() < settings.min_length ||
       piece.model.tolerance < bundle_tolerance ||
-      static_cast<double>(piece.members.size()) < bundle_density * piece.model.length())
+      static_cast<double>(piece.members.size()) < least_density * piece.model.length())
     return false;
   Piece bundle = piece;
   bundle.thickness = bundle_radius;
@@ -40,6 +42,14 @@ becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& setti
   return true;
 }
 
+} // namespace
+
+bool
+becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings)
+{
+  return isBundle(growth, piece, bundle_density, settings);
+}
+
 std::vector<Piece>
 growAll(Growth& growth,
         const std::vector<Seed>& seeds,
@@ -47,36 +57,65 @@ growAll(Growth& growth,
         ProgressMonitor* monitor)
 {
   std::vector<Piece> wires;
-  std::vector<char> tried(growth.candidates().points.size(), 0);
-  if (monitor != nullptr)
-    monitor->begin("wires", seeds.size());
-  for (std::size_t k = 0; k < seeds.size(); ++k) {
-    if (monitor != nullptr && k % 256 == 255) {
-      monitor->advance(256);
-      if (monitor->canceled())
-        throw Canceled();
-    }
-    if (tried[seeds[k].candidate] != 0)
-      continue;
-    tried[seeds[k].candidate] = 1;
-    for (Piece& piece : growth.grow(seeds[k])) {
-      // What looks like a bundle is not a single wire in a wide beam.
-      bool found = !weigh(growth, piece, settings).accepted &&
-                   becomesBundle(growth, piece, settings);
-      if (!found) {
-        widenToBeam(growth, piece, settings);
-        found = weigh(growth, piece, settings).accepted;
+  // Wires that failed because others, not yet claimed, were too near get a second
+  // chance.
+  for (int round = 0; round < 2; ++round) {
+    std::vector<char> tried(growth.candidates().points.size(), 0);
+    const std::size_t before = wires.size();
+    if (monitor != nullptr)
+      monitor->begin("wires", seeds.size());
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+      if (monitor != nullptr && k % 256 == 255) {
+        monitor->advance(256);
+        if (monitor->canceled())
+          throw Canceled();
       }
-      if (found) {
-        growth.claim(piece, static_cast<int>(wires.size()));
-        wires.push_back(std::move(piece));
+      if (tried[seeds[k].candidate] != 0)
+        continue;
+      tried[seeds[k].candidate] = 1;
+      for (Piece& piece : growth.grow(seeds[k])) {
+        // What looks like a bundle is not a single wire in a wide beam.
+        bool found = !weigh(growth, piece, settings).accepted &&
+                     isBundle(growth, piece, bundle_density, settings);
+        if (!found) {
+          widenToBeam(growth, piece, settings);
+          found = weigh(growth, piece, settings).accepted;
+        }
+        if (found) {
+          growth.claim(piece, static_cast<int>(wires.size()));
+          wires.push_back(std::move(piece));
+        }
+        else
+          for (const Index i : piece.members)
+            tried[i] = 1;
       }
-      else
-        for (const Index i : piece.members)
-          tried[i] = 1;
     }
+    if (wires.size() == before)
+      break;
   }
   return wires;
+}
+
+void
+addBundles(Growth& growth,
+           const std::vector<Seed>& seeds,
+           std::vector<Piece>& pieces,
+           const PowerLineSettings& settings)
+{
+  std::vector<char> tried(growth.candidates().points.size(), 0);
+  for (const Seed& seed : seeds) {
+    if (tried[seed.candidate] != 0)
+      continue;
+    tried[seed.candidate] = 1;
+    for (Piece& piece : growth.grow(seed)) {
+      for (const Index i : piece.members)
+        tried[i] = 1;
+      if (!isBundle(growth, piece, last_density, settings))
+        continue;
+      growth.claim(piece, static_cast<int>(pieces.size()));
+      pieces.push_back(std::move(piece));
+    }
+  }
 }
 
 } // namespace linelet::powerline

@@ -26,4 +26,13 @@ growAll(Growth& growth,
         const PowerLineSettings& settings,
         ProgressMonitor* monitor);
 
+/** \brief Adds to \a pieces the remnants of narrow bundles, and of wires that
+ * misaligned strips show twice: their conductors are too close together to be found one
+ * by one. */
+void
+addBundles(Growth& growth,
+           const std::vector<Seed>& seeds,
+           std::vector<Piece>& pieces,
+           const PowerLineSettings& settings);
+
 } // namespace linelet::powerline

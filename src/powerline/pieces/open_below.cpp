@@ -47,7 +47,7 @@ openBelow(const SpanModel& m, const Underside& underside)
 bool
 isOpenBelow(const SpanModel& m, const Underside& underside)
 {
-  return openBelow(m, underside) >= priors.open;
+  return openBelow(m, underside) >= LinePriors().open_itself;
 }
 
 } // namespace linelet::powerline

@@ -26,12 +26,14 @@ constexpr double stretch_cover = 0.25; // of the stretches
 constexpr int least_stretches = 4;
 constexpr std::size_t most_tries = 16;
 constexpr std::size_t crowded_meter = 200; // free points per meter, a wood
+constexpr double off_middle = 0.1; // of its length, the lowest point of a wire cut off
 constexpr double sag_spread = 0.3; // sags of one line differ by this part, at most
 
-constexpr double most_beside = 0.5; // of the length of a wire, in another's scatter
-constexpr double whole = 0.7;       // of the length of the wire beside
-constexpr double thin_cover = 0.2;  // of the bins of a wire that is nearly as long ...
-constexpr double thin_clean = 0.9;  // ... of those with points, clean
+constexpr double most_beside =
+    0.5;                           // of the length of a wire, in the scatter of another
+constexpr double whole = 0.7;      // of the length of the wire beside
+constexpr double thin_cover = 0.2; // of the bins of a wire that is nearly as long ...
+constexpr double thin_clean = 0.9; // ... of those with points, clean
 
 /** Where wires are looked for beside another, and how finely; meters. */
 struct Zone {
@@ -108,14 +110,14 @@ struct Found {
 
 // Places beside a wire where points stand along much of it, for wires whose tangent is
 // that of the other at \a pivot.
-std::vector<Found>
-placesSeen(const std::vector<BesideWire>& points,
+void
+findPlaces(const std::vector<BesideWire>& points,
            const SpanModel& m,
            const Zone& zone,
            int bins,
-           double pivot)
+           double pivot,
+           std::vector<Found>& found)
 {
-  std::vector<Found> found;
   const double farthest = std::max(m.end - pivot, pivot - m.begin);
   const double drop = std::abs(m.z[2]) * farthest * farthest;
   const double cell = zone.cell;
@@ -146,7 +148,6 @@ placesSeen(const std::vector<BesideWire>& points,
         found.push_back(
             {n, {{(at % side - half) * cell, (at / side - half) * cell}, part, pivot}});
   }
-  return found;
 }
 
 // The best places beside a wire, no two of them for one wire.
@@ -155,8 +156,15 @@ findPlaces(const Growth& growth, const SpanModel& m, const Zone& zone)
 {
   const int bins = std::max(1, static_cast<int>(m.length() / stretch));
   const std::vector<BesideWire> points = freePointsBeside(growth, m, zone, bins);
-  // Wires between the same supports differ least in the middle.
-  std::vector<Found> found = placesSeen(points, m, zone, bins, (m.begin + m.end) / 2);
+  // Wires between the same supports differ least in the middle; where the data cut the
+  // span off, its lowest point tells where that is.
+  const double middle = (m.begin + m.end) / 2;
+  const double vertex = m.z[2] > 0 ? -m.z[1] / (2 * m.z[2]) : middle;
+  std::vector<Found> found;
+  findPlaces(points, m, zone, bins, middle, found);
+  if (vertex > m.begin && vertex < m.end &&
+      std::abs(vertex - middle) > off_middle * m.length())
+    findPlaces(points, m, zone, bins, vertex, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return std::tuple(-a.stretches, std::abs(a.place.bend)) <
            std::tuple(-b.stretches, std::abs(b.place.bend));

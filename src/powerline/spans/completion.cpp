@@ -13,8 +13,8 @@
 #include "powerline/pieces/find_pieces.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/open_below.h"
+#include "powerline/pieces/parallel.h"
 #include "powerline/pieces/span_model.h"
-#include "powerline/spans/beside_company.h"
 #include "powerline/spans/joints.h"
 #include "powerline/spans/wire_with_ends.h"
 #include "powerline/terrain/underside.h"
@@ -23,11 +23,15 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double patience = 40;  // nats against a wire, whose place is known
-constexpr double overshoot = 1;  // meters beyond the end of the company
-constexpr double stub_reach = 8; // meters from the end of a wire to its stub
-constexpr double stub_gap = 0.5; // meters between them where they meet
-constexpr double least_stub = 4; // meters
+constexpr double guided_part = 0.7; // of the length of the wire that is to grow
+constexpr double thin_cover = 0.1;  // of the bins of a wire beside others
+constexpr double thin_clean = 0.9;  // of those, clean
+constexpr double patience = 40;     // nats against a wire, whose place is known
+constexpr double overshoot = 1;     // meters beyond the end of the company
+constexpr double stub_reach = 8;    // meters from the end of a wire to its stub
+constexpr double stub_gap = 0.5;    // meters between them where they meet
+constexpr double least_stub = 4;    // meters
+constexpr double aligned = 0.99;
 
 // A stub has the length that the data leave it.
 bool
@@ -50,7 +54,10 @@ goesOn(const std::vector<WireWithEnds>& wires,
             std::abs(meeting.b - stub.edge(side)) <= stub_reach)
           return true;
       }
-      if (isCompany(m, wire.model()))
+      const Parallel parallel = compare(m, wire.model());
+      if (parallel.overlap >= guided_part * m.length() &&
+          parallel.distance <= priors.company_reach &&
+          std::abs(m.direction.dot(wire.model().direction)) >= aligned)
         return true;
     }
   }
@@ -69,7 +76,11 @@ completeByCompany(std::vector<WireWithEnds>& wires,
     const SpanModel& m = piece.model;
     double low = m.begin, high = m.end;
     for (const WireWithEnds& other : wires) {
-      if (&other == &wire || !isCompany(m, other.model()))
+      if (&other == &wire)
+        continue;
+      const Parallel parallel = compare(m, other.model());
+      if (parallel.overlap < guided_part * m.length() ||
+          parallel.distance > priors.company_reach)
         continue;
       const double from = m.along(other.model().at(other.model().begin));
       const double to = m.along(other.model().at(other.model().end));
@@ -81,8 +92,14 @@ completeByCompany(std::vector<WireWithEnds>& wires,
     Piece longer = piece;
     growth.claim(piece, Growth::nobody);
     if (growth.extend(longer, low - overshoot, high + overshoot, false, patience) &&
-        longer.model.length() > m.length() && weigh(growth, longer, settings).accepted)
-      piece = std::move(longer);
+        longer.model.length() > m.length()) {
+      // Beside others a wire may be thinly covered, if nothing else is near it.
+      const Evidence e = weigh(growth, longer, settings);
+      if (e.likelihood >= priors.in_company &&
+          (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&
+                          e.clean >= thin_clean * e.occupied)))
+        piece = std::move(longer);
+    }
     growth.claim(piece, 0);
   }
 }
