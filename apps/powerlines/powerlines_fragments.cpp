@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <linelet/powerline/extract_power_lines.h>
+#include <linelet/powerline/find_surroundings.h>
 
 #include "powerlines_merge.h"
 #include "powerlines_part.h"

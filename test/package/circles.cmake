@@ -71,10 +71,8 @@ foreach(file IN LISTS files)
       if(EXISTS ${SOURCE_DIR}/${candidate})
         place_of(${candidate} there)
         get_filename_component(other ${there} DIRECTORY)
-        # Vectorized parts of a source are included by it alone. In these two folders
-        # the entry points also hold the types.
-        if(NOT there STREQUAL here AND NOT there MATCHES "-inl$"
-            AND NOT home MATCHES "^powerline/(fittings|hazards)$")
+        # Vectorized parts of a source are included by it alone.
+        if(NOT there STREQUAL here AND NOT there MATCHES "-inl$")
           list(APPEND files_${here} ${there})
         endif()
         string(FIND ${other}/ ${home}/ below)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <linelet/powerline/find_surroundings.h>
 #include <linelet/powerline/hazards.h>
 
 namespace linelet {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "powerline/fittings/find_sites.h"
 #include "powerline/fittings/insulators.h"
 #include "powerline/fittings/join_fittings.h"
 #include "powerline/fittings/jumpers.h"
-#include "powerline/fittings/support_site.h"
 
 namespace linelet::powerline {
 

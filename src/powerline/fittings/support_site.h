@@ -10,9 +10,6 @@
 #include <linelet/powerline/power_line_network.h>
 #include <linelet/search/uniform_grid.h>
 
-#include "powerline/fittings/fitting_priors.h"
-#include "powerline/pieces/candidates.h"
-
 namespace linelet::powerline {
 
 /** \brief An end of a wire at a support. Positions along it are in meters from the
@@ -40,7 +37,12 @@ struct WireEnd {
 
   /** \brief Horizontal, unit length, into the span. */
   Point
-  outward() const;
+  outward() const
+  {
+    Point out = at(1) - at(0);
+    out.z() = 0;
+    return out.normalized();
+  }
 };
 
 /** \brief The surroundings of one support, or of several that stand together, point by
@@ -72,13 +74,6 @@ struct SupportSite {
     return live[i] != 0 && tube[i] == none;
   }
 };
-
-/** \brief The sites of all pylons that are scanned densely enough to show shapes. */
-std::vector<SupportSite>
-findSites(const PowerLineNetwork& network,
-          const Candidates& candidates,
-          const FittingPriors& priors,
-          unsigned threads);
 
 /** \brief Groups the points that \a takes accepts, one group per body. Empty if there
  * are none. */

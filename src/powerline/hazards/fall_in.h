@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <linelet/powerline/hazards.h>
+#include <linelet/powerline/surroundings.h>
 
 #include "powerline/hazards/wire_curve.h"
 

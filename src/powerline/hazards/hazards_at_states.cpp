@@ -3,6 +3,8 @@
 
 #include <linelet/powerline/hazards_at_states.h>
 
+#include <linelet/powerline/find_hazards.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <utility>

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <linelet/powerline/find_hazards.h>
 #include <linelet/powerline/hazards_at_states.h>
 
 namespace linelet::test {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/powerline/hazards.h>
+#include <linelet/powerline/find_hazards.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "powerline/fittings/support_site.h"
+#include "powerline/fittings/find_sites.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,14 +70,6 @@ collect(SupportSite& site, const Candidates& candidates, const FittingPriors& pr
 }
 
 } // namespace
-
-Point
-WireEnd::outward() const
-{
-  Point out = at(1) - at(0);
-  out.z() = 0;
-  return out.normalized();
-}
 
 std::vector<SupportSite>
 findSites(const PowerLineNetwork& network,

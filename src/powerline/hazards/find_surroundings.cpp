@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <linelet/powerline/surroundings.h>
+#include <linelet/powerline/find_surroundings.h>
 
 #include <algorithm>
 #include <cmath>
