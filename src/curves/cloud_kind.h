@@ -25,7 +25,8 @@ isSmall(const CloudTraits& traits)
   return traits.points <= most_tried_twice;
 }
 
-/** \brief Whether a cloud is too small to show whether it is one of curves alone. */
+/** \brief Whether a cloud is too small to show whether it is one of curves alone: of
+ * few noisy points, curves often look no more linear than clutter. */
 inline bool
 isTiny(const CloudTraits& traits)
 {

@@ -52,6 +52,7 @@ constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
 constexpr double widest = 1.0 / 30;
 
 // Noise of a curve, in that of its scene, at most, unless it stands out very clearly.
+// With 2 or 5 as many wires are found in simulated scenes; 5 leaves more clutter.
 constexpr double widest_of_scene = 3;
 
 // What runs along a surface is not a curve of its own either, unless it is very sure:
@@ -109,8 +110,8 @@ shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double nois
   return all > 0 ? on / all : 0;
 }
 
-// Noise of a scene's curves: the sensor's, or the size of bundles. A median by
-// evidence, so that the clearest curves decide.
+/** \brief Noise of a scene's curves: the sensor's, or the size of bundles. A median by
+ * evidence, so that the clearest curves decide. */
 double
 typicalNoise(const ModelCurves& curves)
 {
@@ -130,14 +131,33 @@ typicalNoise(const ModelCurves& curves)
   return 0;
 }
 
-/** \brief Follows curves from seeds, and keeps book of what they explain. */
+/** \brief Drops the curves that are much noisier than the others and less than
+ * \a clear: clutter lines up by chance, but not as narrowly as curves are. */
+ModelCurves
+withoutThickOnes(ModelCurves curves, double clear)
+{
+  const double most_noise = widest_of_scene * typicalNoise(curves);
+  curves.erase(std::remove_if(curves.begin(),
+                              curves.end(),
+                              [&](const ModelCurve& curve) {
+                                return curve.noise > most_noise &&
+                                       curve.evidence < clear;
+                              }),
+               curves.end());
+  return curves;
+}
+
+/** \brief Follows curves from seeds, and keeps track of what they explain. */
 class SceneCurves {
 public:
   SceneCurves(TrackedScene& scene,
               const RefinedSettings& settings,
               double points,
               ProgressMonitor* monitor)
-      : scene_(scene), settings_(settings), points_(points), monitor_(monitor)
+      : scene_(scene),
+        settings_(settings),
+        least_(evidenceNeeded(points)),
+        monitor_(monitor)
   {
   }
 
@@ -146,7 +166,7 @@ public:
          const TrackBending& bending,
          double times_needed = 1)
   {
-    needed_ = times_needed * evidenceNeeded(points_);
+    needed_ = times_needed * least_;
     failures_.assign(scene_.points().size(), 0);
     SeedGroups groups(seeds, group_side * scene_.unit);
     const auto is_open = [&](const TrackSeed& seed) {
@@ -173,16 +193,7 @@ public:
   ModelCurves
   release()
   {
-    const double most_noise = widest_of_scene * typicalNoise(curves_);
-    const double clear = very_sure * evidenceNeeded(points_);
-    curves_.erase(std::remove_if(curves_.begin(),
-                                 curves_.end(),
-                                 [&](const ModelCurve& curve) {
-                                   return curve.noise > most_noise &&
-                                          curve.evidence < clear;
-                                 }),
-                  curves_.end());
-    return std::move(curves_);
+    return withoutThickOnes(std::move(curves_), clear_);
   }
 
 private:
@@ -254,9 +265,9 @@ private:
     const double count = countOf(fit.fit);
     if (fit.fit.curves.empty() ||
         (fit.fit.noise * std::sqrt(count) > widest * length(fit.fit.curves) &&
-         track.evidence < very_sure * needed_))
+         track.evidence < clear_))
       return false;
-    if (track.evidence < very_sure * evidenceNeeded(points_) &&
+    if (track.evidence < clear_ &&
         shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
       return false;
     explainPoints(scene_, track, fit);
@@ -274,9 +285,10 @@ private:
 
   TrackedScene& scene_;
   const RefinedSettings& settings_;
-  double points_; // of the whole cloud
+  double least_; // evidence needed by any curve of the whole cloud
+  double clear_ = very_sure * least_;
   ProgressMonitor* monitor_;
-  double needed_ = 0;         // evidence
+  double needed_ = 0;         // evidence, of the curves that are followed now
   std::vector<int> failures_; // per point
   ModelCurves curves_;
 };

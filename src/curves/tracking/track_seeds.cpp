@@ -16,8 +16,8 @@ namespace linelet {
 namespace {
 
 // Points per area of the best sampled surfaces of a scene, as a quantile over the
-// points on surfaces, and the share of it below which a surface is sparse: single
-// strips where most overlap have half, and slopes half again.
+// points on surfaces, and the share of it below which a surface is sparse. Wires side
+// by side had .07 to .25 of it in scenes of two simulators; so have walls.
 constexpr double best_sampled = 0.95, sparse_share = 0.3;
 
 TrackSeed
