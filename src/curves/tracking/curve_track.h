@@ -46,11 +46,11 @@ struct Track {
  *
  * Points of the curve are a Poisson process of some density along it, scattered about
  * it by normal noise, over a background that is measured around every stretch;
- * stretches may be hidden, for example by what stands above them (a hidden Markov
- * chain). The evidence is the log-likelihood ratio of this to the background alone,
- * divided by the dispersion of the background (quasi-likelihood); the curve ends where
- * continuing has lost more than \a patience of it, cut back to where the evidence was
- * greatest.
+ * stretches may be hidden by what stands above them, so that few of their points are
+ * seen (a hidden Markov chain). The evidence is the log-likelihood ratio of this to the
+ * background alone, divided by the dispersion of the background (quasi-likelihood); the
+ * curve ends where continuing has lost more than \a patience of it, cut back to where
+ * the evidence was greatest.
  * \param[in] most_points the curve ends after this many each way; 0: no limit
  * \param[in] promising evidence below which there is no second pass with the density
  * and noise learned in the first

@@ -15,7 +15,7 @@ constexpr double tails = 6; // standard deviations
 } // namespace
 
 void
-explainPoints(TrackedScene& scene, const Track& track, const TrackFit& fit)
+explainPoints(TrackedScene& scene, const Track& track, const TrackFit& fit, bool clear)
 {
   for (std::size_t k = 0; k < fit.points.size(); ++k)
     if (fit.explained[k])
@@ -34,6 +34,17 @@ explainPoints(TrackedScene& scene, const Track& track, const TrackFit& fit)
             for (; i != left.end() && *i < end; ++i)
               if (squaredDistance(curve, e, scene.points()[*i]) <= reach * reach)
                 scene.taken[*i] = 1;
+          });
+  if (!clear)
+    return;
+  const double own = own_width * fit.fit.noise;
+  for (const ModelCurve& curve : fit.fit.curves)
+    for (std::size_t e = 0; e < curve.edges(); ++e)
+      scene.grid.forEachRunInCylinder(
+          curve.from(e), curve.to(e), own, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              if (squaredDistance(curve, e, scene.points()[i]) <= own * own)
+                scene.taken[i] = 1;
           });
 }
 

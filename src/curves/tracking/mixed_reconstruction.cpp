@@ -58,7 +58,10 @@ constexpr double widest_of_scene = 3;
 // What runs along a surface is not a curve of its own either, unless it is very sure:
 // within so many D, and beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
-constexpr double own_width = 3; // standard deviations, of its own points about it
+
+// A single curve that explains this share of the points of a track with less than that
+// share of its noise winds from point to point of clutter.
+constexpr double most_of_track = 0.5, winding = 0.1;
 
 double
 lengthOf(const Points& path)
@@ -258,19 +261,22 @@ private:
     if (free < least_free * total)
       return true; // of another curve, found meanwhile
     const auto stop = [this] { return stopped(); };
-    TrackFit fit = fitTrack(scene_, track, FitTo::Surroundings, stop);
+    const bool clear = track.evidence >= clear_;
+    TrackFit fit = fitTrack(scene_, track, FitTo::Surroundings, clear, stop);
     if (length(fit.fit.curves) < least_kept * lengthOf(track.path) &&
         track.evidence > sure * needed_)
-      fit = fitTrack(scene_, track, FitTo::Members, stop);
+      fit = fitTrack(scene_, track, FitTo::Members, clear, stop);
     const double count = countOf(fit.fit);
     if (fit.fit.curves.empty() ||
-        (fit.fit.noise * std::sqrt(count) > widest * length(fit.fit.curves) &&
-         track.evidence < clear_))
+        (fit.fit.noise * std::sqrt(count) > widest * length(fit.fit.curves) && !clear))
       return false;
-    if (track.evidence < clear_ &&
+    if (!clear &&
         shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
       return false;
-    explainPoints(scene_, track, fit);
+    if (fit.fit.curves.size() == 1 && count > most_of_track * total &&
+        fit.fit.spread < winding * track.noise)
+      return false;
+    explainPoints(scene_, track, fit, clear);
     for (std::size_t c = 0; c < fit.fit.curves.size(); ++c) {
       ModelCurve& curve = fit.fit.curves[c];
       curve.counts = std::move(fit.fit.counts[c]);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "cross_section.h"
 #include "curves/mixture/model_score.h"
@@ -95,12 +94,58 @@ pointsAround(const TrackedScene& scene, const ModelCurve& curve, double distance
   return result;
 }
 
+/** \brief The points around a track, and how they are fitted. */
+struct FitInput {
+  const Points& points;
+  const UniformGrid& grid;
+  EmFitter& fitter;
+  const EmSettings& settings;
+
+  double
+  score(const EmFit& fit) const
+  {
+    return scoreOf(fit, points.size());
+  }
+};
+
+/** \brief Log-likelihood of \a fit, less its parameters, if its points may scatter as
+ * over ribbons, which a wide beam makes. */
+double
+gainOverRibbons(const EmFit& fit, const FitInput& input)
+{
+  return unevenScatterGain(fit, input.points, input.grid, input.settings.least_noise) -
+         0.5 * input.score(fit);
+}
+
+/** \brief Takes lines side by side along \a one, a single curve, where they tell more
+ * than \a best and than ribbons, of which one has \a gain_of_one: either where each
+ * goes its own way, or as modes of one cross-section. */
+void
+takeLinesAlong(const EmFit& one, double gain_of_one, const FitInput& input, EmFit& best)
+{
+  const double least = input.settings.least_noise;
+  for (const ParallelLines& lines :
+       linesAlong(one.curves.front(), input.points, one.noise, least)) {
+    EmSettings thin = input.settings;
+    thin.noise = lines.width;
+    EmFit fit = input.fitter.fit(lines.curves, thin);
+    if (fit.curves.empty())
+      continue;
+    const double needed = least_gain * (static_cast<double>(fit.curves.size()) - 1);
+    if (input.score(fit) < input.score(best) - needed &&
+        (gainOverRibbons(fit, input) > gain_of_one + 0.5 * needed ||
+         modesGain(one, lines.offsets, input.points, input.grid, least) > 0.5 * needed))
+      best = std::move(fit);
+  }
+}
+
 } // namespace
 
 TrackFit
 fitTrack(const TrackedScene& scene,
          const Track& track,
          FitTo fit_to,
+         bool clear,
          const std::function<bool()>& stop)
 {
   TrackFit result;
@@ -141,47 +186,30 @@ fitTrack(const TrackedScene& scene,
   settings.spacing = spacing;
   settings.bending = free_turn / frame.diagonal;
   result.fit = fitter.fit({start}, settings);
-  const EmFit one = result.fit;
-  // Where a wide beam makes ribbons, lines side by side must tell more than these:
-  // either where each goes its own way, or as modes of one cross-section.
-  std::optional<double> gain_of_one;
-  const auto beatRibbons = [&](const ParallelLines& lines, const EmFit& fit) {
-    const double needed =
-        0.5 * least_gain * (static_cast<double>(fit.curves.size()) - 1);
-    const auto gain = [&](const EmFit& of) {
-      return unevenScatterGain(of, points, grid, settings.least_noise) -
-             0.5 * scoreOf(of, points.size());
-    };
-    if (!gain_of_one)
-      gain_of_one = gain(one);
-    return gain(fit) > *gain_of_one + needed ||
-           modesGain(one, lines.offsets, points, grid, settings.least_noise) > needed;
-  };
-  double best = scoreOf(result.fit, points.size());
+  const FitInput input = {points, grid, fitter, settings};
+  EmSettings stiff = settings;
+  stiff.bending = slight_turn / frame.diagonal;
   if (result.fit.curves.size() == 1 &&
-      result.fit.noise >= least_thick * settings.least_noise)
-    for (const ParallelLines& lines : linesAlong(result.fit.curves.front(),
-                                                 points,
-                                                 result.fit.noise,
-                                                 settings.least_noise)) {
-      EmSettings thin = settings;
-      thin.noise = lines.width;
-      EmFit fit = fitter.fit(lines.curves, thin);
-      const double score = scoreOf(fit, points.size());
-      const double extra = static_cast<double>(fit.curves.size()) - 1;
-      if (fit.curves.empty() || score >= best - least_gain * extra ||
-          !beatRibbons(lines, fit))
-        continue;
-      best = score;
-      result.fit = std::move(fit);
+      result.fit.noise >= least_thick * settings.least_noise) {
+    const EmFit one = result.fit;
+    const double gain = gainOverRibbons(one, input);
+    takeLinesAlong(one, gain, input, result.fit);
+    if (clear) {
+      // A free curve may wander between the lines; a stiff one keeps its course.
+      stiff.noise = one.noise;
+      const EmFit stiff_one = fitter.fit(one.curves, stiff);
+      if (stiff_one.curves.size() == 1)
+        takeLinesAlong(stiff_one,
+                       std::max(gain, gainOverRibbons(stiff_one, input)),
+                       input,
+                       result.fit);
     }
+  }
   if (!result.fit.curves.empty()) {
     // Of few noisy points, a stiffer curve may say more.
-    EmSettings stiff = settings;
-    stiff.bending = slight_turn / frame.diagonal;
     stiff.noise = result.fit.noise;
     EmFit fit = fitter.fit(result.fit.curves, stiff);
-    if (!fit.curves.empty() && scoreOf(fit, points.size()) < best)
+    if (!fit.curves.empty() && input.score(fit) < input.score(result.fit))
       result.fit = std::move(fit);
   }
   for (const double outlier : result.fit.outlier)

@@ -27,11 +27,13 @@ struct TrackFit {
  * many as its cross-section shows lines (\ref linesAlong), free to bend or stiff,
  * whichever the criterion prefers. No curve if none explains the points better than
  * their background does.
- */
+ * \param[in] clear that the track is a curve beyond doubt, so that lines are looked for
+ * along a stiff fit, too; in clutter they would be found by chance */
 TrackFit
 fitTrack(const TrackedScene& scene,
          const Track& track,
          FitTo fit_to,
+         bool clear,
          const std::function<bool()>& stop);
 
 } // namespace linelet

@@ -80,6 +80,31 @@ TEST(CurveTrack, HardlyEverSeesAThinCurveInClutterAlone)
   EXPECT_LE(seen, starts / 20) << "of " << starts;
 }
 
+// Of a quarter of the points, half of the tracks lose the line, and must end then
+// rather than go astray in the clutter.
+TEST(CurveTrack, HardlyGoesAstrayWhereLittleOfTheLineIsSeen)
+{
+  constexpr unsigned runs = 200;
+  unsigned astray = 0, far = 0;
+  for (unsigned seed = 1; seed <= runs; ++seed) {
+    Points points = lineInClutter(1, seed);
+    std::size_t line = 0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (k >= 120 || points[k].x() < 20 || k % 4 == 0)
+        points[line++] = points[k];
+    points.resize(line);
+    const TrackedScene scene(points, 0.5);
+    const Track track = followCurve(scene, seedAt({10, 0, 0.1}), {0.01, 10}, 12);
+    ASSERT_FALSE(track.path.empty());
+    const Point a = track.path.front(), b = track.path.back();
+    const Point end = a.x() > b.x() ? a : b;
+    far += end.x() > 30;
+    astray += std::hypot(end.y(), end.z() - 0.001 * end.x() * end.x()) > 0.25;
+  }
+  EXPECT_LE(astray, runs / 20);
+  EXPECT_GE(far, runs / 2);
+}
+
 TEST(CurveTrack, CrossesAHiddenStretch)
 {
   Points points = lineInClutter(0.2, 8);
@@ -127,7 +152,7 @@ TEST(TrackFit, ASparseNoisyWireIsKnownBetterThanItsPoints)
     const Track track = followCurve(scene, start, {0.01, 10}, 12);
     ASSERT_GT(track.members.size(), 60U) << seed;
     const TrackFit fit =
-        fitTrack(scene, track, FitTo::Surroundings, [] { return false; });
+        fitTrack(scene, track, FitTo::Surroundings, false, [] { return false; });
     ASSERT_EQ(fit.fit.curves.size(), 1U) << seed;
     for (const Point& p : fit.fit.curves.front().nodes) {
       squares += p.y() * p.y() + std::pow(p.z() - height(p.x()), 2);
