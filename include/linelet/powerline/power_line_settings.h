@@ -13,12 +13,12 @@ namespace LINELET_PUBLIC powerline {
 struct PowerLineSettings {
   bool use_classes =
       false;             ///< take the terrain from points of class 2, if there are any
-  double clearance = 5;  ///< vegetation nearer than this is reported as a hazard
+  double clearance = 5;  ///< smallest acceptable distance to anything near a wire
   double max_gap = 50;   ///< no wire is extended across a longer stretch without points
-  double min_height = 3; ///< wires hang higher above the terrain than this
+  double min_height = 3; ///< wires hang at least this high above the terrain
   double min_length = 10; ///< shorter wires are reported only where the data ends or as
                           ///< visible parts of service drops
-  io::ClassFilter points; ///< which points of a cloud are used
+  io::ClassFilter points; ///< points of a cloud to use
   unsigned threads = 0;   ///< 0: all
 };
 

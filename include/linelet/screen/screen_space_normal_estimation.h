@@ -102,7 +102,7 @@ protected:
   using Base::indices_;
   using Base::input_;
 
-  /** \brief Replaces that of pcl::Feature, which requires a radius or k. */
+  /** \brief Replaces pcl::Feature::initCompute, which requires a radius or k. */
   bool
   initCompute() override;
 
