@@ -12,7 +12,7 @@
 
 namespace linelet::io::hdf5 {
 
-/** \brief An HDF5 file to write, which appears complete or not at all. */
+/** \brief An HDF5 file being written, which appears complete or not at all. */
 class StagedHdf5 {
 public:
   /** \throws FileError, Error */

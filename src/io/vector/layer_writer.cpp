@@ -31,7 +31,7 @@ LayerWriter::makeLayer(const std::string& name,
                        const char* const* options)
 {
   OGRLayer* layer = dataset_->CreateLayer(
-      name.c_str(), system, type, const_cast<char**>(options)); // read alone
+      name.c_str(), system, type, const_cast<char**>(options)); // only read
   if (layer == nullptr)
     fail();
   return layer;
