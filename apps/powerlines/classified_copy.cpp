@@ -81,7 +81,7 @@ public:
       : stream_(stream),
         policy_(threadCount(threads) > 1 ? std::launch::async : std::launch::deferred)
   {
-    // What there is to warn of comes with the first block, at its place among others.
+    // The first block is read right away, so that its warnings come in order.
     read(std::launch::deferred);
   }
 

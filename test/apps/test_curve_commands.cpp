@@ -196,7 +196,7 @@ TEST_F(CurveCommands, OnlyTheChosenClassesAreUsed)
   for (const Point& vertex : network.curves[0].points)
     EXPECT_NEAR(vertex.z(), 5, 1e-3);
   EXPECT_THAT(runWell("curves " + cloud + " " + output + " --keep-classes 99").error,
-              HasSubstr("no point is left"));
+              HasSubstr("no points are left"));
   runWell("generate circle " + path("circle.xyz"));
   expectOneLineOf("curves " + path("circle.xyz") + " " + path("out.obj") +
                       " --keep-classes 14",

@@ -175,7 +175,7 @@ TEST_F(Usage, MisuseIsReportedInOneLine)
     EXPECT_THAT(outcome.error, HasSubstr("linelet curves --help"));
   }
   EXPECT_THAT(run("curves in.xyz out.obj --distance-cutoff far").error,
-              HasSubstr("--distance-cutoff = far is not a number that it takes"));
+              HasSubstr("--distance-cutoff = far is not a valid number"));
   EXPECT_THAT(run("curves in.xyz out.obj --config " + wrong).error,
               StartsWith("linelet curves: " + wrong + ": "));
 }
