@@ -60,7 +60,7 @@ TEST_F(CurveCommands, TheTruthScoresPerfectly)
   EXPECT_EQ(measures["success"], false);
 }
 
-// A parallel to the truth at distance 2: the same error at both vertices.
+// A line parallel to the truth at distance 2 has the same error at both vertices.
 TEST_F(CurveCommands, ErrorsAtVerticesAreWritten)
 {
   std::ofstream(path("truth.obj")) << "v 0 0 0\nv 9 0 0\nl 1 2\n";

@@ -189,7 +189,7 @@ TEST(GridEnginePieces, HaveTheShapesOfTheWhole)
     }
 }
 
-// The order of the points is that of the file and says nothing about their positions.
+// The order of the points in a file is independent of their positions.
 TEST(GridEnginePieces, DoNotDependOnTheOrderOfThePoints)
 {
   const unsigned seed = randomSeed();
