@@ -16,8 +16,8 @@ namespace linelet::powerline {
 Clearance
 lowestAboveGround(const Catenary& curve, const Ground& ground);
 
-/** \brief Measures the clearances of every wire. Vegetation is what stands above
- * ground, has neighbors, and is neither wire nor support. */
+/** \brief Measures the clearances of every wire. Vegetation is anything above ground
+ * that has neighbors and is neither wire nor support. */
 void
 measureClearances(PowerLineNetwork& network,
                   const Candidates& candidates,

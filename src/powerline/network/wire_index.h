@@ -13,7 +13,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Finds the same wire as seen by another part: in whole or in part, and with
+/** \brief Finds the same wire as seen in another part: completely or not, and with
  * different noise. */
 class WireIndex {
 public:
@@ -23,7 +23,7 @@ public:
   int
   add(const Wire& wire);
 
-  /** \brief Of the wires that \a wire lies on, the nearest. */
+  /** \brief The nearest of the wires that \a wire lies on. */
   int
   find(const Wire& wire) const;
 
