@@ -74,7 +74,7 @@ withoutPoints(const io::Cloud& cloud, const std::vector<std::string>& attributes
   return empty;
 }
 
-/** Blocks of points, each read while the one before is worked on. */
+/** Blocks of points, each read while the one before is processed. */
 class ReadAhead {
 public:
   ReadAhead(io::PointStream& stream, unsigned threads)

@@ -67,7 +67,7 @@ private:
   [[noreturn]] static void
   changed()
   {
-    throw io::FileError("the input has changed while it was worked on; run it again");
+    throw io::FileError("the input changed while it was being processed; run it again");
   }
 
   const PowerLineNetwork& network_;

@@ -89,7 +89,7 @@ pathOf(const std::string& folder)
   return (std::filesystem::path(folder) / "plan.json").string();
 }
 
-// Bytes of paths that are not UTF-8 are replaced; reading such a path is refused.
+// Bytes of paths that are not UTF-8 are replaced; reading such a path fails.
 std::string
 textOf(const Plan& plan)
 {

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# No circles: of folders, apart from those inside a folder, which its entry points use,
+# No cycles: of folders, except for those inside a folder, which its entry points use,
 # and of files, where a header and its source are one.
 cmake_policy(SET CMP0057 NEW)
 

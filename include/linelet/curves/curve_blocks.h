@@ -18,7 +18,7 @@ namespace LINELET_PUBLIC linelet {
  *
  * What is found in a block depends only on the points in it and in a margin around it:
  * they give the same curves there, to the last digit, whatever else of the cloud is
- * loaded. A scene no larger than a block, a small cloud, and a cloud of curves alone,
+ * loaded. A scene no larger than a block, a small cloud, and a cloud of only curves,
  * whose connected components cross any border, are one block. */
 class CurveBlocks {
 public:

@@ -31,7 +31,7 @@ enum class DirectionMode {
   TensorDeflection,           ///< interpolated tensor times last direction (TEND)
   ClosestAngular,             ///< mu e3 + (1 - mu) d_A, e3 of the nearest point
   MultiScaleAngular, ///< the same with the multi-scale feature of the position itself,
-                     ///< mu included: computed anew at every step
+                     ///< mu included, recomputed at every step
   ComputedAngular ///< the same with e3 of the position itself at the optimal radius of
                   ///< the nearest point
 };
@@ -108,7 +108,7 @@ struct StreamlineSettings {
   double start_neighbor_exponent = 0.01;
   /// A tensor for every point, for example of a diffusion tensor image: its eigenvector
   /// e3 is followed, and no shapes are measured; empty: those of the points. Direction
-  /// modes that compute shapes anew at every step do not work with it.
+  /// modes that recompute shapes at every step do not work with it.
   std::vector<SymmetricTensor> tensors;
   CentroidShiftSettings prefilter; ///< applied to the points before all this
   unsigned threads = 0;            ///< 0: all
@@ -173,7 +173,7 @@ describe(StreamlineSettings& s, Visit&& visit)
         "fraction of the second one's");
   visit("cover-distance",
         s.cover_distance,
-        "published: without --start-points, start further curves at points farther "
+        "published: without --start-points, start more curves at points farther "
         "than this from every curve, in D; 0: none");
   visit("stump-length",
         s.stump_length,

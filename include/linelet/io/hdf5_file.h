@@ -66,7 +66,7 @@ public:
   void
   append(const Cloud& cloud, std::size_t first, std::size_t count);
 
-  /** \brief Adds curves, as a grid of their own. At most once. */
+  /** \brief Adds curves, as a separate grid. At most once. */
   void
   add(const CurveNetwork& network, const Point& shift);
 

@@ -31,8 +31,8 @@ struct Encroachment {
   double vertical = 0,
          horizontal = 0;  ///< components of that distance; vertical: downward
   std::size_t points = 0; ///< number of points closer than the limit
-  Points outline;    ///< convex, closed, around what is too near, at its mean height
-  double area = 0;   ///< in plan of what is too near (vegetation), square meters
+  Points outline;    ///< convex, closed, around what is too close, at its mean height
+  double area = 0;   ///< in plan of what is too close (vegetation), square meters
   double volume = 0; ///< of what must be cut (vegetation), cubic meters
 };
 

@@ -32,7 +32,7 @@ describe(PowerLineSettings& s, Visit&& visit)
         "take the terrain from points of class 2 where there are any");
   visit("clearance", s.clearance, "smallest acceptable clearance, meters");
   visit("max-gap", s.max_gap, "longest gap across which a wire is extended, meters");
-  visit("min-height", s.min_height, "least height of wires above ground, meters");
+  visit("min-height", s.min_height, "minimum height of wires above ground, meters");
   visit("min-length",
         s.min_length,
         "shortest wire to report, meters; shorter ones are reported where the data "

@@ -11,7 +11,7 @@
 
 namespace linelet::powerline {
 
-/** \brief The least height of a wire above the terrain, sampled every meter; unknown
+/** \brief The minimum height of a wire above the terrain, sampled every meter; unknown
  * without terrain. */
 Clearance
 lowestAboveGround(const Catenary& curve, const Ground& ground);
