@@ -189,7 +189,7 @@ private:
   {
     if (!out_.flush())
       throw std::runtime_error(path_ + ": cannot be written; check that the folder "
-                                       "exists and has room");
+                                       "exists, is writable and has free space");
   }
 
   std::string path_;

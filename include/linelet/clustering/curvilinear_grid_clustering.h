@@ -15,7 +15,7 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief Thins a cloud to representatives of the cells of a curvilinear grid: \ref
- * clusterPoints in a PCL chain, in place of pcl::VoxelGrid.
+ * clusterPoints in a PCL pipeline, in place of pcl::VoxelGrid.
  *
  * One of \ref setLeafSize, \ref setGrid and \ref setCount sets the resolution of the
  * grid, which begins at the lower corner of the points' bounding box. The output has

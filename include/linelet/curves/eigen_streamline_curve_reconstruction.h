@@ -20,7 +20,7 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL chain.
+/** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL pipeline.
  *
  * The full result is the \ref CurveNetwork of \ref reconstruct. The overloads of
  * pcl::SurfaceReconstruction return it as a PolygonMesh or as vertices, one polygon per

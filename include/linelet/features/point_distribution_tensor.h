@@ -13,7 +13,7 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The neighborhood tensor of every point of a cloud, with its eigen-analysis
- * and shape factors: \ref estimateTensors in a PCL chain.
+ * and shape factors: \ref estimateTensors in a PCL pipeline.
  *
  * Exactly one neighborhood size must be set: setRadiusSearch, setKSearch, \ref setRadii
  * or \ref setCounts. Points with d <= radius belong to a neighborhood, d computed in

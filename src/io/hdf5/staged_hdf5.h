@@ -47,7 +47,7 @@ writing(const std::string& path, Work&& work)
   }
   catch (const Error& error) {
     throw FileError(path + ": " + error.what() +
-                    "; check that the folder exists, may be written and has room");
+                    "; check that the folder exists, is writable and has free space");
   }
 }
 

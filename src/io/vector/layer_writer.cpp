@@ -122,7 +122,7 @@ LayerWriter::fail() const
   const std::string& reason = complaints_.first();
   throw FileError(path_ + ": cannot be written (" +
                   (reason.empty() ? "GDAL gives no reason" : reason) +
-                  "); check that the folder exists, may be written and has room");
+                  "); check that the folder exists, is writable and has free space");
 }
 
 } // namespace linelet::io
