@@ -19,7 +19,7 @@ class WireIndex {
 public:
   static constexpr int none = -1;
 
-  /** \return the number of the wire, from 0 on */
+  /** \return the number of the wire, starting at 0 */
   int
   add(const Wire& wire);
 
