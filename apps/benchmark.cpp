@@ -54,7 +54,7 @@ describe(BenchmarkOptions& s, const OptionAdder& visit)
   visit("out", s.out, "file of rows (.csv), one per run");
   visit("plot",
         s.plot,
-        "picture (.png) of the success by geometry and noise, beside that of other "
+        "picture (.png) of success by geometry and noise, beside that of other "
         "methods whose rows of the same runs are in --out");
   visit("box-plot",
         s.box_plot,
@@ -93,7 +93,7 @@ checkedLabel(const std::string& label)
 {
   if (label.find_first_of(",\"\r\n") != std::string::npos)
     throw std::runtime_error("--label " + label +
-                             " would break the file of rows: leave out commas, quotes "
+                             " would break the CSV file: omit commas, quotes "
                              "and line ends");
   return label;
 }
@@ -140,7 +140,7 @@ runsOf(const BenchmarkOptions& options)
   return runs;
 }
 
-/** \brief The file of rows: what it already holds, and where new rows go. */
+/** \brief The file of rows: what it already holds, and the destination of new rows. */
 class RowFile {
 public:
   /** \param[in] path empty: no file */
@@ -156,7 +156,7 @@ public:
         throw std::runtime_error(path + ": " + error.what() + "; name another file");
       }
     }
-    // Rewritten beside it: a truncated line may be lost, but never the file.
+    // Rewritten under another name: a truncated line may be lost, but never the file.
     std::ostringstream whole;
     whole << bench::benchmark_csv_header << '\n';
     for (const BenchmarkRow& row : old_)
@@ -189,7 +189,7 @@ private:
   {
     if (!out_.flush())
       throw std::runtime_error(path_ + ": cannot be written; check that the folder "
-                                       "exists and has room");
+                                       "exists, is writable and has free space");
   }
 
   std::string path_;
@@ -319,7 +319,7 @@ runBenchmark(const std::vector<std::string>& arguments)
   Frame frame("benchmark",
               "Reconstructs noisy test geometries over a grid of noises (127,050 runs) "
               "or a sample of it, every run in one thread, several at a time. Runs "
-              "whose rows are in --out already are not repeated.");
+              "whose rows are already in --out are not repeated.");
   BenchmarkOptions options;
   ReconstructionSettings settings;
   addOptions(frame.app, options);
@@ -338,8 +338,8 @@ runBenchmark(const std::vector<std::string>& arguments)
   frame.app
       .add_option("--geometries",
                   options.geometries,
-                  "names, or benchmark (the ten), or held-out (those that nothing is "
-                  "tuned on); or random: shapes drawn at random, at any scale")
+                  "names, or benchmark (the ten), or held-out (those never used for "
+                  "tuning); or random: shapes drawn at random, at any scale")
       ->delimiter(',')
       ->type_name("NAME,...")
       ->default_str(options.geometries.front());

@@ -97,7 +97,7 @@ CloudInput::checkReference(const std::string& path, const std::string& wkt)
     throw io::FileError(
         path + ": its reference system is " + name + ", that of " + reference_file_ +
         " is " + reference_ +
-        "; work on them one by one, or project them to one system first");
+        "; process them one by one, or reproject them to one system first");
 }
 
 const std::vector<io::FileSummary>&
@@ -214,7 +214,7 @@ CloudInput::read()
 
 namespace {
 
-/** \brief Appends the points of \a all that take part. */
+/** \brief Appends the points of \a all that are used. */
 void
 add(const io::Cloud& cloud,
     const io::UsablePoints& usable,
@@ -298,13 +298,12 @@ io::UsablePoints
 CloudInput::usable(const io::Cloud& cloud) const
 {
   if (!classes_.kept.empty() && cloud.find("classification") == nullptr)
-    throw io::FileError(path() +
-                        ": its points have no classes; leave out --keep-classes");
+    throw io::FileError(path() + ": its points have no classes; omit --keep-classes");
   std::vector<std::string> warnings;
   io::UsablePoints usable(cloud, &warnings, classes_);
   frame_.warn(warnings);
   if (usable.leftOut() == cloud.points.size() && usable.ignored() > 0)
-    frame_.warn(path() + ": no point is left; linelet info lists the classes it has");
+    frame_.warn(path() + ": no points are left; linelet info lists the classes it has");
   return usable;
 }
 
@@ -312,7 +311,7 @@ CloudOutput::CloudOutput(Frame& frame, Inputs inputs) : frame_(frame)
 {
   std::string meaning = "point file, in the format of its ending";
   if (inputs == Inputs::Some)
-    meaning += "; of several inputs, a folder for files of the same names";
+    meaning += "; for several inputs, a folder for files of the same names";
   frame.addOutput("OUTPUT", path_, meaning);
   addOptions(frame.app, options_);
 }
@@ -322,7 +321,7 @@ CloudOutput::pathFor(CloudInput& input, std::size_t number) const
 {
   if (!input.several())
     return path_;
-  // Outputs have no octree, so the name loses its .copc.
+  // Outputs have no octree, so .copc is dropped from the name.
   std::string name =
       std::filesystem::path(input.files().at(number)).filename().string();
   if (const std::size_t at = name.rfind(".copc.laz"); at != std::string::npos)

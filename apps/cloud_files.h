@@ -19,7 +19,7 @@
 
 namespace linelet::apps {
 
-/** \brief How a command treats coordinates in degrees. */
+/** \brief What to do about coordinates in degrees. */
 constexpr const char* projection_help =
     "project it first, for example with pdal translate IN OUT.las reprojection "
     "--filters.reprojection.out_srs=EPSG:25832 (the code of your zone)";
@@ -37,11 +37,11 @@ valuesOf(const io::Cloud& cloud, const std::string& name, const std::string& fil
  * virtual point clouds, lists) and its options. All share one reference system. */
 class CloudInput {
 public:
-  /** \brief What the points are read for. */
+  /** \brief What the points are used for. */
   enum class Use {
     Copy,     ///< nothing is computed from them
     Analysis, ///< filtered by class, with a warning about degrees
-    Lengths   ///< the same, but degrees are refused
+    Lengths   ///< the same, but degrees are rejected
   };
 
   /** \param[in] frame gets argument and options; must outlive this */
@@ -55,7 +55,7 @@ public:
   const std::vector<std::string>&
   files();
 
-  /** \brief Whether each file gets an output of its own, in a folder. */
+  /** \brief Whether each file gets its own output, in a folder. */
   bool
   several();
 
@@ -71,7 +71,7 @@ public:
     return names_.front();
   }
 
-  /** \brief Which points take part. */
+  /** \brief Which points are used. */
   const io::ClassFilter&
   classes() const
   {
@@ -117,7 +117,7 @@ public:
 
   /** \brief The usable points of file \a number, and those of the other files that are
    * nearer than \a distance to their box, relative to its shift.
-   * \param[in] cloud the file as read, \a usable its points that take part
+   * \param[in] cloud the file as read, \a usable its usable points
    * \param[in] field attribute whose values are also needed, or empty
    * \throws io::FileError */
   Surroundings
@@ -127,7 +127,7 @@ public:
                double distance,
                const std::string& field = {});
 
-  /** \brief The points of \a cloud that take part, with a warning if some do not.
+  /** \brief The usable points of \a cloud, with a warning if some are not.
    * \throws io::FileError if classes are requested that it does not have */
   io::UsablePoints
   usable(const io::Cloud& cloud) const;
@@ -146,7 +146,7 @@ private:
   Use use_;
   std::vector<std::string> names_;
   io::InputList list_;
-  std::vector<io::FileSummary> summaries_; ///< of the files, once they were needed
+  std::vector<io::FileSummary> summaries_; ///< of the files, once needed
   std::string reference_, reference_file_; ///< of the first file that has one
   // The box of all files, with the summaries.
   Point low_ = Point::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
@@ -169,8 +169,8 @@ public:
     return path_;
   }
 
-  /** \brief Fails at once if \ref write would fail after long work; makes the folder
-   * for several outputs.
+  /** \brief Fails before long work if \ref write would fail after it; creates the
+   * folder for several outputs.
    * \throws io::FileError */
   void
   check(CloudInput& input);

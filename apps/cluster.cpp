@@ -31,7 +31,7 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief Whether an attribute is a label rather than a measure: clusters then take its
+/** \brief Whether an attribute is a label rather than a measure: clusters then get its
  * most frequent value, otherwise the mean. */
 bool
 isName(const io::Column& column)
@@ -150,11 +150,11 @@ clustersOf(const Points& points,
   frame.summary["device"] = engine.device().name;
   return engine.cluster(points, settings, field, &frame.monitor);
 #else
-  throw std::runtime_error("this linelet was built without OpenCL; leave out --device");
+  throw std::runtime_error("this linelet was built without OpenCL; omit --device");
 #endif
 }
 
-/** \brief Fails at once if a mesh could not be written to \a path after long work. */
+/** \brief Fails before long work if a mesh could not be written to \a path after it. */
 void
 checkMeshOutput(const std::string& path)
 {

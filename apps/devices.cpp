@@ -41,7 +41,7 @@ runDevices(const std::vector<std::string>& arguments)
                                         {"double_precision", device.double_precision}});
   }
   if (number == 0)
-    std::printf("OpenCL has no device here; on Debian apt-get install pocl-opencl-icd "
+    std::printf("there is no OpenCL device; on Debian, apt-get install pocl-opencl-icd "
                 "makes one of the processor\n");
 #else
   std::printf("this linelet was built without OpenCL\n");

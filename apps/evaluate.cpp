@@ -59,7 +59,7 @@ writeVertexErrors(const std::string& path,
                     errors[i].along,
                     errors[i].distance);
       file.write(row);
-      // Readers take an empty cell for NaN.
+      // Readers interpret an empty cell as NaN.
       std::snprintf(row, sizeof(row), "%.7g\n", errors[i].angle);
       file.write(std::isnan(errors[i].angle) ? "\n" : row);
     }

@@ -295,7 +295,7 @@ void
 Frame::warn(const std::string& sentence)
 {
   if (std::find(warnings_.begin(), warnings_.end(), sentence) != warnings_.end())
-    return; // of a file that is looked at twice
+    return; // when a file is checked twice
   std::cerr << app.get_name() << ": warning: " << sentence << '\n';
   warnings_.push_back(sentence);
 }

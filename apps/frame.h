@@ -59,8 +59,8 @@ struct Exit {
 
 /** \brief What every command shares: option parsing, threads, JSON summary, progress.
  *
- * A command makes a frame, adds its options to \ref app, calls \ref parse, works, fills
- * \ref summary, and returns \ref finish. */
+ * A command creates a frame, adds its options to \ref app, calls \ref parse, does its
+ * work, fills \ref summary, and returns \ref finish. */
 class Frame {
   std::unique_ptr<CLI::App> parser_;
 
@@ -73,8 +73,8 @@ public:
   nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   ProgressBar monitor;
 
-  /** \brief \a path, empty if not given, will name a file to read once \ref parse is
-   * done; must outlive this. */
+  /** \brief Declares that \a path, empty if not given, names a file to read after \ref
+   * parse; must outlive this. */
   void
   reads(const std::string& path);
 
@@ -100,7 +100,7 @@ public:
   void
   addOutput(const char* name, std::string& path, const std::string& meaning);
 
-  /** \brief The same for a file to write; \ref parse refuses it if it is also an input
+  /** \brief The same for a file to write; \ref parse rejects it if it is also an input
    * or another output. */
   void
   writes(const std::string& path);
@@ -111,7 +111,7 @@ public:
   void
   parse(const std::vector<std::string>& arguments);
 
-  /** \brief Refuses \a outputs, known only after \ref parse, that are inputs or other
+  /** \brief Rejects \a outputs, known only after \ref parse, that are inputs or other
    * outputs.
    * \throws io::FileError */
   void
@@ -122,7 +122,8 @@ public:
   std::vector<std::pair<std::string, std::string>>
   settings() const;
 
-  /** \brief Reports a loss or oddity in one sentence, on stderr and in the summary. */
+  /** \brief Reports a loss or an oddity in one sentence, on stderr and in the
+   * summary. */
   void
   warn(const std::string& sentence);
   void

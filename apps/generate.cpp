@@ -62,7 +62,7 @@ generateGeometry(const std::vector<std::string>& arguments)
       "generate",
       "Makes noisy samples of a known curve, for tests and measurements. linelet "
       "generate corridor and linelet generate scene make scenes with power lines; they "
-      "have options of their own (linelet generate scene --help).");
+      "have their own options (linelet generate scene --help).");
   bench::SamplingSettings settings;
   std::string name, truth;
   std::vector<double> hole;

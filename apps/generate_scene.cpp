@@ -46,7 +46,7 @@ structureNetwork(const bench::SceneScan& scan)
   return network;
 }
 
-/** What a scorer needs to know about every wire, in the order of the truth's file. */
+/** What a scorer needs to know about every wire, in the order of the truth file. */
 nlohmann::ordered_json
 describeWires(const bench::SceneScan& scan)
 {

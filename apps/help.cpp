@@ -137,7 +137,7 @@ helpOf(const CLI::App& app)
 std::string
 didYouMean(const std::string& word, const std::vector<std::string>& known)
 {
-  std::size_t least = word.size() / 3 + 1; // typos; with more edits it is another word
+  std::size_t least = word.size() / 3 + 1; // more edits: a different word
   std::string best;
   for (const std::string& candidate : known)
     if (const std::size_t distance = editDistance(word, candidate); distance < least) {
@@ -160,7 +160,7 @@ usageError(const CLI::App* app, const CLI::Error& error)
     what = "there is no option " + unknown + didYouMean(unknown, known);
   }
   else if (const std::string stiff = "Could not convert: "; what.rfind(stiff, 0) == 0)
-    what = what.substr(stiff.size()) + " is not a number that it takes";
+    what = what.substr(stiff.size()) + " is not a valid number";
   else if (dynamic_cast<const CLI::ConfigError*>(&error) != nullptr)
     what = app->get_config_ptr()->as<std::string>() + ": " + what;
   const std::string& name = app->get_name();

@@ -78,7 +78,7 @@ runImage(const std::vector<std::string>& arguments)
       "are spherical, or as ellipsoids; the cells of a grid, as splats, planes or "
       "boxes; or the graphs of linearity, planarity and sphericity of one point over "
       "the radius, with extrema and optimal radius. Clouds and curves can also be "
-      "drawn as .svg (from above with --elevation 90, else in perspective). "
+      "drawn as .svg (from above with --elevation 90, otherwise in perspective). "
       "Coordinates on the command line are those of the file. Points flagged as "
       "withheld are not drawn.");
   PictureSettings settings;
@@ -100,7 +100,7 @@ runImage(const std::vector<std::string>& arguments)
     else if (!settings.point.empty())
       settings.kind = PictureKind::Graphs;
   }
-  // Medians of all neighborhoods of a cloud are slow.
+  // Medians for all neighborhoods of a cloud are slow.
   if (settings.kind == PictureKind::Cloud && frame.app.count("--centroid") == 0)
     shapes.centroid = Centroid::QueryPoint;
   const bool svg = isSvg(output);

@@ -131,7 +131,7 @@ attributesOf(const io::Cloud& cloud)
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < cloud.points.size(); ++i) {
       const double value = io::valueAt(column, i);
-      low = std::min(low, value); // NaN is never less
+      low = std::min(low, value); // NaN compares false
       high = std::max(high, value);
     }
     ordered_json attribute = {{"name", column.name},
@@ -282,7 +282,7 @@ printTable(CloudInput& input)
   return {{"points", points}, {"files", files}};
 }
 
-/** What only LAS files have. */
+/** Describes what only LAS files have. */
 void
 describeLas(ordered_json& out, const io::Cloud& cloud)
 {

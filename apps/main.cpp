@@ -75,7 +75,7 @@ main(int argc, char** argv)
           stderr, "linelet %s: not enough memory for this input\n", command.name);
     }
     catch (const std::exception& error) {
-      // Interrupted work may also end in an error.
+      // Interrupted work may end in some other error.
       const char* what = stopRequested() ? linelet::Canceled().what() : error.what();
       std::fprintf(stderr, "linelet %s: %s\n", command.name, what);
     }

@@ -21,7 +21,7 @@ described(CLI::Option* option, const char* type, const std::string& help)
   return option->type_name(type)->capture_default_str();
 }
 
-/** \brief An option whose text \a set parses or refuses. */
+/** \brief An option whose text \a set parses or rejects. */
 CLI::Option*
 addNamed(CLI::App& app,
          const std::string& option,

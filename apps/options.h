@@ -20,7 +20,7 @@ class App;
 
 namespace linelet::apps {
 
-/** \brief What is wrong with \a text as a count; CLI11 takes -1 for the largest
+/** \brief What is wrong with \a text as a count; CLI11 reads -1 as the largest
  * number. */
 std::string
 notNegative(const std::string& text);

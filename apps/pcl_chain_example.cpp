@@ -40,7 +40,7 @@ try {
   pass.filter(*lines);
   linelet::EigenStreamlineCurveReconstruction<pcl::PointXYZI> reconstruction;
   reconstruction.setInputCloud(lines);
-  pcl::PolygonMesh mesh; // one polygon per curve, for whatever works on meshes
+  pcl::PolygonMesh mesh; // one polygon per curve, for tools that work on meshes
   reconstruction.reconstruct(mesh);
   const linelet::CurveNetwork curves = reconstruction.reconstruct();
   if (linelet::io::isSameFile(argv[1], argv[2]))

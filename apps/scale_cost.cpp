@@ -14,8 +14,7 @@ namespace {
 constexpr double long_work = 3; // seconds
 constexpr double trial = 0.1;   // seconds long enough to be measured
 
-/** \brief Queries in a few neighborhoods, since engines are faster on queries that lie
- * together. */
+/** \brief Queries in a few clusters, since engines are faster on nearby queries. */
 Indices
 clusters(const Points& queries, const Indices& finite, std::size_t size)
 {
@@ -58,7 +57,7 @@ measuredCost(const Points& queries,
       finite.push_back(static_cast<Index>(i));
   if (finite.empty())
     return cost;
-  double preparation = 0; // which takes the same time for few and many
+  double preparation = 0; // independent of the number of queries
   for (std::size_t size = 1; size <= most; size *= size == 1 ? 8 : 20) {
     const Indices sample = clusters(queries, finite, size);
     const Clock::time_point begin = Clock::now();
@@ -102,8 +101,7 @@ announceMultiScale(const Points& points,
                    Frame& frame)
 {
   const auto costOf = [&](const MultiScaleSettings& s) {
-    // The grid shares its lists among the queries of a block; medians are slow in any
-    // case.
+    // The grid shares its lists among the queries of a block; medians are always slow.
     const bool median =
         s.centroid == Centroid::Median || s.centroid == Centroid::WeightedMedian;
     const std::size_t most = s.engine == ScaleEngine::Grid && !median ? 3200 : 160;

@@ -28,8 +28,8 @@ measuredCost(const Points& queries,
              std::size_t most,
              const std::function<double(const Indices& chosen)>& work);
 
-/** \brief Announces how long long work will take, and why.
- * \param[in] size in words: "largest radius 5"
+/** \brief Announces how long slow work will take, and why.
+ * \param[in] size as text: "largest radius 5"
  * \param[in] option that makes it shorter */
 void
 announce(const ScaleCost& cost,

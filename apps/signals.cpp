@@ -18,7 +18,7 @@ namespace linelet::apps {
 
 namespace {
 
-constexpr int patience = 1500; // milliseconds for work to end by itself
+constexpr int patience = 1500; // milliseconds for work to end on its own
 
 volatile std::sig_atomic_t requested = 0;
 std::array<int, 2> wake; // read end, write end
@@ -33,7 +33,7 @@ onSignal(int)
   errno = error;
 }
 
-/** \brief Waits for a signal, then gives the program time to end by itself. */
+/** \brief Waits for a signal, then gives the program time to end on its own. */
 void
 watch(const std::string& message)
 {

@@ -17,7 +17,7 @@ runVpc(const std::vector<std::string>& arguments)
 {
   Frame frame("vpc",
               "Writes a virtual point cloud: a list of point files with their extents, "
-              "from their headers alone. GIS software and every command of linelet "
+              "from just their headers. GIS software and every command of linelet "
               "accept it in place of the files.");
   std::string output;
   CloudInput input(frame, CloudInput::Use::Copy);

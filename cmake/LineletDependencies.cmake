@@ -24,7 +24,7 @@ if(LINELET_WITH_OPENCL AND LINELET_WITH_PCL)
   endif()
 endif()
 if(LINELET_BUILD_IO AND LINELET_WITH_HDF5)
-  # Only the C library: FindHDF5 would call a compiler wrapper, and bring MPI where that
+  # Only the C library: FindHDF5 would call a compiler wrapper, and pull in MPI where that
   # flavor is installed as well.
   find_path(LINELET_HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial)
   find_library(LINELET_HDF5_LIBRARY NAMES hdf5_serial hdf5)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# find_package(linelet CONFIG) with one component per room, and a pkg-config file for
+# find_package(linelet CONFIG) with one component per module, and a pkg-config file for
 # each.
 include(CMakePackageConfigHelpers)
 
@@ -35,7 +35,7 @@ function(linelet_component name description)
       string(APPEND PC_LINK " ${lib}")
     endforeach()
   endif()
-  # Relative to the file, so that the installation can be moved.
+  # Relative to the file, so that the installation is relocatable.
   file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   string(REGEX REPLACE "/$" "" up "${up}")
   set(PC_PREFIX "\${pcfiledir}/${up}")
@@ -52,7 +52,7 @@ endfunction()
 linelet_component(core "Shapes and curves of point clouds"
   LIBS core REQUIRES eigen3 PRIVATE_REQUIRES libhwy)
 if(TARGET linelet_pcl)
-  linelet_component(pcl "linelet's classes of a PCL chain"
+  linelet_component(pcl "linelet's PCL classes"
     LIBS pcl REQUIRES linelet-core pcl_common pcl_kdtree pcl_octree pcl_search)
 endif()
 if(TARGET linelet_io)
@@ -61,7 +61,7 @@ if(TARGET linelet_io)
   endif()
   linelet_component(io "Point files"
     LIBS io REQUIRES linelet-core PRIVATE_REQUIRES liblzf ${io_private})
-  linelet_component(fragments "Fragments of clouds that do not fit"
+  linelet_component(fragments "Clouds larger than memory, in fragments"
     LIBS fragments REQUIRES linelet-io)
   linelet_component(vector "Vector files and reference systems"
     LIBS vector REQUIRES linelet-io PRIVATE_REQUIRES gdal)

@@ -18,12 +18,12 @@ endfunction()
 #
 # A library linelet::NAME.
 function(linelet_library name)
-  cmake_parse_arguments(ROOM "STATIC" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "STATIC" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   set(target linelet_${name})
-  if(ROOM_STATIC)
-    add_library(${target} STATIC ${ROOM_SOURCES})
+  if(ARG_STATIC)
+    add_library(${target} STATIC ${ARG_SOURCES})
   else()
-    add_library(${target} ${ROOM_SOURCES})
+    add_library(${target} ${ARG_SOURCES})
   endif()
   add_library(linelet::${name} ALIAS ${target})
   linelet_settings(${target})
@@ -36,30 +36,30 @@ function(linelet_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS} PRIVATE ${ROOM_PRIVATE})
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE})
   if(LINELET_WITH_OPENMP)
     target_link_libraries(${target} PUBLIC OpenMP::OpenMP_CXX)
   endif()
-  if(BUILD_SHARED_LIBS AND NOT ROOM_STATIC AND NOT APPLE)
+  if(BUILD_SHARED_LIBS AND NOT ARG_STATIC AND NOT APPLE)
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
 endfunction()
 
-# linelet_room(NAME [COMPONENT name] SOURCES ... [DEPENDS ...] [PRIVATE ...])
+# linelet_module(NAME [COMPONENT name] SOURCES ... [DEPENDS ...] [PRIVATE ...])
 #
-# A library that is installed, with the component of find_package that it belongs to:
-# its own unless another is named.
-function(linelet_room name)
-  cmake_parse_arguments(ROOM "" "COMPONENT" "" ${ARGN})
-  if(NOT ROOM_COMPONENT)
-    set(ROOM_COMPONENT ${name})
+# An installed library, with the component of find_package that it belongs to:
+# by default its own.
+function(linelet_module name)
+  cmake_parse_arguments(ARG "" "COMPONENT" "" ${ARGN})
+  if(NOT ARG_COMPONENT)
+    set(ARG_COMPONENT ${name})
   endif()
-  linelet_library(${name} ${ROOM_UNPARSED_ARGUMENTS})
-  set_property(GLOBAL APPEND PROPERTY LINELET_ROOMS linelet_${name})
-  linelet_install_room(linelet_${name} ${ROOM_COMPONENT})
+  linelet_library(${name} ${ARG_UNPARSED_ARGUMENTS})
+  set_property(GLOBAL APPEND PROPERTY LINELET_MODULES linelet_${name})
+  linelet_install_library(linelet_${name} ${ARG_COMPONENT})
 endfunction()
 
-function(linelet_install_room target component)
+function(linelet_install_library target component)
   install(TARGETS ${target} EXPORT linelet_${component}Targets
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries
@@ -77,12 +77,12 @@ function(linelet_part name)
   add_library(linelet::${name} ALIAS linelet_core)
 endfunction()
 
-# linelet_test(NAME SOURCES a.cpp ... LINK linelet::room ... [INSIDE] [TOGETHER])
+# linelet_test(NAME SOURCES a.cpp ... LINK linelet::module ... [INSIDE] [TOGETHER])
 #
 # A test program. It finds the reference data in LINELET_TEST_DATA (environment, or the
 # folder ../shared/data beside the project) through test/test_data.h. With INSIDE it
 # uses symbols that shared libraries hide, so it is left out of shared builds. With TOGETHER
-# its tests run in one process and compute once what they share.
+# its tests run in one process and share what they compute.
 function(linelet_test name)
   cmake_parse_arguments(TEST "INSIDE;TOGETHER" "TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(TEST_INSIDE AND BUILD_SHARED_LIBS)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `tidy`: clang-tidy over all sources, on request. It takes some seconds per file, so no
+# `tidy`: clang-tidy over all sources, on request. It takes several seconds per file, so no
 # build and no test runs it. Needs clang-tidy and libomp-14-dev.
 find_program(LINELET_RUN_CLANG_TIDY NAMES run-clang-tidy run-clang-tidy-14)
 if(LINELET_RUN_CLANG_TIDY)

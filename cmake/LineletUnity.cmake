@@ -3,12 +3,12 @@
 #
 # With CMAKE_UNITY_BUILD, the sources of a folder are compiled as one, since most of the
 # time goes into headers that they share. Highway's kernels include themselves once per
-# instruction set and stay alone; CMake itself keeps sources apart that have compiler
-# settings of their own.
+# instruction set and stay separate; CMake itself separates sources that have their own
+# compiler settings.
 get_property(targets GLOBAL PROPERTY LINELET_TARGETS)
 foreach(target IN LISTS targets)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-  # To GCC, a source that is included is a header, whose types must not hold unnamed ones.
+  # GCC treats an included source as a header, whose types must not use unnamed ones.
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   get_target_property(root ${target} SOURCE_DIR)

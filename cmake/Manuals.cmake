@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # cmake -DTOOL=linelet -DFOLDER=dir -P Manuals.cmake
-# Lets the tool write its manual pages (dir/man1) and its bash completion (dir/linelet).
+# Has the tool write its manual pages (dir/man1) and its bash completion (dir/linelet).
 # Commands left out of this build have none.
 function(ask variable)
   execute_process(COMMAND ${TOOL} ${ARGN}

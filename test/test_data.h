@@ -12,8 +12,8 @@
 namespace linelet::test {
 
 /** \brief Path of a file or folder of the reference data, which lies outside the
- * project (LINELET_TEST_DATA, else ../shared/data); it may be absent, see
- * \ref LINELET_NEEDS_DATA. */
+ * project (LINELET_TEST_DATA, otherwise ../shared/data); it may be absent, see \ref
+ * LINELET_NEEDS_DATA. */
 inline std::filesystem::path
 dataPath(const std::string& relative)
 {
@@ -24,7 +24,7 @@ dataPath(const std::string& relative)
 
 } // namespace linelet::test
 
-/** \brief Skips the test, with a message, where the reference data \a relative are
+/** \brief Skips the test, with a message, if the reference data \a relative are
  * absent. */
 #define LINELET_NEEDS_DATA(relative)                                                   \
   if (!std::filesystem::exists(linelet::test::dataPath(relative)))                     \

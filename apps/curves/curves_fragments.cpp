@@ -57,9 +57,9 @@ CurvesJob::warnOfOneBlock(const CloudTraits& traits)
   std::snprintf(
       text,
       sizeof(text),
-      "--memory cannot be kept to: curves alone, which no border divides, and "
-      "clouds no larger than a block are worked on in one piece; these %.0f "
-      "points take about %.2g GB",
+      "--memory cannot be honored: clouds of only curves, which cannot be divided, and "
+      "clouds no larger than a block are processed in one piece; these %.0f "
+      "points need about %.2g GB",
       traits.points,
       needed / 1e9);
   frame_.warn(text);

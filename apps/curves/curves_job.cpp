@@ -75,7 +75,7 @@ CurvesJob::CurvesJob(const std::vector<std::string>& arguments)
   const OptionAdder add(frame_.app);
   add("simplify",
       simplify_,
-      "leave out vertices as long as curves stay within this distance, in the unit of "
+      "drop vertices as long as curves stay within this distance, in the unit of "
       "the cloud; auto: a tenth of each curve's noise; 0: keep all");
   addOptions(frame_.app, settings_);
   add("tensors",
@@ -105,7 +105,7 @@ CurvesJob::runWhole()
     input_.readOnly(tensors_ ? tensorAttributes() : std::vector<std::string>());
   const io::Cloud cloud = input_.read();
   const io::UsablePoints usable = input_.usable(cloud);
-  // Points that take no part become NaN, so that --start counts as the file does.
+  // Unused points become NaN, so that --start counts as the file does.
   const Points& points = usable.points();
   const auto count = std::count_if(
       points.begin(), points.end(), [](const Point& p) { return p.allFinite(); });

@@ -30,12 +30,12 @@ public:
 
 private:
   std::string text_;
-  double length_ = -1; // negative: by the noise
+  double length_ = -1; // negative: from the noise
 };
 
 /** \brief The curves with as few vertices as Douglas and Peucker's algorithm
- * (Cartographica 10, 1973) leaves within their tolerance. Ends and places where curves
- * meet stay. */
+ * (Cartographica 10, 1973) leaves within their tolerance. Ends and junctions are
+ * kept. */
 CurveNetwork
 simplified(CurveNetwork network, const SimplifyTolerance& tolerances);
 

@@ -57,7 +57,7 @@ private:
   std::uint64_t every_ = 1;
 };
 
-/** \brief The points by which a cloud is judged, one at a time. */
+/** \brief The sample of points that the traits are estimated from. */
 class Sample {
 public:
   explicit Sample(const RandomSquares& squares) : squares_(squares) {}
@@ -120,7 +120,7 @@ traitsOfCloud(CloudInput& input,
               const Point& shift,
               unsigned threads)
 {
-  // What fragments would see of files whose headers are quickly read.
+  // Chooses as fragments would, for files with fast headers.
   const bool choose =
       static_cast<double>(points.size()) > most &&
       std::all_of(input.files().begin(), input.files().end(), io::CloudSink::takes);

@@ -18,7 +18,7 @@ CloudTraits
 traitsOfFiles(CloudInput& input, unsigned threads, ProgressMonitor* monitor);
 
 /** \brief The same for the cloud that \a input was read into.
- * \param[in] points relative to \a shift; those that take no part are not finite */
+ * \param[in] points relative to \a shift; unused ones are not finite */
 CloudTraits
 traitsOfCloud(CloudInput& input,
               const Points& points,

@@ -17,7 +17,7 @@ using fragments::TimePrediction;
 
 namespace {
 
-// Size of the larger part: large enough that the start of a device hardly matters.
+// Size of the larger part: large enough that a device's startup hardly matters.
 constexpr std::size_t part_size = 100000;
 
 /** \brief The first \a count points of \a fragment, which all belong to it. */

@@ -21,9 +21,9 @@ struct DeviceQueues {
 };
 
 /** \brief Distributes \a tasks over the devices of \a job. A single device takes them
- * in order. With several, each first computes part of one fragment in two sizes, from
- * which its time per number of points follows; devices that fail at that are left out,
- * with a warning.
+ * in order. With several, each first computes two parts of one fragment, which give its
+ * time as a function of the number of points; devices that fail are left out, with a
+ * warning.
  * \param[in] scratch file for results of these parts, removed at the end
  * \throws Canceled */
 DeviceQueues

@@ -27,10 +27,9 @@ makeFragmentJob(const std::string& name, const std::vector<std::string>& argumen
     return makePowerlinesJob(arguments);
   if (name == "curves")
     return makeCurvesJob(arguments);
-  throw std::runtime_error(
-      "'" + name +
-      "' is not a command that works in fragments; those are tensor, "
-      "multiscale, curves and powerlines");
+  throw std::runtime_error("'" + name +
+                           "' cannot run in fragments; use tensor, "
+                           "multiscale, curves or powerlines");
 }
 
 } // namespace linelet::apps

@@ -66,7 +66,7 @@ public:
   virtual double
   ghost(const Figures& measures) = 0;
 
-  /** \brief Devices that compute fragments side by side. */
+  /** \brief Devices that compute fragments concurrently. */
   struct Devices {
     std::vector<std::string> names = {""};
     fragments::Heuristic heuristic = fragments::Heuristic::SimpleHS;

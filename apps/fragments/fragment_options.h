@@ -32,7 +32,7 @@ private:
   double bytes_;
 };
 
-/** \brief How a cloud that does not fit into memory is cut. */
+/** \brief How to divide a cloud that does not fit into memory. */
 struct FragmentOptions {
   double chunk = 0;
   MemorySize memory{"auto"};
@@ -49,8 +49,8 @@ describe(FragmentOptions& s, Visit&& visit)
         "with the same result: 8G, 500M; auto: half of the machine's");
   visit("chunk",
         s.chunk,
-        "Fragments: side of the fragments, in the unit of the cloud, which are then "
-        "used in any case; 0: as wide as --memory allows");
+        "Fragments: side of the fragments, in the unit of the cloud; they are then "
+        "always used; 0: as wide as --memory allows");
   visit(
       "resume", s.resume, "Fragments: continue an interrupted run of the same command");
 }

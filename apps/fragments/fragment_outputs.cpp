@@ -81,7 +81,7 @@ FragmentRun::merge(FragmentJob& job, bool partial)
         std::to_string(missing) + " of " + std::to_string(usable.size()) +
         " fragments are not done, the first is number " + std::to_string(first) +
         (entry ? " (" + entry->reason + ")" : std::string()) +
-        "; work on them, or merge the others with --partial");
+        "; finish them with linelet work, or merge the others with --partial");
   }
   Figures figures;
   for (std::size_t i = 0; !job.needs(plan_, i).empty(); ++i) {
@@ -89,7 +89,7 @@ FragmentRun::merge(FragmentJob& job, bool partial)
       writeOutput(job, i, usable);
     const auto entry = ledger_.find(Ledger::output, i);
     if (!entry)
-      throw std::runtime_error(ledger_.path(Ledger::output, i) + ": is gone");
+      throw std::runtime_error(ledger_.path(Ledger::output, i) + ": is missing");
     for (const auto& [name, value] : entry->figures)
       figures[name] += value;
   }

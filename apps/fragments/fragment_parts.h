@@ -33,9 +33,9 @@ pieceOf(const fragments::Plan& plan, const fragments::Fragment& fragment);
 std::vector<std::size_t>
 fragmentsOfInput(const fragments::Plan& plan, std::size_t number);
 
-/** \brief Writes input \a task.number again, with whatever \a add makes of the records
- * of its points: add(cloud, records, number of points left out). Points without a
- * record have \a unknown. */
+/** \brief Writes input \a task.number again with what \a add makes of the records of
+ * its points: add(cloud, records, number of points left out). Points without a record
+ * have \a unknown. */
 template <class Record, class Add>
 void
 writeParts(const OutputTask& task,

@@ -46,9 +46,10 @@ FragmentRun::make(FragmentJob& job,
   }();
   if (existing == Existing::Resume && !same &&
       fs::exists(fs::path(run.folder_) / "plan.json"))
-    throw io::FileError(run.folder_ +
-                        ": is of other inputs, options or another version of linelet; "
-                        "run without --resume to begin anew");
+    throw io::FileError(
+        run.folder_ +
+        ": belongs to other inputs, options or another version of linelet; "
+        "run without --resume to start over");
   if (existing == Existing::Remove || !same)
     run.remove();
   fragments::savePlan(run.plan_, run.folder_);
@@ -67,8 +68,9 @@ FragmentRun::open(const std::string& place, std::unique_ptr<FragmentJob>& job)
   std::error_code error;
   fs::current_path(run.plan_.place, error);
   if (error)
-    throw io::FileError(run.plan_.place + ": cannot be entered, where it was planned; "
-                                          "mount it under the same name here");
+    throw io::FileError(run.plan_.place +
+                        ": the run was planned here, but the folder cannot be entered; "
+                        "mount it under the same path");
   job = makeFragmentJob(run.plan_.command, run.plan_.arguments);
   job->check();
   return run;

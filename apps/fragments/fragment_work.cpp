@@ -23,8 +23,8 @@ using fragments::Ledger;
 
 namespace {
 
-/** \brief Keeps the memory of one fragment for the next: requesting it page by page
- * would take as long as computing. */
+/** \brief Keeps the memory of one fragment for the next: getting it page by page again
+ * would take as long as the computation. */
 void
 keepFreedMemory()
 {
@@ -34,7 +34,7 @@ keepFreedMemory()
 #endif
 }
 
-/** \brief What comes next has another shape. */
+/** \brief Later allocations have different sizes. */
 void
 giveBackFreedMemory()
 {

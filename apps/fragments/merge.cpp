@@ -10,9 +10,10 @@ namespace linelet::apps {
 int
 runMerge(const std::vector<std::string>& arguments)
 {
-  Frame frame("merge",
-              "Writes the results of a plan whose fragments are done. --partial also "
-              "writes them where some are not; the exit code is then 1.");
+  Frame frame(
+      "merge",
+      "Writes the results of a plan whose fragments are done; with --partial, also "
+      "if some are not (the exit code is then 1).");
   std::string place;
   bool partial = false;
   frame.addArgument("OUTPUT", place, "what was planned as the output");
@@ -22,7 +23,7 @@ runMerge(const std::vector<std::string>& arguments)
   FragmentRun run = FragmentRun::open(place, job);
   const std::size_t missing = run.merge(*job, partial);
   if (missing > 0)
-    frame.warn(std::to_string(missing) + " fragments are missing in the results");
+    frame.warn(std::to_string(missing) + " fragments are missing from the results");
   frame.summary = job->frame().summary;
   const int code = frame.finish();
   return missing == 0 ? code : 1;

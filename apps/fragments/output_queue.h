@@ -15,7 +15,7 @@
 namespace linelet::apps {
 
 /** \brief Outputs to write while fragments are computed, each as soon as its fragments
- * are done. Results that no output needs any longer are removed. */
+ * are done. Results that are no longer needed are removed. */
 class OutputQueue {
 public:
   /** \brief Writes an output. \param[in] done which fragments are */

@@ -105,7 +105,7 @@ private:
   {
     std::uint64_t count = 0;
     take(count);
-    if (count > bytes_.size() - at_) // none takes less than a byte
+    if (count > bytes_.size() - at_) // each takes at least one byte
       fail();
     return static_cast<std::size_t>(count);
   }
@@ -113,7 +113,7 @@ private:
   [[noreturn]] void
   fail() const
   {
-    throw io::FileError(path_ + ": is missing or damaged; plan and work again");
+    throw io::FileError(path_ + ": is missing or damaged; plan and run it again");
   }
 
   template <class T>

@@ -19,7 +19,7 @@ runPlan(const std::vector<std::string>& arguments)
                 "linelet plan "
                 "COMMAND, followed by the arguments of that command, as in linelet "
                 "plan tensor --radius 1 --memory 4G tiles/ out/. The plan is kept in "
-                "OUTPUT.fragments; linelet work OUTPUT works on it, linelet merge "
+                "OUTPUT.fragments; linelet work OUTPUT processes it, linelet merge "
                 "OUTPUT writes the results, linelet status OUTPUT shows the progress.");
     frame.addArgument("COMMAND", command, "tensor, multiscale, curves or powerlines");
     frame.parse(arguments);

@@ -21,7 +21,7 @@ isLas(const std::string& path)
   return io::CloudSink::takes(path); // the same endings
 }
 
-/** The extent of a file by its header, which some programs write with fewer digits. */
+/** The extent in a file's header, enlarged since some programs round it. */
 fragments::PlannedInput
 plannedInput(const io::FileSummary& file)
 {
@@ -51,7 +51,7 @@ wantsFragments(FragmentJob& job)
   double points = 0;
   for (const std::string& file : job.input().files())
     if (!isLas(file))
-      return false; // other headers are not quickly read
+      return false; // other headers are slow to read
   try {
     for (const io::FileSummary& file : job.input().summaries())
       points += static_cast<double>(file.points);
@@ -76,8 +76,7 @@ planOf(FragmentJob& job,
   plan.place = std::filesystem::current_path().string();
   plan.measures = job.measures();
   plan.ghost = job.ghost(plan.measures);
-  // Memory beyond that of the points: the program, its tables, and a block of the
-  // input.
+  // Memory besides the points: the program, its tables, and a block of the input.
   constexpr double base = 250e6;
   const double memory = job.options().memory.bytes();
   const auto devices = static_cast<double>(job.devices().names.size());

@@ -10,7 +10,7 @@
 
 namespace linelet::apps {
 
-/** \brief Passes on cancellation only: progress is by fragment. */
+/** \brief Passes on only cancellation: progress is reported per fragment. */
 class QuietMonitor : public ProgressMonitor {
 public:
   explicit QuietMonitor(const ProgressMonitor& outer) : outer_(outer) {}

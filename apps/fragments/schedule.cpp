@@ -96,7 +96,7 @@ readTimes(const std::string& path)
   for (std::size_t f = 0; f < table.times.fragments(); ++f)
     for (std::size_t d = 0; d < table.devices.size(); ++d)
       table.times(f, d) = seconds[f * table.devices.size() + d];
-  if (table.points.empty()) // represented by the times on the first device
+  if (table.points.empty()) // use the times on the first device instead
     for (std::size_t f = 0; f < table.times.fragments(); ++f)
       table.points.push_back(table.times(f, 0));
   return table;

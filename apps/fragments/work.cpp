@@ -32,7 +32,7 @@ int
 runWork(const std::vector<std::string>& arguments)
 {
   Frame frame("work",
-              "Works on a plan: on all fragments that are not done, or on some. Any "
+              "Processes a plan: all fragments that are not done, or some. Any "
               "number of workers may run at once, on machines that share the files; "
               "finished fragments are skipped, and two workers on one fragment write "
               "the same. Fragments are numbered from 0.");

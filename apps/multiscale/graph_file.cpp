@@ -30,7 +30,7 @@ rowsOf(std::size_t point, const ShapeGraph& graph, const std::vector<double>& ra
     rows += cell;
     for (const float value :
          {s.linearity, s.planarity, s.sphericity, s.major_x, s.major_y, s.major_z}) {
-      // Readers take an empty cell for NaN.
+      // Readers interpret an empty cell as NaN.
       std::snprintf(cell, sizeof(cell), ",%.7g", static_cast<double>(value));
       rows += std::isnan(value) ? "," : cell;
     }

@@ -18,7 +18,7 @@ MultiscaleJob::check()
 {
   if (looksAtOneCloud())
     throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
-                             "--stop-change look at one cloud; leave them out, or give "
+                             "--stop-change need the whole cloud; omit them, or give "
                              "more --memory");
   if (settings_.radii.empty() && !(settings_.scale_unit > 0))
     throw std::runtime_error(

@@ -23,11 +23,12 @@ MultiscaleJob::MultiscaleJob(const std::vector<std::string>& arguments)
           "are kept; points flagged as withheld are ignored and have no shape.\n"
           "Time grows with the number of points within the largest radius: on wires "
           "in proportion to it, on surfaces to its square. A job of more than a few "
-          "seconds says beforehand how many neighbors a point has and how long it will "
-          "take. Several inputs take the radii of the first, unless "
+          "seconds reports in advance how many neighbors a point has and how long it "
+          "will "
+          "take. Several inputs use the radii of the first, unless "
           "--radii or --scale-unit sets them; neighbors are found across their "
-          "borders. Fragments are computed on the processor alone (those of tensor "
-          "--engine all also on OpenCL devices).",
+          "borders. Fragments are computed only on the processor (with tensor "
+          "--engine all, also on OpenCL devices).",
           // Two fragments, engine and shapes; or cloud, usable points, engine, shapes
           // and their columns.
           {220, 300})
@@ -52,8 +53,8 @@ MultiscaleJob::runWhole()
   const bool several = input_.files().size() > 1;
   if (several && looksAtOneCloud())
     throw std::runtime_error("--graphs, --centroid-shift, --fourth-order and "
-                             "--stop-change look at one cloud; give one input, or "
-                             "leave them out");
+                             "--stop-change need a single cloud; give one input, or "
+                             "omit them");
   output_.check(input_);
   if (!graphs_.empty())
     io::checkWritable(graphs_);

@@ -18,7 +18,7 @@ void
 announceShift(const Points& points, const CentroidShiftSettings& shift, Frame& frame)
 {
   if (!(shift.radius > 0 && std::isfinite(shift.radius)))
-    return; // the caller refuses it
+    return; // the caller rejects it
   const GridSearch search(points, shift.radius);
   const ScaleCost cost = measuredCost(points, 160, [&](const Indices& chosen) {
     Points some;

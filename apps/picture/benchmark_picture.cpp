@@ -16,7 +16,7 @@ namespace {
 using bench::RunSummary;
 using bench::SummaryGroup;
 
-/// Distinct for color-blind readers and in gray; reused for further methods.
+/// Distinct for color-blind readers and in gray; repeated if there are more methods.
 constexpr std::array<Color, 4> bar_colors = {
     {{0.16, 0.47, 0.84}, {0.95, 0.72, 0.25}, {0.55, 0.06, 0.10}, {0.45, 0.45, 0.48}}};
 

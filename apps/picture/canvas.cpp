@@ -159,7 +159,7 @@ Canvas::text(Spot at,
   if (upwards)
     cairo_rotate(cairo, -M_PI / 2);
   const double part = align == Align::Left ? 0 : align == Align::Center ? 0.5 : 1;
-  // Capitals are about 0.7 of the size; their middle is at the given place.
+  // Capitals are about 0.7 of the size high; centers them at the given place.
   cairo_move_to(cairo, -part * advance(cairo, words), 0.35 * size);
   cairo_show_text(cairo, words.c_str());
   cairo_restore(cairo);
@@ -215,7 +215,7 @@ Canvas::save(const std::string& path) const
         out = (out & ~(0xFFU << (8 * c))) | mean << (8 * c);
       }
   cairo_surface_mark_dirty(image.get());
-  std::string png; // to memory, so that write errors are ours to report
+  std::string png; // to memory, so that we report write errors
   const auto append = [](void* text, const unsigned char* bytes, unsigned count) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes),
                                             count);

@@ -113,7 +113,7 @@ private:
   bool touched_ = false;                             // pixels were set outside Cairo
 };
 
-/** \brief Fails at once if saving a picture to \a path would fail after long work.
+/** \brief Fails before long work if saving a picture to \a path would fail after it.
  * \throws std::runtime_error */
 void
 checkPictureOutput(const std::string& path);

@@ -48,7 +48,7 @@ pictureOfCells(const io::Cloud& cloud,
   if (!splats)
     cells.faces = boxes ? CellFaces::Boxes : CellFaces::Quads;
   if (boxes)
-    cells.moves = 0; // they show their cells
+    cells.moves = 0; // so that cells are boxes
   const Clusters clusters = clusterPoints(cloud.points, cells, {}, &frame.monitor);
   frame.lap("cluster");
   std::vector<TensorGlyph> glyphs;

@@ -300,8 +300,9 @@ svgPictureOfCloud(const io::Cloud& cloud,
   Scalars values;
   const CloudView view = viewOf(cloud, settings, shapes, file, frame, values);
   if (view.pixels != PixelColor::OfPoints || !view.point_normals.empty())
-    throw std::runtime_error("--color " + settings.color +
-                             " is of pixels, which an .svg has none of; write a .png");
+    throw std::runtime_error(
+        "--color " + settings.color +
+        " needs pixels, which an .svg does not have; write a .png");
   SvgTensors tensors;
   if (settings.fourth_order)
     tensors = majorEigentensors(cloud.points, shapes, settings.colors, frame);

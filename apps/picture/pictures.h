@@ -179,7 +179,7 @@ namespace linelet {
 
 template <>
 struct Names<apps::PictureKind> {
-  static constexpr std::string_view kind = "kind of picture";
+  static constexpr std::string_view kind = "picture kind";
   static constexpr std::array<std::pair<apps::PictureKind, std::string_view>, 8> table =
       {{{apps::PictureKind::Cloud, "cloud"},
         {apps::PictureKind::Profile, "profile"},

@@ -74,14 +74,14 @@ withoutPoints(const io::Cloud& cloud, const std::vector<std::string>& attributes
   return empty;
 }
 
-/** Blocks of points, each read while the one before is worked on. */
+/** Blocks of points, each read while the one before is processed. */
 class ReadAhead {
 public:
   ReadAhead(io::PointStream& stream, unsigned threads)
       : stream_(stream),
         policy_(threadCount(threads) > 1 ? std::launch::async : std::launch::deferred)
   {
-    // What there is to warn of comes with the first block, at its place among others.
+    // The first block is read right away, so that its warnings come in order.
     read(std::launch::deferred);
   }
 

@@ -26,12 +26,12 @@ struct CopiedPoints {
 };
 
 /** \brief Rewrites the points of \a files, block by block, with their classes and what
- * was found, so that their attributes need not be held in memory.
+ * was found, without holding their attributes in memory.
  * \param[in] path .las or .laz
  * \param[in] options how to read them, with the shift of all, and threads
  * \param[in] wkt reference system, used if the first file has none
  * \param[in] wires of the network, whose reviews name classes
- * \throws io::PartsDiffer if they cannot be written in this way, io::FileError */
+ * \throws io::PartsDiffer if they cannot be written this way; io::FileError */
 CopiedPoints
 copyClassified(const std::string& path,
                const std::vector<std::string>& files,

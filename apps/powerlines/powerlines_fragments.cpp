@@ -142,7 +142,7 @@ PowerlinesJob::compute(const FragmentTask& task)
                                   hazards_.classes,
                                   frame_.threads,
                                   task.monitor));
-  // All fragments together keep half as many points as one may hold.
+  // All fragments together keep half as many points as one fragment may hold.
   const auto most = static_cast<std::size_t>(std::ceil(
       task.plan.most_points / (2 * static_cast<double>(task.plan.tiling.boxes()))));
   part.picture = picturePoints(task.fragment, cloud, network, most);
@@ -184,13 +184,12 @@ PowerlinesJob::report(const Figures& figures)
   const auto cut_off = figures.find("cut_off");
   if (cut_off != figures.end() && cut_off->second > 0) {
     char text[200];
-    std::snprintf(
-        text,
-        sizeof text,
-        "%.0f wires reach beyond what their fragments overlap by (%g m): they "
-        "may be joined wrongly; give --buffer more than the longest span",
-        cut_off->second,
-        buffer_);
+    std::snprintf(text,
+                  sizeof text,
+                  "%.0f wires extend beyond the overlap of their fragments (%g m) and "
+                  "may be joined wrongly; make --buffer longer than the longest span",
+                  cut_off->second,
+                  buffer_);
     frame_.warn(text);
   }
 }

@@ -98,11 +98,11 @@ PowerlinesJob::warnOfUnits(const std::string& wkt)
 {
   const io::Units units = io::unitsOf(wkt);
   if (!units.height_stated && !units.areMeters())
-    frame_.warn("the reference system has no unit of heights; they count as " +
+    frame_.warn("the reference system has no unit of heights; they are taken as " +
                 units.height_name + ", like x and y");
   if (wkt.empty())
     frame_.warn(input_.path() +
-                " has no reference system: its coordinates count as meters");
+                " has no reference system: its coordinates are taken as meters");
 }
 
 void

@@ -48,7 +48,7 @@ rasterOver(const fragments::Plan& plan,
   Ground ground;
   if (!(low.x() <= high.x()))
     return ground;
-  // Centers on multiples of the cells, like those of the fragments.
+  // Cell centers at multiples of the cell size, as in the fragments.
   const auto first = [&](int axis) { return std::floor(low[axis] / cell + 0.5); };
   const auto cells = [&](int axis) {
     return std::floor(high[axis] / cell + 0.5) - first(axis) + 1;
@@ -226,7 +226,7 @@ PowerlinesMerge::label(const io::Cloud& cloud,
     if (label.wire == 0)
       continue;
     const int id = ids_[label.fragment].wires.at(static_cast<std::size_t>(label.wire));
-    if (id == 0) { // its owner has not seen it
+    if (id == 0) { // the owner did not find it
       found.classes[i] = powerline::unclassified;
       continue;
     }
@@ -261,7 +261,7 @@ PowerlinesMerge::writeClassified(const std::string& path,
         if (const io::Column* given = cloud.find("classification"))
           for (std::size_t k = 0; k < labels.size(); ++k) {
             const auto number = static_cast<std::uint8_t>(io::valueAt(*given, k));
-            // For points that no fragment owns since they take no part.
+            // For unused points, which no fragment owns.
             labels[k].number_of_class =
                 number == powerline::wire_class || number == powerline::pylon_class
                     ? powerline::unclassified

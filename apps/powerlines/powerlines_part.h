@@ -14,7 +14,7 @@
 
 namespace linelet::apps {
 
-/** \brief What a fragment says about a point that it owns. */
+/** \brief What a fragment found out about a point that it owns. */
 struct PointLabel {
   std::uint32_t fragment = 0;
   std::int32_t wire = 0; ///< id there
@@ -45,7 +45,7 @@ struct PowerlinesPart {
 };
 
 /** \brief The points of \a fragment that are or surround the lines.
- * \param[in] most at most that many, evenly chosen; 0: no limit */
+ * \param[in] most maximum number, evenly chosen; 0: no limit */
 std::vector<PicturePoint>
 picturePoints(const fragments::Fragment& fragment,
               const io::Cloud& cloud,

@@ -67,7 +67,7 @@ private:
   [[noreturn]] static void
   changed()
   {
-    throw io::FileError("the input has changed while it was worked on; run it again");
+    throw io::FileError("the input changed while it was being processed; run it again");
   }
 
   const PowerLineNetwork& network_;
@@ -167,7 +167,7 @@ PowerlinesJob::runWhole()
       powerline::powerLineFiles(folder_, output_.compress);
   if (again) {
     std::vector<std::string> of_cloud;
-    // Beside the layers, which GDAL writes one after the other.
+    // In parallel with the layers, which GDAL writes one by one.
     auto copied = std::async(threadCount(frame_.threads) > 1 ? std::launch::async
                                                              : std::launch::deferred,
                              [&, shift = cloud.shift, wkt = cloud.wkt] {

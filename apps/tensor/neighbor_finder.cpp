@@ -17,7 +17,7 @@ settle(NeighborFinder& finder)
   if (finder.engine != EngineOption::Auto)
     throw std::runtime_error("--search " + std::string(nameOf(finder.search)) +
                              " and --engine " + std::string(nameOf(finder.engine)) +
-                             " both say who finds the neighbors; give one of them");
+                             " both choose how neighbors are found; give only one");
   finder.engine =
       finder.search == SearchOption::Grid ? EngineOption::Grid : EngineOption::Tree;
 }

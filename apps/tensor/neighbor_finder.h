@@ -49,7 +49,7 @@ optionOf(Engine engine)
   return engine == Engine::Grid ? EngineOption::Grid : EngineOption::Tree;
 }
 
-/** \brief Applies what --search says about the engine.
+/** \brief Applies --search to the engine.
  * \throws std::runtime_error if --engine contradicts it */
 void
 settle(NeighborFinder& finder);

@@ -25,7 +25,7 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Search = pcl::search::Search<pcl::PointXYZ>;
 
-/** \brief A leaf of the octree: about the usual distance of neighbors, which is cheap
+/** \brief Leaf size of the octree: about the usual distance of neighbors, which is fast
  * for any radius. */
 double
 leafSize(const Points& points, const TensorSettings& settings)

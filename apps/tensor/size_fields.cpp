@@ -31,8 +31,8 @@ chooseRadius(double scale_unit, const std::string& file)
 {
   if (!(scale_unit > 0))
     throw std::runtime_error(file +
-                             ": no radius can be chosen for points that are fewer "
-                             "than two or share one place; give --radius");
+                             ": no radius can be chosen for fewer than two points, "
+                             "or coincident ones; give --radius");
   return radiusFor(scale_unit);
 }
 

@@ -34,7 +34,7 @@ radiusFor(double scale_unit);
 double
 chooseRadius(double scale_unit, const std::string& file);
 
-/** \brief The size of the neighborhoods, in words. */
+/** \brief The size of the neighborhoods, as text. */
 std::string
 describeSize(const TensorSettings& settings, const SizeFields& fields);
 

@@ -15,8 +15,8 @@ namespace linelet::apps {
 
 namespace {
 
-/** \brief How far from the box of \a points their nearest points may be: no farther
- * than where the points alone have as many. */
+/** \brief Upper bound of the distance of nearest points beyond the box of \a points:
+ * the distance within which these alone suffice. */
 double
 nearestMargin(const Points& points,
               const TensorSettings& settings,
@@ -73,7 +73,7 @@ estimateAmongOthers(CloudInput& input,
       input.surroundings(number, cloud, usable, margin, fields.name());
   const NeighborhoodSizes sizes = sizesFrom(all.values, fields);
   if (finder.engine == EngineOption::Auto) {
-    // The one that all files together would use on the processor.
+    // The engine that all files together would use on the processor.
     EngineWork work = engineWork(all.points, all.points, settings, sizes);
     work.points = work.queries = 0;
     for (const io::FileSummary& file : input.summaries())

@@ -52,7 +52,7 @@ estimate(const Points& points,
          const NeighborhoodSizes& sizes,
          Frame& frame)
 {
-  // Invalid sizes are refused first.
+  // Invalid sizes are rejected first.
   validate(settings, sizes, points.size());
   EngineOption& engine = finder.engine;
   const bool automatic = engine == EngineOption::Auto;
@@ -72,7 +72,7 @@ estimate(const Points& points,
   catch (const std::runtime_error& error) {
     if (!automatic || engine != EngineOption::OpenCL)
       throw;
-    frame.warn(std::string(error.what()) + "; the engine grid runs instead");
+    frame.warn(std::string(error.what()) + "; using engine grid instead");
   }
   engine = EngineOption::Grid;
   return tensorsWith(finder, points, points, settings, sizes, frame);

@@ -9,8 +9,8 @@
 
 namespace linelet::apps {
 
-/** \brief Announces how long long work will take: work is long if it has many
- * neighbors, and its time is measured on a few points. */
+/** \brief Announces how long slow work will take; it is slow with many neighbors, and
+ * its time is measured on a few points. */
 void
 announceTensors(const Points& points,
                 const TensorSettings& settings,

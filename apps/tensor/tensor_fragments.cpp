@@ -43,7 +43,7 @@ TensorJob::devices()
   else if (!std::exchange(listed_, true)) {
     devices_ = devicesNamed(finder_.device);
     if (devices_.empty())
-      frame_.warn("there is no such OpenCL device; only the processor computes");
+      frame_.warn("there is no such OpenCL device; using only the processor");
   }
   for (const NamedDevice& device : devices_)
     all.names.push_back(device.name);

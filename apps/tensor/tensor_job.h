@@ -47,7 +47,7 @@ private:
   SizeFields fields_;
   FeatureList features_{"shape"};
   fragments::Heuristic schedule_ = fragments::Heuristic::SimpleHS;
-  std::vector<NamedDevice> devices_; ///< beside the processor
+  std::vector<NamedDevice> devices_; ///< besides the processor
   bool listed_ = false;              ///< whether these are known
   /// Indexed like \ref devices_, or the one of --engine opencl; each opened by its
   /// first user.

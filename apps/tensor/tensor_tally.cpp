@@ -47,7 +47,7 @@ void
 printUnknown(const Tally& tally)
 {
   if (tally.unknown > 0)
-    std::printf("%zu points have no shape: too few neighbors, or all in one place\n",
+    std::printf("%zu points have no shape: too few neighbors, or all coincident\n",
                 tally.unknown);
 }
 

@@ -15,7 +15,7 @@ namespace linelet::apps {
 /** \brief Totals over the records of a cloud. */
 struct Tally {
   std::size_t points = 0;
-  std::size_t left_out = 0;  ///< those that take no part
+  std::size_t left_out = 0;  ///< unused ones
   std::size_t unknown = 0;   ///< others that have no shape
   double mean_neighbors = 0; ///< over the others
 

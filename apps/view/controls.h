@@ -19,8 +19,8 @@ class QTabWidget;
 
 namespace linelet::view {
 
-/** \brief Controls for every option of the four analyses, made from their descriptions,
- * and their buttons. */
+/** \brief Controls for every option of the four analyses, generated from their
+ * descriptions, and their buttons. */
 class Controls : public QWidget {
 public:
   explicit Controls(Model& model);

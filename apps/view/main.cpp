@@ -28,7 +28,7 @@ struct Options {
   std::string truth, script, shot, dump;
 };
 
-/** \brief Whether there is a display for a window. Without one, Qt itself would end the
+/** \brief Whether there is a display for a window. Without one, Qt would abort the
  * program. */
 bool
 hasDisplay()
@@ -69,22 +69,22 @@ int
 main(int argc, char** argv)
 {
   Options options;
-  CLI::App app("Shows point clouds, curves and power lines, and why they are what they "
-               "are.",
+  CLI::App app("Shows point clouds, curves and power lines, and what they were derived "
+               "from.",
                "linelet-view");
   app.footer(scriptHelp());
   app.add_option("FILES",
                  options.files,
                  "point files, folders, .vpc, lists, curves, a folder of powerlines");
   app.add_option("--truth", options.truth, "true curves, to compare others with");
-  app.add_option("--script", options.script, "do the steps of this file, and end");
-  app.add_option("--shot", options.shot, "write the window to this PNG, and end");
-  app.add_option("--dump", options.dump, "write what is shown to this JSON, and end");
+  app.add_option("--script", options.script, "run the steps in this file and exit");
+  app.add_option("--shot", options.shot, "write the window to this PNG and exit");
+  app.add_option("--dump", options.dump, "write what is shown to this JSON and exit");
   CLI11_PARSE(app, argc, argv);
 
   if (!hasDisplay()) {
     std::fprintf(stderr,
-                 "linelet-view: there is no display to show a window on; log in with "
+                 "linelet-view: there is no display for its window; log in with "
                  "ssh -X, or run it under xvfb-run\n");
     return 1;
   }

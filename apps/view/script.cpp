@@ -127,7 +127,7 @@ steps()
       {"deselect",
        {": no point", 0, [](Window& w, const Words&) { w.select(std::nullopt); }}},
       {"await-click",
-       {": wait until somebody has clicked a point",
+       {": wait until a point is clicked",
         0,
         [](Window& w, const Words&) {
           while (!w.model.selected() && w.isVisible())
@@ -171,7 +171,7 @@ steps()
           w.cloudView().look(number(a[0]), number(a[1]));
         }}},
       {"near",
-       {"RADIUS: look at the selection from near",
+       {"RADIUS: look at the selection from close up",
         1,
         [](Window& w, const Words& a) {
           if (!w.model.selected())
@@ -247,7 +247,7 @@ steps()
           w.controls().refresh();
         }}},
       {"shot",
-       {"FILE.png: the window as it stands",
+       {"FILE.png: the window as it is",
         1,
         [](Window& w, const Words& a) { w.shoot(rest(a, 0)); }}},
       {"dump",

@@ -59,7 +59,7 @@ void
 Window::previewAround(double half_width)
 {
   if (!model.selected())
-    return say("Click a point first: the box is laid around it.", true);
+    return say("Click a point first: the box goes around it.", true);
   const Point at = model.scene().cloud.points[*model.selected()];
   const Point half = Point::Constant(half_width);
   preview(Box{at - half, at + half});
@@ -86,7 +86,7 @@ Window::endLine()
 {
   drawing_ = false;
   if (cloud_view_->drawn_line.size() < 2)
-    return say("A line needs two vertices at least.", true);
+    return say("A line needs at least two vertices.", true);
   model.imageAlong(cloud_view_->drawn_line);
   showPanel("image");
 }

@@ -43,7 +43,7 @@ Window::makeToolBar()
   add("From the side", "from_side", "Look north", [this] { cloud_view_->look(0, 5); });
   add("To the selection",
       "to_selection",
-      "Look at the selected point from near",
+      "Look at the selected point from close up",
       [this] {
         if (const auto point = model.selected())
           cloud_view_->lookAt(

@@ -54,7 +54,7 @@ main(int argc, char** argv)
 {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 5;
   if (argc > 2 || seeds < 1) {
-    std::fprintf(stderr, "Usage: %s [SEEDS], SEEDS from 1 on\n", argv[0]);
+    std::fprintf(stderr, "Usage: %s [SEEDS], SEEDS at least 1\n", argv[0]);
     return 2;
   }
   const std::vector<Column> all = columns();

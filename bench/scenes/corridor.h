@@ -70,7 +70,7 @@ struct CorridorSettings {
   double gaps = 4;          ///< stretches of wire without returns, per kilometer
   double outliers = 2e-5;   ///< fraction of pulses that return from empty air
   unsigned thin_ground = 1; ///< keep one ground point in n
-  unsigned planted = 0;     ///< trees and houses placed too near to wires
+  unsigned planted = 0;     ///< trees and houses placed too close to wires
   std::uint32_t seed = 1;
 };
 
@@ -127,7 +127,7 @@ struct CorridorWire {
   bool back_attached = false;  ///< the same of points.back()
 };
 
-/** \brief Something placed too near to a wire. */
+/** \brief Something placed too close to a wire. */
 struct PlantedHazard {
   std::uint8_t classification = 0; ///< 5 tree, 6 house
   Point wire = Point::Zero();      ///< the nearest place on the wire

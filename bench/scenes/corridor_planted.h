@@ -9,7 +9,7 @@
 
 namespace linelet::bench::corridor {
 
-/** \brief Places trees and houses too near to wires. */
+/** \brief Places trees and houses too close to wires. */
 std::vector<PlantedHazard>
 plantHazards(Scene& scene, const CorridorSettings& settings, Random& random);
 

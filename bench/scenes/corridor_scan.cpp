@@ -13,7 +13,7 @@ namespace linelet::bench::corridor {
 namespace {
 
 constexpr double gain = 22; ///< signal over the detection threshold at reflectivity 1
-constexpr double dead_zone = 0.5; ///< least distance of returns of a pulse, meters
+constexpr double dead_zone = 0.5; ///< minimum distance of returns of a pulse, meters
 constexpr int most_returns = 5;
 
 /** One strip: where the aircraft is and how it sways. */

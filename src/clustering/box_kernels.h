@@ -33,7 +33,7 @@ struct Corners {
 };
 
 /** \brief What \ref CellFrame::locate, \ref nearestFace and the sums of members do,
- * vectorized, with the same bits. */
+ * vectorized, bit for bit. */
 struct BoxKernels {
   /// Widens the corners by the points all of whose coordinates are finite.
   void (*extend)(const Point* points, std::size_t count, const Corners& corners);

@@ -50,8 +50,8 @@ validate(const ClusterSettings& settings)
                                 " is not between 0 and 180 degrees");
   if (camera.width < 1 || camera.height < 1 || !camera.eye.allFinite() ||
       !camera.axes.allFinite())
-    throw std::invalid_argument("the camera's position, direction or size of picture "
-                                "makes no sense");
+    throw std::invalid_argument("the camera's position, direction or picture size "
+                                "is invalid");
 }
 
 } // namespace linelet

@@ -28,7 +28,7 @@ leafForCount(PointPasses& passes,
     passes.fill(directory, frame);
     return static_cast<double>(std::max<std::size_t>(directory.occupied.count, 1));
   };
-  // More cells than 2^40 are refused; halving the finest of them is far from that.
+  // More cells than 2^40 are rejected; halving the finest of them is far from that.
   const double finest = extent / 8192;
   double coarse = extent, fine = finest;
   double few = 1, many = occupied(fine);

@@ -16,8 +16,8 @@ hasScale(const CloudTraits& traits)
   return traits.scale_unit > 0 && std::isfinite(traits.scale_unit);
 }
 
-/** \brief Whether both methods are tried; the method for a larger cloud is chosen
- * beforehand. */
+/** \brief Whether the cloud is small enough to try both methods; for a larger one the
+ * method is chosen in advance. */
 inline bool
 isSmall(const CloudTraits& traits)
 {
@@ -25,8 +25,8 @@ isSmall(const CloudTraits& traits)
   return traits.points <= most_tried_twice;
 }
 
-/** \brief Whether a cloud is too small to show whether it is one of curves alone: of
- * few noisy points, curves often look no more linear than clutter. */
+/** \brief Whether a cloud is too small to tell whether it holds only curves: with few
+ * noisy points, curves often look no more linear than clutter. */
 inline bool
 isTiny(const CloudTraits& traits)
 {
@@ -34,9 +34,9 @@ isTiny(const CloudTraits& traits)
   return traits.points < fewest_told;
 }
 
-inline constexpr double curves_alone = 0.9; ///< share of points linear around them
+inline constexpr double curves_alone = 0.9; ///< share of linear points
 
-/** \brief Whether a cloud is one of curves alone: linear around most of its points. */
+/** \brief Whether a cloud holds only curves: it is linear around most of its points. */
 inline bool
 isOfCurvesAlone(const CloudTraits& traits)
 {

@@ -31,8 +31,9 @@ using File = std::unique_ptr<std::FILE, Closer>;
 [[noreturn]] void
 cannotWrite(const std::string& path)
 {
-  throw io::FileError(path + ": cannot be written (" + std::strerror(errno) +
-                      "); check that the folder exists, may be written and has room");
+  throw io::FileError(
+      path + ": cannot be written (" + std::strerror(errno) +
+      "); check that the folder exists, is writable and has free space");
 }
 
 } // namespace

@@ -89,7 +89,7 @@ pathOf(const std::string& folder)
   return (std::filesystem::path(folder) / "plan.json").string();
 }
 
-// Bytes of paths that are not UTF-8 are replaced; reading such a path is refused.
+// Bytes of paths that are not UTF-8 are replaced; reading such a path fails.
 std::string
 textOf(const Plan& plan)
 {
@@ -165,8 +165,8 @@ savePlan(const Plan& plan, const std::string& folder)
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
-    throw io::FileError(folder + ": cannot be made (" + error.message() +
-                        "); check that the folder it is in may be written");
+    throw io::FileError(folder + ": cannot be created (" + error.message() +
+                        "); check that its parent folder is writable");
   io::OutputFile file(pathOf(folder));
   file.write(textOf(plan) + '\n');
   file.commit();

@@ -23,16 +23,16 @@ struct FileColumn {
 
 /** \brief x, y and z in world coordinates, with 4 bytes where that is exact.
  *
- * \param warn_pcl whether to warn where it is not, as PCL then reads none of them */
+ * \param warn_pcl whether to warn otherwise, as PCL then cannot read them */
 std::vector<FileColumn>
 coordinateColumns(const Target& target, const Cloud& cloud, bool warn_pcl);
 
-/** \brief The cloud's 8-bit colors as red, green and blue; nothing if it has others or
- * none. */
+/** \brief The cloud's 8-bit colors as red, green and blue; empty if it has none or
+ * wider ones. */
 std::vector<Column>
 colorColumns(const Cloud& cloud);
 
-/** \brief Names as words, all different; x, y and z are taken. */
+/** \brief Unique names without spaces; x, y and z are taken. */
 class WordNames {
 public:
   WordNames();

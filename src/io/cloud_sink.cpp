@@ -21,7 +21,7 @@ struct CloudSink::State {
   FileWork target;
   bool compress;
   std::unique_ptr<OutputFile> file;
-  Cloud head; ///< without points, for what comes before and after them
+  Cloud head; ///< without points, for what surrounds them in the file
   std::unique_ptr<LasFront> front;
   LasTotals totals;
   std::string buffer;                     ///< records that do not fill a chunk yet
@@ -61,7 +61,7 @@ CloudSink::~CloudSink() = default;
 void
 CloudSink::State::begin(const Cloud& cloud)
 {
-  head = cloud; // its columns choose the layout, its points the grid
+  head = cloud; // its columns determine the layout, its points the grid
   front = std::make_unique<LasFront>(target, head, compress);
   file = std::make_unique<OutputFile>(target.name);
   const std::string before = front->before(totals, 0);
@@ -69,7 +69,7 @@ CloudSink::State::begin(const Cloud& cloud)
   file->write(before);
   if (!compress)
     return;
-  file->write(std::string(8, '\0')); // where the table of chunks is
+  file->write(std::string(8, '\0')); // place of the chunk table
   bytes = 8;
 }
 
@@ -109,9 +109,10 @@ CloudSink::add(const Cloud& cloud)
   const FileWork quiet{s.target.name, nullptr, s.target.monitor, s.target.threads};
   const LasFront part(quiet, cloud, s.compress);
   if (!part.agreesWith(*s.front))
-    throw PartsDiffer(s.target.name +
-                      ": parts of the points need other records than the first ones; "
-                      "work on it in one piece");
+    throw PartsDiffer(
+        s.target.name +
+        ": some points need other records than the first ones; process it "
+        "in one piece");
   part.count(s.totals);
   forEachRecords(part, cloud.points.size(), s.target, [&](const std::string& records) {
     if (s.compress)

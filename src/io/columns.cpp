@@ -18,7 +18,7 @@ namespace linelet::io {
 
 namespace {
 
-/** Names without case, blanks and underscores, and what they mean. */
+/** Names without case, blanks and underscores, and their meaning. */
 const std::map<std::string, std::string, std::less<>>&
 aliases()
 {
@@ -69,7 +69,7 @@ aliases()
   return table;
 }
 
-/** What \a name means, or nothing. */
+/** The meaning of \a name, or empty. */
 std::string
 knownName(const std::string& name)
 {
@@ -77,7 +77,7 @@ knownName(const std::string& name)
   for (char letter : name)
     if (letter != ' ' && letter != '_')
       key += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  if (key.rfind("scalar", 0) == 0) // CloudCompare's mark of its scalar fields in PLY
+  if (key.rfind("scalar", 0) == 0) // CloudCompare's prefix for scalar fields in PLY
     key.erase(0, 6);
   const auto place = aliases().find(key);
   return place == aliases().end() ? std::string() : place->second;
@@ -92,7 +92,7 @@ findIn(std::vector<Column>& columns, std::string_view name)
   return nullptr;
 }
 
-/** Gives every column a name of its own. */
+/** Gives every column a unique name. */
 void
 makeNamesUnique(std::vector<Column>& columns)
 {
@@ -101,7 +101,7 @@ makeNamesUnique(std::vector<Column>& columns)
     column.name = names.take(column.name.empty() ? "column" : column.name);
 }
 
-/** Takes rgb or rgba, in the bits of a float or an integer, apart. */
+/** Splits rgb or rgba, packed into a float or an integer. */
 void
 unpackColors(std::vector<Column>& columns)
 {
@@ -136,7 +136,7 @@ unpackColors(std::vector<Column>& columns)
   }
 }
 
-/** Distance of \a value from the next float. */
+/** Distance from \a value to the next float. */
 double
 floatGap(double value)
 {

@@ -9,7 +9,8 @@
 
 namespace linelet::io {
 
-/** \brief How the coordinates of a cloud were most likely written down. */
+/** \brief The number format in which the coordinates of a cloud were most likely
+ * stored. */
 struct CoordinateForm {
   bool floats = true; ///< every world coordinate is a float
   int decimals = -1;  ///< of all world coordinates, -1: more than 9

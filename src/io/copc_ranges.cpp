@@ -16,7 +16,7 @@ namespace linelet::io {
 
 namespace {
 
-/** \brief Whether two lists name the same chunks, so that places in the one are places
+/** \brief Whether two lists contain the same chunks, so that an index into one is valid
  * in the other. */
 bool
 areSame(const std::vector<laz::Chunk>& some, const std::vector<laz::Chunk>& others)

@@ -26,7 +26,7 @@ struct FileWork {
       warnings->push_back(name + ": " + what);
   }
 
-  /** \brief Tells the monitor of \a steps more points. \throws Canceled */
+  /** \brief Reports \a steps more points to the monitor. \throws Canceled */
   void
   advance(std::size_t steps) const
   {

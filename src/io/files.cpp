@@ -80,7 +80,7 @@ cannotWrite(const std::string& path, int error)
 {
   return path + ": cannot be written (" +
          (error != 0 ? std::strerror(error) : "unknown reason") +
-         "); check that the folder exists, may be written and has room";
+         "); check that the folder exists, is writable and has free space";
 }
 
 std::string

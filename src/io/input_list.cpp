@@ -43,7 +43,7 @@ filesOfFolder(const std::string& folder)
   return files;
 }
 
-/** Lines of the list \a path, as paths; nothing if the first is not a file. */
+/** Lines of the list \a path, as paths; empty if the first is not a file. */
 std::vector<std::string>
 filesOfList(const std::string& path)
 {
@@ -61,7 +61,7 @@ filesOfList(const std::string& path)
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) {
       if (files.empty())
-        return {}; // points as text
+        return {}; // it is points as text
       throw FileError(path + ": line " + std::to_string(number) + " names " +
                       file.string() + ", which is not a file");
     }
@@ -70,7 +70,7 @@ filesOfList(const std::string& path)
   return files;
 }
 
-/** The files behind \a name; nothing where it is a point file itself. */
+/** The files that \a name stands for; empty if it is a point file itself. */
 std::vector<std::string>
 filesBehind(const std::string& name)
 {

@@ -10,7 +10,7 @@ namespace linelet::io {
 
 namespace {
 
-/** Values of both, in their type where that is one, else as doubles. */
+/** Values of both, in their common type, or as doubles if the types differ. */
 Values
 joined(const Column& first, const Column& second)
 {

@@ -7,7 +7,7 @@ namespace linelet::io {
 
 namespace {
 
-/** Length of the UTF-8 sequence that \a lead begins, 0 where none may begin. */
+/** Length of the UTF-8 sequence that starts with \a lead, 0 if none may. */
 std::size_t
 sequenceLength(unsigned char lead)
 {
@@ -28,7 +28,7 @@ isSequence(std::string_view text, std::size_t at, std::size_t length)
   for (std::size_t i = 1; i < length; ++i)
     if ((static_cast<unsigned char>(text[at + i]) & 0xC0) != 0x80)
       return false;
-  // Overlong forms and surrogates are invalid; JSON writers refuse them.
+  // Overlong forms and surrogates are invalid; JSON writers reject them.
   const auto lead = static_cast<unsigned char>(text[at]);
   const auto next = static_cast<unsigned char>(length > 1 ? text[at + 1] : '\x80');
   return !(lead == 0xE0 && next < 0xA0) && !(lead == 0xED && next > 0x9F) &&

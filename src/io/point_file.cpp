@@ -84,7 +84,7 @@ writtenFormatOf(const std::string& path)
   return format;
 }
 
-/** Gives \a cloud the reference system \a text, EPSG:n, WKT or a file of it. */
+/** Gives \a cloud the reference system \a text: EPSG:n, WKT, or a file of WKT. */
 void
 declareReference(Cloud& cloud,
                  const std::string& path,
@@ -100,7 +100,7 @@ declareReference(Cloud& cloud,
   cloud.wkt = wkt;
 }
 
-/** Makes \a shift that of \a cloud. */
+/** Changes the shift of \a cloud to \a shift. */
 void
 moveShift(Cloud& cloud, const Point& shift)
 {
@@ -169,7 +169,7 @@ writeCloud(const std::string& path,
   const Format& format = writtenFormatOf(path);
   if (options.shifted && (format.read == readLas || format.read == readHdf5))
     throw FileError(path + ": " + (format.read == readLas ? "LAS" : "HDF5") +
-                    " carries a shift of its own; leave out --shifted");
+                    " has its own shift; omit --shifted");
   if (monitor != nullptr)
     monitor->begin("writing", cloud.points.size());
   const Target target = {path, warnings, monitor, options.threads};

@@ -50,7 +50,7 @@ PointStream::next(Cloud& cloud)
 bool
 PointStream::nextOfLas(Cloud& cloud)
 {
-  // Mapped block by block, so that only a block at a time is resident.
+  // Mapped for each block, so that only one block at a time is resident.
   const MappedFile file(path_, monitor_);
   std::size_t passed = 0;
   Source source;

@@ -10,8 +10,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief What the GeoTIFF keys of a file say about its reference system: EPSG codes of
- * its parts and of their units, 0 where not given. */
+/** \brief What the GeoTIFF keys of a file state about its reference system: EPSG codes
+ * of its parts and their units, 0 if not given. */
 struct ReferenceCodes {
   int plan = 0, height = 0;
   int plan_unit = 0, height_unit = 0;
@@ -27,12 +27,12 @@ struct ReferenceSystems {
    * of the system. Empty if PROJ does not know the horizontal part. */
   std::string (*wktOfCodes)(const ReferenceCodes& codes);
 
-  /** \brief WKT of a system of which only the unit is known; empty for meters and for
-   * units that are not lengths. */
+  /** \brief WKT of a system with a known unit and nothing else; empty for meters and
+   * for units that are not lengths. */
   std::string (*wktOfUnit)(int code);
 
-  /** \brief WKT of the system that \a text names: EPSG:n, a WKT, or a file that holds
-   * one; empty where it is none. */
+  /** \brief WKT of the system that \a text names: EPSG:n, WKT, or a file of WKT; empty
+   * if it names none. */
   std::string (*wktOfText)(const std::string& text);
 
   /** \brief See \ref referenceName. */
@@ -42,13 +42,13 @@ struct ReferenceSystems {
   int (*epsgOf)(const std::string& wkt);
 };
 
-/** \brief Those that the program was linked with, or null. */
+/** \brief The implementation that the program was linked with, or null. */
 const ReferenceSystems*
 referenceSystems();
 
-/** \brief WKT of the reference system that a user declares: EPSG:n, a WKT, or a file
- * that holds one.
- * \param[in] option it was given with, for messages
+/** \brief WKT of the reference system that a user declares: EPSG:n, WKT, or a file of
+ * WKT.
+ * \param[in] the command line option, for messages
  * \throws FileError if it is none of these, or without linelet::vector */
 std::string
 declaredReference(const std::string& text, const std::string& option = "--crs");

@@ -50,7 +50,7 @@ writeShift(const std::string& path, const Point& shift)
 {
   const std::string beside = pathOfShift(path);
   if (shift == Point::Zero()) {
-    std::error_code ignored; // there is most often none
+    std::error_code ignored; // usually there is none
     std::filesystem::remove(beside, ignored);
     return;
   }

@@ -18,7 +18,7 @@
 
 namespace linelet::io {
 
-/** \brief The bytes of a file, to read.
+/** \brief The bytes of a file to read.
  *
  * Readers work on memory: a mapped file, or the input of a fuzzer. */
 struct Source : FileWork {
@@ -26,7 +26,8 @@ struct Source : FileWork {
   ReadOptions options;
   /// LAS: only the blocks (chunks) that begin at these points of the file.
   std::size_t first = 0, behind = static_cast<std::size_t>(-1);
-  std::size_t* passed = nullptr; ///< LAS: told how many points are in these, if set
+  std::size_t* passed =
+      nullptr; ///< LAS: if not null, receives the number of points in these
 
   /** \throws FileError "NAME: WHAT" */
   [[noreturn]] void
@@ -35,7 +36,7 @@ struct Source : FileWork {
     throw FileError(name + ": " + what);
   }
 
-  /** \brief Something is missing at the end: an error, or with `lenient` a warning. */
+  /** \brief Reports that the file ends early: an error, or with `lenient` a warning. */
   void
   endsEarly(const std::string& what) const
   {
@@ -66,15 +67,15 @@ store(char* at, T value)
 LINELET_PUBLIC std::string
 cleanName(std::string_view text);
 
-/** \brief Assigns names, none of them twice. */
+/** \brief Assigns unique names. */
 class LINELET_PUBLIC UniqueNames {
 public:
-  /** \brief \a asked, or if that is taken, with _2, _3, ... appended. */
+  /** \brief \a asked, with _2, _3, ... appended if that is taken. */
   std::string
   take(const std::string& asked);
 
 private:
-  std::map<std::string, int> used_; ///< name -> largest number behind it
+  std::map<std::string, int> used_; ///< name -> largest number appended to it
 };
 
 /** \brief Number of points between two checks of the monitor. */

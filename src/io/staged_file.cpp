@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief The places of all files under construction. Never destroyed: a signal may
- * come during exit. */
+/** \brief The paths of all files under construction. Never destroyed, as a signal may
+ * arrive during exit. */
 struct Register {
   std::mutex mutex;
   std::set<std::string> places;
@@ -43,7 +43,7 @@ struct Register {
   }
 };
 
-/** \a path, or what it points to where it is a symbolic link. */
+/** \a path, or its target if it is a symbolic link. */
 fs::path
 targetOf(const std::string& path)
 {
@@ -61,7 +61,7 @@ isSpecial(const std::string& path)
          !S_ISDIR(status.st_mode);
 }
 
-/** What the names of files under construction begin with, before the process. */
+/** Prefix of the names of files under construction, before the process id. */
 std::string
 leadOfHost()
 {
@@ -90,8 +90,8 @@ placeFor(const std::string& path)
   return place.string();
 }
 
-/** Removes \a place and what writers keep beside it: SQLite its journals, the DXF
- * writer its entities. */
+/** Removes \a place and what writers keep beside it: journals of SQLite, entities of
+ * the DXF writer. */
 void
 removeWithCompanions(const std::string& place)
 {
@@ -142,7 +142,7 @@ removeLeftovers(const std::string& folder)
 {
   const std::string lead = leadOfHost();
   std::vector<fs::path> leftovers;
-  std::error_code none; // a folder that cannot be read keeps them
+  std::error_code none; // an unreadable folder is left alone
   for (const auto& file : fs::directory_iterator(folder, none)) {
     const std::string name = file.path().filename().string();
     if (name.compare(0, lead.size(), lead) != 0)
@@ -159,7 +159,7 @@ void
 removeUnfinishedFiles()
 {
   Register& all = Register::instance();
-  all.mutex.lock(); // never unlocked: nothing is made or published any more
+  all.mutex.lock(); // never unlocked: nothing may be created or published anymore
   for (const std::string& place : all.places)
     removeWithCompanions(place);
 }

@@ -11,8 +11,8 @@ namespace linelet {
 namespace LINELET_PUBLIC io {
 
 /** \brief Where a file is written until it is complete: under a temporary name beside
- * its own, or directly if it is a device or a pipe. Unless published, it is removed in
- * the end, with what other writers (GDAL) put beside it. */
+ * its own, or directly if it is a device or a pipe. Unless published, it is removed on
+ * destruction, along with what other writers (GDAL) put beside it. */
 class StagedFile {
 public:
   /** \throws FileError if \a path is a folder, or if its name is too long */
@@ -28,14 +28,14 @@ public:
     return place_;
   }
 
-  /** \brief Whether it is written in place. */
+  /** \brief Whether the file is written in place. */
   bool
   direct() const
   {
     return place_ == path_;
   }
 
-  /** \brief It is whole: put it where it belongs. \throws FileError */
+  /** \brief The file is complete: moves it into place. \throws FileError */
   void
   publish();
 

@@ -14,12 +14,12 @@
 
 namespace linelet::io {
 
-/** \brief Reads the lines of a text one after another; LF, CRLF and CR end a line. */
+/** \brief Reads a text line by line; LF, CRLF and CR end a line. */
 class Lines {
 public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /** \brief The next line into \a line, without its end; false after the last. */
+  /** \brief Puts the next line, without its end, into \a line; false after the last. */
   bool
   next(std::string_view& line)
   {
@@ -42,7 +42,7 @@ public:
     return number_;
   }
 
-  /** \brief What has not been read yet. */
+  /** \brief The text not read yet. */
   std::string_view
   rest() const
   {
@@ -54,8 +54,8 @@ private:
   std::size_t number_ = 0;
 };
 
-/** \brief Takes the next word, between any of \a gaps, off the front of \a line; empty
- * where there is none. */
+/** \brief Removes the next word, delimited by any of \a gaps, from the front of \a
+ * line; empty if there is none. */
 inline std::string_view
 takeWord(std::string_view& line, std::string_view gaps = " \t")
 {
@@ -71,7 +71,7 @@ takeWord(std::string_view& line, std::string_view gaps = " \t")
   return word;
 }
 
-/** \brief Whether \a word is a number, whole, in any locale: "1.5", "+2e3", "nan". */
+/** \brief Whether all of \a word is a number, in any locale: "1.5", "+2e3", "nan". */
 template <class T>
 bool
 parseNumber(std::string_view word, T& value)

@@ -73,7 +73,7 @@ UsablePoints::UsablePoints(const Cloud& cloud,
 {
   const Column* flags = cloud.find("withheld");
   const Column* labels = cloud.find("classification");
-  std::set<int> numbers;        // of the points that are left out for them
+  std::set<int> numbers;        // of the points left out
   std::array<bool, 257> passes; // by number; the last one: not a class
   for (int number = -1; number < 256; ++number)
     passes[static_cast<std::size_t>(number < 0 ? 256 : number)] =

@@ -77,8 +77,8 @@ makeValues(ValueType type, std::size_t count)
       type, [&](auto zero) { return Values(std::vector<decltype(zero)>(count)); });
 }
 
-/** \brief Whether \a value is in \a To without loss of its integer value; floating
- * point targets take everything. */
+/** \brief Whether \a To can hold the integer \a value without loss; floating-point
+ * targets accept everything. */
 template <class To, class From>
 bool
 representable(From value)
@@ -86,7 +86,8 @@ representable(From value)
   if constexpr (std::is_floating_point_v<To>)
     return true;
   else if constexpr (std::is_floating_point_v<From>)
-    // The upper limit of a 64-bit type is not a double: compare with the power of two.
+    // The upper limit of a 64-bit type is not a double, so compare with the power of
+    // two.
     return value >= static_cast<From>(std::numeric_limits<To>::min()) &&
            value < std::ldexp(static_cast<From>(1), std::numeric_limits<To>::digits) &&
            std::trunc(value) == value;
@@ -101,7 +102,7 @@ representable(From value)
            static_cast<std::make_unsigned_t<To>>(std::numeric_limits<To>::max());
 }
 
-/** \brief The value of \a To nearest to \a value; 0 for NaN where To is an integer. */
+/** \brief The value of \a To nearest to \a value; 0 for NaN if To is an integer. */
 template <class To, class From>
 To
 nearest(From value)

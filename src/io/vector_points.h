@@ -9,8 +9,8 @@
 
 namespace linelet::io {
 
-/** \brief The reader of vector files as points: GDAL, in linelet::vector. A program
- * that is linked without it reads none. */
+/** \brief Reads vector files as points, by GDAL in linelet::vector. A program linked
+ * without it reads none. */
 struct VectorPoints {
   /** \brief Whether there is a driver for the ending of \a path. */
   bool (*reads)(const std::string& path);
@@ -19,7 +19,7 @@ struct VectorPoints {
   Cloud (*read)(const Source& source);
 };
 
-/** \brief The one that the program was linked with, or null. */
+/** \brief The reader that the program was linked with, or null. */
 const VectorPoints*
 vectorPoints();
 

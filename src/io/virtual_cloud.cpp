@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view file_scheme = "file://";
 
-/** The file that \a href in the virtual cloud \a path names. */
+/** The file that \a href refers to in the virtual cloud \a path. */
 std::string
 fileOf(const std::string& path, std::string href)
 {

@@ -8,7 +8,7 @@
 
 namespace linelet::io {
 
-/** \brief The part of space that is read, in world coordinates, borders included. */
+/** \brief The box to read, in world coordinates, borders included. */
 struct Window {
   Point low, high;
 
@@ -19,14 +19,14 @@ struct Window {
            (world.array() <= high.array()).all();
   }
 
-  /** \brief Whether any of the box from \a from to \a to is in it. */
+  /** \brief Whether the box from \a from to \a to intersects it. */
   bool
   meets(const Point& from, const Point& to) const
   {
     return (to.array() >= low.array()).all() && (from.array() <= high.array()).all();
   }
 
-  /** \brief Whether anything is outside it. */
+  /** \brief Whether it is bounded at all. */
   bool
   limits() const;
 };

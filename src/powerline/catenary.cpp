@@ -30,7 +30,7 @@ upward(double azimuth, double swing)
 Point
 Catenary::at(double s) const
 {
-  // cosh(x) - 1 = 2 sinh(x / 2)^2 keeps its digits where x is small.
+  // cosh(x) - 1 = 2 sinh(x / 2)^2 keeps its digits for small x.
   const double half = std::sinh(s / (2 * a));
   return lowest + s * forward(azimuth) + 2 * a * half * half * upward(azimuth, swing);
 }

@@ -55,7 +55,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double wire_height = 4; // meters, wires hang higher in the mean
+constexpr double wire_height = 4; // meters, wires hang higher than this on average
 
 void
 require(bool in_order, const char* name, double value, const char* range)
@@ -81,7 +81,7 @@ check(const PowerLineSettings& s)
           ">= 5");
 }
 
-/** Names the stages to the monitor and keeps their times. */
+/** Reports the stages to the monitor and records their times. */
 class Stages {
 public:
   Stages(PowerLineNetwork& network, ProgressMonitor* monitor)
@@ -120,8 +120,8 @@ private:
   Clock::time_point begun_;
 };
 
-// The ground that heights are measured from. The network gets it too, unless there is
-// none: then it is put so low that every point may be part of a wire.
+// The ground that heights are measured from. The network gets it too. If there is none,
+// heights are measured from so far below that every point may be part of a wire.
 Ground
 groundUnder(const Points& points,
             const std::vector<std::uint8_t>& classes,
@@ -154,7 +154,7 @@ extractPowerLines(const Points& points,
   if (!classes.empty() && classes.size() != points.size())
     throw std::invalid_argument(std::to_string(classes.size()) + " classes for " +
                                 std::to_string(points.size()) +
-                                " points, there must be one each or none");
+                                " points; there must be one for each or none");
   PowerLineNetwork network;
   network.classes = classes;
   network.classes.resize(points.size(), 0);

@@ -17,16 +17,16 @@ struct LinePriors {
                                 ///< since their length changes with temperature
   double usual_bend = 1e-3; ///< half second derivative, 1 / 2a, of any wire: a = 500 m,
                             ///< between that of a long span and of a service drop
-  double bend_spread = 2e-3; ///< and its standard deviation
-  double usual_joint = 0.1;  ///< slopes down to both sides of a support, together: 4
-                             ///< sag / span each, of a sag of 1 to 2 % of the span
-  double joint_spread = 0.1; ///< and their standard deviation
-  double company_reach = 14; ///< between neighboring wires of a span, at most
+  double bend_spread = 2e-3; ///< its standard deviation
+  double usual_joint = 0.1; ///< slopes down on both sides of a support, together: 4 sag
+                            ///< / span each, of a sag of 1 to 2 % of the span
+  double joint_spread = 0.1; ///< their standard deviation
+  double company_reach = 14; ///< largest distance between neighboring wires of a span
   double alike = 0.01;       ///< slope between two wires of a span, standard deviation:
                              ///< crossarms differ, and sags by some percent
-  /// A span is at most this many times as long as the visible part of it
+  /// A span is at most this many times as long as its visible part
   double longer = 1.5;
-  double short_line = 25; ///< shortest wire that is evidence enough by itself
+  double short_line = 25; ///< shortest wire that is sufficient evidence on its own
   double spread = 2.5;    ///< number of standard deviations that rules something out
 
   /// \name Least evidence of a wire, over that of its surroundings
@@ -43,7 +43,7 @@ struct LinePriors {
 
   double hidden = 0.3; ///< fraction of a wire hidden by crowns, supports and dropouts
 
-  /// \name What hides a wire also hides those right beside it
+  /// \name What hides a wire also hides the ones right beside it
   /// @{
   double rack = 1;           ///< between wires of a rack or bundle, which share their
                              ///< supports and what hides them; at most
@@ -59,15 +59,15 @@ struct LinePriors {
 
   /// \name Service drops
   /// @{
-  double longest_drop = 45; ///< a house farther away gets a pole of its own
-  double shortest_drop = 6; ///< poles stand across a pavement and a front yard at least
+  double longest_drop = 45; ///< a house farther away gets its own pole
+  double shortest_drop = 6; ///< poles stand at least across a sidewalk and a front yard
   /// Up to which it is extended to its line; insulators and the pole hide it
   double drop_reach = 6;
   double drop_below = 4;      ///< below the wires of its line, at most
   double drop_beside = 1.5;   ///< and beside them
   double highest_pole = 16;   ///< above ground, of the wires of a line that has drops
-  double steepest_drop = 0.8; ///< slope; guys are anchored about as far from their
-                              ///< pole as they are attached high, or nearer
+  double steepest_drop = 0.8; ///< slope; guys are anchored no farther from their pole
+                              ///< than they are attached high
   /// @}
 
   /** \brief Least half second derivative, 1 / 2a, of a wire that hangs over \a span. */

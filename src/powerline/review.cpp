@@ -12,10 +12,10 @@ namespace linelet::powerline {
 
 namespace {
 
-/// Meters: half of what conductors of a bundle are held apart by spacers (0.4 m, the
-/// usual spacing in Europe; CIGRE Technical Brochure 277).
+/// Meters: half the spacing of conductors in a bundle (0.4 m is usual in Europe; CIGRE
+/// Technical Brochure 277).
 constexpr double same_wire = 0.2;
-constexpr std::size_t samples = 33; ///< places along a wire that are compared
+constexpr std::size_t samples = 33; ///< places along a wire to compare
 
 double
 distanceTo(const Points& line, const Point& p)
@@ -54,7 +54,7 @@ covered(const Wire& wire, const Points& line)
   return static_cast<double>(near) / samples;
 }
 
-/** \brief New ids, 0 for what goes: place in it is the old id. */
+/** \brief New ids by old id; 0 for what is removed. */
 std::vector<int>
 renumbered(const std::vector<bool>& kept)
 {
@@ -88,7 +88,7 @@ newId(const std::vector<int>& ids, int old)
              : 0;
 }
 
-/** \brief Lines where spans may be missing fall into the runs between these. */
+/** \brief Splits lines with missing spans into the runs between these. */
 std::vector<Circuit>
 runsOf(const std::vector<Circuit>& circuits,
        const std::vector<int>& spans,
@@ -120,7 +120,7 @@ runsOf(const std::vector<Circuit>& circuits,
   return runs;
 }
 
-/** \brief Takes the wires that are not \a kept out of \a network. */
+/** \brief Removes the wires that are not \a kept from \a network. */
 void
 removeWires(PowerLineNetwork& network, const std::vector<bool>& kept)
 {
@@ -245,7 +245,7 @@ applyReview(PowerLineNetwork& network, const std::vector<ReviewedWire>& reviewed
   for (std::size_t r = 0; r < reviewed.size(); ++r)
     if (!found[r] && reviewed[r].review.verdict == Review::Verdict::Accepted)
       sentences.push_back("wire " + std::to_string(r + 1) +
-                          " of the review was accepted, but is not found this time");
+                          " of the review was accepted, but was not found this time");
   return sentences;
 }
 

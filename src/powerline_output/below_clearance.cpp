@@ -10,7 +10,7 @@ namespace linelet::powerline {
 bool
 belowClearance(const Wire& wire, double limit)
 {
-  // Unknown clearances are NaN, which is not below anything.
+  // Unknown clearances are NaN, which compares false.
   return wire.ground.distance < limit || wire.vegetation.distance < limit;
 }
 

@@ -14,7 +14,7 @@ namespace linelet::powerline {
 
 namespace {
 
-/** \brief The class of a point of a wire: \a standard, unless a review says another. */
+/** \brief The class of a point of a wire: \a standard unless a review gives another. */
 std::uint8_t
 classOf(const PowerLineNetwork& network, std::size_t point, std::uint8_t standard)
 {

@@ -103,7 +103,7 @@ meters(double value)
   return text;
 }
 
-/** A feature of a drawing layer for its kind and severity. */
+/** A feature with the drawing layer of its kind and severity. */
 template <class Hazard>
 io::VectorFeature
 feature(const Hazard& hazard,

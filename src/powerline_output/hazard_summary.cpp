@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** Rounded to a tenth of a millimeter; null: unknown, or an id of nothing. */
+/** Rounded to a tenth of a millimeter; null: unknown, or no id. */
 Json
 json(const std::string& name, const io::Value& value)
 {
@@ -58,7 +58,7 @@ hazardSummary(const io::Cloud& cloud, const std::vector<Hazards>& states)
       count = count.is_null() ? 1 : count.get<int>() + 1;
     }
     entry["counts"] = std::move(counts);
-    // What a layer says of its features, and in the same words.
+    // The attributes of the layers, with the same names.
     for (const io::VectorLayer& layer : hazardLayers(cloud, {at})) {
       if (layer.kind == io::VectorLayer::Kind::Polygons)
         continue;

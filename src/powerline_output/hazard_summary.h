@@ -13,7 +13,7 @@
 namespace linelet::powerline {
 
 /** \brief The hazards of every state: limits, counts by kind and severity, and each
- * with its ids, distances and places. */
+ * hazard with its ids, distances and places. */
 nlohmann::ordered_json
 hazardSummary(const io::Cloud& cloud, const std::vector<Hazards>& states);
 

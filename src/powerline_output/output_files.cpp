@@ -43,9 +43,9 @@ makeOutputFolder(const std::string& folder, bool compress)
   std::filesystem::create_directories(folder, error);
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
-    throw io::FileError("cannot make the folder " + folder + ": " +
-                        (error ? error.message() : "there is a file of that name") +
-                        "; name a folder that can be made or written to");
+    throw io::FileError("cannot create the folder " + folder + ": " +
+                        (error ? error.message() : "a file has that name") +
+                        "; name a folder that can be created or written to");
   io::checkCloudOutput(powerLineFiles(folder, compress).front());
 }
 
@@ -72,7 +72,7 @@ writeNetworkFiles(const std::string& folder,
     const std::filesystem::path path = paths[i];
     io::VectorOptions vectors = options.vectors;
     if (path.extension() == ".geojson" && !vectors.keep_crs)
-      vectors.output_crs.clear(); // it is in WGS 84 by its standard
+      vectors.output_crs.clear(); // its standard prescribes WGS 84
     const auto one =
         std::find_if(hazards.begin(), hazards.end(), [&](const auto& layer) {
           return path.extension() == ".csv" && layer.name == path.stem().string();
@@ -85,8 +85,7 @@ writeNetworkFiles(const std::string& folder,
                     monitor,
                     vectors);
   };
-  // One after the other: GDAL's drivers crash now and then when they write side by
-  // side.
+  // One by one: GDAL's drivers occasionally crash when they write concurrently.
   for (std::size_t i = 1; i < paths.size(); ++i)
     writeFile(i);
   if (warnings != nullptr)

@@ -7,7 +7,7 @@ namespace linelet::powerline::report {
 
 /** \brief A file of the folder page/, embedded at build time. */
 struct EmbeddedText {
-  const char* name; ///< null: the end of the table
+  const char* name; ///< null: end of the table
   const char* text;
 };
 

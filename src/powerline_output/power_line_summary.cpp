@@ -41,7 +41,7 @@ place(const Point& p, const MetricFrame& frame)
   return Json::array({number(world.x()), number(world.y()), number(world.z())});
 }
 
-/** The id of something that may be missing. */
+/** The id of something that may not exist. */
 Json
 identity(int id)
 {
@@ -204,7 +204,7 @@ extentOf(const io::Cloud& cloud)
   return input;
 }
 
-/** What distinguishes an input from others. */
+/** What identifies an input. */
 Json
 identityOf(const InputExtent& input, const std::string& source)
 {
@@ -306,7 +306,7 @@ powerLineSummary(const io::Cloud& cloud,
   summary["insulators"] = std::move(insulators);
   if (!options.hazards.empty())
     summary["hazards"] = hazardSummary(cloud, options.hazards);
-  // A file name need not be UTF-8; JSON must be.
+  // File names may not be UTF-8, but JSON must be.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -67,7 +67,7 @@ renderTemplate(const std::string& name, const Json& data)
   std::string out = page.render(filled);
   if (!page.is_valid())
     throw std::logic_error(name + ": " + page.error_message());
-  // Comments at the head of a file leave empty lines.
+  // Comments at the top of a file leave empty lines.
   return out.substr(std::min(out.find_first_not_of('\n'), out.size()));
 }
 

@@ -45,7 +45,7 @@ keyOf(const Content& content, const Hazards& hazards, const char* kind, int id)
                                                       : std::string();
 }
 
-/** Severe ones first, then the nearest. */
+/** By severity, then by distance. */
 std::vector<const Encroachment*>
 inOrder(const Hazards& hazards)
 {
@@ -71,11 +71,11 @@ clearanceTable(const Content& content, const Hazards& hazards)
                {"severity", true},
                {"to", true},
                {"distance m"},
-               {"down m"},
-               {"aside m"},
+               {"vertical m"},
+               {"horizontal m"},
                {"span"},
                {"wire"},
-               {"along m"},
+               {"length m"},
                {"area m²"},
                {"to cut m³"},
                {"x of the wire"},
@@ -124,9 +124,9 @@ crossingTable(const Content& content, const Hazards& hazards)
                {"wire"},
                {"lower span"},
                {"wire"},
-               {"one above the other m"},
+               {"vertical gap m"},
                {"closest m"},
-               {"aside there m"},
+               {"horizontal m"},
                {"angle °"},
                {"x"},
                {"y"}});
@@ -192,11 +192,10 @@ limitsTable(const Content& content, const ClearanceLimits& limits)
   Table table({{"to", true}, {"high below m"}, {"medium m"}, {"low m"}}, "narrow");
   for (const auto& [kind, name] : Names<HazardKind>::table) {
     const ClearanceLimits::Row& row = limits.of(kind);
-    table.row(
-        {{kind == HazardKind::FallIn ? "tree when it has fallen" : std::string(name)},
-         {content.length(row.high, 2)},
-         {content.length(row.medium, 2)},
-         {content.length(row.low, 2)}});
+    table.row({{kind == HazardKind::FallIn ? "fallen tree" : std::string(name)},
+               {content.length(row.high, 2)},
+               {content.length(row.medium, 2)},
+               {content.length(row.low, 2)}});
   }
   return table.json();
 }
@@ -249,10 +248,10 @@ sectionsTable(const Content& content, const Hazards& at)
   if (at.moved.sections.empty())
     return {};
   Table table({{"circuit"},
-               {"wires from dead end to dead end", true},
+               {"strain section (span.wire)", true},
                {"ruling span m"},
                {"tension kN"},
-               {"then kN"}},
+               {"new tension kN"}},
               "narrow");
   for (const StrainSection& section : at.moved.sections) {
     std::string spans;

@@ -7,8 +7,8 @@
 
 namespace linelet::powerline::report {
 
-/** \brief What comes too close to the wires as they were scanned: stretches, trees that
- * could fall in, crossings, limits. Needs hazards. */
+/** \brief What comes too close to the wires as scanned: stretches, trees that could
+ * fall in, crossings, limits. Needs hazards. */
 Section
 hazardsSection(const Content& content);
 

@@ -40,7 +40,7 @@ addChunk(Bytes& png, std::string_view kind, const Bytes& data)
   bigEndian(png, crc(png.data() + begin, png.data() + png.size()));
 }
 
-/** A zlib stream of stored blocks: the pictures are small, and nothing is needed. */
+/** A zlib stream of stored blocks: the pictures are small, and no library is needed. */
 Bytes
 stored(const Bytes& data)
 {

@@ -15,8 +15,8 @@ namespace linelet::powerline::report {
 std::string
 base64(const std::vector<std::uint8_t>& data);
 
-/** \brief An 8-bit palette picture as PNG in base64, for a data address.
- * \param[in] pixels row by row from the top, places in \a palette */
+/** \brief An 8-bit palette picture as PNG in base64, for a data URL.
+ * \param[in] pixels row by row from the top, indices into \a palette */
 std::string
 pngBase64(std::size_t width,
           std::size_t height,

@@ -10,11 +10,11 @@
 
 namespace linelet::powerline::report {
 
-/** \brief A wire that is nearer to the ground or to an object than the limit. */
+/** \brief A wire closer to the ground or to an object than the limit. */
 struct LowWire {
   const Wire* wire;
   const Clearance* found;
-  const char* what; ///< that is too close, in words
+  const char* what; ///< what is too close, as text
 };
 
 /** \brief All of them, the closest first. */
@@ -28,13 +28,13 @@ struct SpaceMark {
   std::string text; ///< describes it
 };
 
-/** \brief Marks of all hazards: those of the wires as scanned, with the keys c, x and t
- * (clearance, crossing, tree) and their ids; without any, those of \ref lowWires, with
- * the keys 1, 2, ... */
+/** \brief Marks of all hazards of the wires as scanned, keyed by c, x or t (clearance,
+ * crossing, tree) and their id; if hazards were not searched for, those of \ref
+ * lowWires, keyed 1, 2, ... */
 std::vector<SpaceMark>
 spaceMarks(const Content& content);
 
-/** \brief The link to the hazard of that key in the 3D view. */
+/** \brief The link to the hazard with that key in the 3D view. */
 inline std::string
 spaceLink(const std::string& key)
 {

@@ -18,7 +18,7 @@ number(double value, int decimals)
   std::array<char, 64> buffer;
   std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, value);
   const std::string text = buffer.data();
-  // No minus before nothing but zeros.
+  // No minus sign before zero.
   return text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos
              ? text.substr(1)
              : text;
@@ -60,7 +60,7 @@ roundStep(double range, int count)
 std::string_view
 wireColor(int number)
 {
-  // Told apart with any color vision; red is kept for hazards.
+  // Distinguishable with any color vision; red is reserved for hazards.
   static constexpr std::array<std::string_view, 8> colors = {"#0072b2",
                                                              "#e69f00",
                                                              "#009e73",

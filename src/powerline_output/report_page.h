@@ -17,11 +17,11 @@ namespace linelet::powerline::report {
 std::string
 number(double value, int decimals);
 
-/** \brief \a text with what HTML reserves replaced. */
+/** \brief \a text with HTML's reserved characters escaped. */
 std::string
 escaped(std::string_view text);
 
-/** \brief HTML or SVG text that grows. Numbers come with one decimal, as pixels do. */
+/** \brief Growing HTML or SVG text. Numbers get one decimal, enough for pixels. */
 class Markup {
 public:
   Markup&

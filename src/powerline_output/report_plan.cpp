@@ -16,7 +16,7 @@ namespace {
 
 constexpr double widest_plan = 1060, highest_plan = 760; ///< pixels
 
-/** Where the plan lies, how it is turned, and how large it is drawn. */
+/** Position, rotation and scale of the plan. */
 struct PlanFrame {
   Point u = Point::UnitX(), v = Point::UnitY(); ///< right and up on the page
   Point low = Point::Constant(1e300), high = Point::Constant(-1e300); ///< along u, v
@@ -60,7 +60,7 @@ struct PlanFrame {
   }
 };
 
-/** A long line is laid across the page, north staying in the upper half. */
+/** Lays a long line across the page, with north in the upper half. */
 void
 layAcross(PlanFrame& frame, const std::vector<Wire>& wires)
 {
@@ -75,7 +75,7 @@ layAcross(PlanFrame& frame, const std::vector<Wire>& wires)
       xy += d.x() * d.y();
       yy += d.y() * d.y();
     }
-  // Ratio of the two variances: only what is much longer than wide is turned.
+  // Ratio of the two variances: only lines much longer than wide are turned.
   const double root = std::hypot(xx - yy, 2 * xy);
   if (!(xx + yy + root > 9 * (xx + yy - root)))
     return;
@@ -84,7 +84,7 @@ layAcross(PlanFrame& frame, const std::vector<Wire>& wires)
   frame.v = Point(-std::sin(angle), std::cos(angle), 0);
 }
 
-/** All of the line and all of the cloud. */
+/** The frame around all lines and all of the cloud. */
 PlanFrame
 frameOf(const Content& content)
 {
@@ -107,8 +107,8 @@ frameOf(const Content& content)
   return frame;
 }
 
-/** Gives pixels without a point the highest shade beside them, twice: thin clouds shall
- * not look torn. */
+/** Gives pixels without points the highest adjacent shade, twice, so that sparse clouds
+ * have no holes. */
 void
 fillHoles(std::vector<std::uint8_t>& pixels, std::size_t columns, std::size_t rows)
 {
@@ -190,7 +190,7 @@ addWires(Markup& page, const Content& content, const PlanFrame& frame)
   }
 }
 
-/** What looks like a line and is none that was found. */
+/** Lines that nothing found explains. */
 void
 addUnexplained(Markup& page, const Content& content, const PlanFrame& frame)
 {
@@ -205,14 +205,14 @@ addUnexplained(Markup& page, const Content& content, const PlanFrame& frame)
   }
 }
 
-/** Stretches and trees of the scanned state, each a link to its row. */
+/** Stretches and trees of the scanned state, each linked to its row. */
 void
 addHazardMarks(Markup& page, const Content& content, const PlanFrame& frame)
 {
   if (content.options.hazards.empty())
     return;
   const Hazards& hazards = content.options.hazards.front();
-  // The severe ones on top.
+  // Severe ones on top.
   for (const Severity severity : {Severity::Low, Severity::Medium, Severity::High}) {
     const std::string look(nameOf(severity));
     for (const Encroachment& one : hazards.clearances) {
@@ -270,7 +270,7 @@ addScaleAndNorth(Markup& page, const PlanFrame& frame)
   page << "<path class=\"ink\" d=\"M1 " << y - 5 << " v5 h" << length << " v-5\"/>"
        << "<text x=\"" << length + 8 << "\" y=\"" << y + 1 << "\">"
        << number(meters, meters < 1 ? 2 : 0) << " m</text>\n";
-  // The arrow turns about its middle as north does on the page.
+  // The arrow is rotated about its center to point north on the page.
   const double x = frame.width() - 30, turn = std::atan2(frame.u.y(), frame.v.y());
   page << "<g transform=\"translate(" << x << " " << y - 6 << ") rotate("
        << turn * 180 / M_PI
@@ -285,7 +285,7 @@ addPlan(Markup& page, const Content& content)
 {
   const PlanFrame frame = frameOf(content);
   if (frame.low.x() > frame.high.x())
-    return; // no point, no wire
+    return; // neither points nor wires
   const double width = std::max(frame.width(), 240.0);
   page << "<svg class=\"plan\" viewBox=\"-2 -2 " << width + 4 << " "
        << frame.height() + 48 << "\" style=\"max-width:" << width + 4

@@ -15,11 +15,10 @@ namespace linelet::powerline::report {
 namespace {
 
 constexpr double beside = 3, beyond = 4; ///< meters around the wires of a span
-constexpr double terrain = 0.4;          ///< meters above ground, up to there
-constexpr std::size_t most = 4000;       ///< points drawn of a span
+constexpr double terrain = 0.4;    ///< meters above ground: what counts as terrain
+constexpr std::size_t most = 4000; ///< points drawn per span
 
-/** Cells of the plan that know the spans that touch them, so that a point asks few
- * spans. */
+/** The spans that touch each cell of the plan, so that few are checked per point. */
 class SpanCells {
 public:
   SpanCells(const std::vector<SpanFrame>& frames, const Content& content)
@@ -43,7 +42,7 @@ public:
     }
   }
 
-  /** Places in the list of spans, ascending. */
+  /** Indices in the list of spans, ascending. */
   const std::vector<std::uint32_t>&
   near(const Point& p) const
   {
@@ -68,7 +67,7 @@ private:
            static_cast<std::size_t>((p.x() - low_.x()) / cell);
   }
 
-  // Steps of half a cell along and across the span leave no cell out.
+  // Steps of half a cell along and across the span miss no cell.
   void
   add(const SpanFrame& frame, std::uint32_t k)
   {
@@ -105,7 +104,7 @@ thin(const Indices& points, std::size_t count, Indices& out)
     out.push_back(points[i * n / kept]);
 }
 
-// Those of wires lie on the curves: a few show where they are.
+// Points of wires lie on the curves, so a few suffice.
 Indices
 thinned(Indices points, const PowerLineNetwork& network)
 {
@@ -131,11 +130,11 @@ pointsOfSpans(const Content& content)
   std::vector<Indices> found(network.spans.size());
   for (std::size_t i = 0; i < content.cloud.points.size(); ++i) {
     const Point p = content.point(i);
-    // The terrain is drawn as an area; its points would only hide the rest.
+    // The terrain is drawn as an area; its points would only clutter.
     if (!p.allFinite() || p.z() - network.ground.heightAt(p.x(), p.y()) <= terrain)
       continue;
     for (const std::uint32_t k : cells.near(p)) {
-      // Wires of other spans are drawn there.
+      // Wires of other spans are drawn in their own profiles.
       const bool elsewhere =
           network.span_id[i] > 0 && network.span_id[i] != network.spans[k].id;
       if (!elsewhere && isBeside(frames[k], p))

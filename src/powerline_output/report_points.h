@@ -9,7 +9,7 @@
 
 namespace linelet::powerline::report {
 
-/** \brief Points of the cloud beside every span, a few thousand each at most. */
+/** \brief Points of the cloud beside every span, at most a few thousand each. */
 std::vector<Indices>
 pointsOfSpans(const Content& content);
 

@@ -14,13 +14,13 @@ namespace linelet::powerline::report {
 namespace {
 
 constexpr double left = 46, widest = 1004, top = 14, deepest = 300; ///< pixels
-constexpr double narrow_chart = 420; ///< pixels, its caption stands beside it
+constexpr double narrow_chart = 420; ///< pixels; its caption goes beside it
 
-/** From meters along and up to pixels. */
+/** Maps meters along and up to pixels. */
 struct View {
   double from, to, low, high; ///< meters
   double x_scale, y_scale;    ///< pixels per meter
-  double world;               ///< added to heights where they are written
+  double world;               ///< added to heights in labels
 
   double
   x(double s) const
@@ -72,7 +72,7 @@ viewOf(const Content& content, const Span& span, const SpanFrame& frame)
   view.high += 2;
   view.low -= 2;
   view.x_scale = std::min(widest / (view.to - view.from),
-                          deepest / (view.high - view.low)); // a short one stays small
+                          deepest / (view.high - view.low)); // a short span stays small
   // To scale, or heights stretched by a whole number, as large as the space allows.
   const double most = deepest / ((view.high - view.low) * view.x_scale);
   view.y_scale = view.x_scale * std::clamp(std::floor(most + 1e-9), 1.0, 5.0);
@@ -90,7 +90,7 @@ addAxes(Markup& page, const View& view)
          << " H" << view.right() << "\"/><text class=\"tick end\" x=\"" << left - 5
          << "\" y=\"" << view.y(z - view.world) + 4 << "\">" << number(z, 0)
          << "</text>\n";
-  // A short span is drawn small: fewer ticks, or their numbers run into each other.
+  // Fewer ticks for a short span, which is drawn small, lest their labels overlap.
   const double ticks = std::clamp((view.right() - left) / 45.0, 2.0, 10.0);
   const double on = roundStep(view.to - view.from, static_cast<int>(ticks));
   for (double s = std::ceil(view.from / on) * on; s < view.to; s += on)
@@ -126,7 +126,7 @@ addGround(Markup& page,
          << view.bottom() << " z\"/>\n";
 }
 
-/** Points as one path of dots per kind. */
+/** The points, as one path of dots per kind. */
 void
 addPoints(Markup& page,
           const Content& content,
@@ -153,7 +153,7 @@ addPoints(Markup& page,
        << "<path class=\"dots onwire\" d=\"" << wires.text() << "\"/>\n";
 }
 
-/** The vertices of a line, as the d of a path. */
+/** The vertices of a line, as the `d` of a path. */
 void
 addCourse(Markup& page, const SpanFrame& frame, const View& view, const Points& line)
 {
@@ -207,7 +207,7 @@ addJumpers(Markup& page,
   }
 }
 
-/** Stretches of the scanned state along the wires, each a link to its row. */
+/** Stretches of the scanned state along the wires, each linked to its row. */
 void
 addStretches(Markup& page,
              const Content& content,

@@ -13,8 +13,8 @@ namespace linelet::powerline::report {
 
 /** \brief A section of the page. */
 struct Section {
-  std::string id;    ///< target of links; also page/ID.mustache, which draws it
-  std::string title; ///< heading; may be empty
+  std::string id;              ///< target of links; page/ID.mustache draws it
+  std::string title;           ///< heading; may be empty
   nlohmann::ordered_json data; ///< for the template
 };
 

@@ -11,7 +11,7 @@
 
 namespace linelet::powerline::report {
 
-/** \brief All sections of the page, in order. A new section takes a function, a
+/** \brief All sections of the page, in order. A new section needs a function, a
  * template in page/ and a line here. */
 std::vector<Section>
 sectionsOf(const Content& content, const ProgressMonitor* monitor);

@@ -20,12 +20,12 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t most_of_lines = 15000; ///< points of wires and supports
 constexpr std::size_t most_of_others = 35000;
-constexpr std::size_t most_still = 5000; ///< dots of the still picture
+constexpr std::size_t most_still = 5000; ///< dots in the still picture
 
-/** \brief What a point is drawn as; places in the palette of page/space.js. */
+/** \brief How a point is drawn; indices into the palette of page/space.js. */
 enum class Look : std::uint8_t { Ground, Low, Object, Tower, Wire, Insulator };
 
-/** \brief The points that are shown, evenly thinned: those of lines and the others. */
+/** \brief The points to show, evenly thinned: those of lines, then the others. */
 Indices
 shownPoints(const Content& content)
 {
@@ -63,7 +63,7 @@ lookOf(const Content& content, Index i)
   return height > 2 ? Look::Object : height > 0.4 ? Look::Low : Look::Ground;
 }
 
-/** \brief The box around what is shown, and a cube over it in 16 bits an axis. */
+/** \brief The box around what is shown, and a cube around it with 16 bits per axis. */
 struct SpaceFrame {
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   double step = 1; ///< meters
@@ -102,11 +102,11 @@ struct SpaceFrame {
   }
 };
 
-/** \brief What a line is drawn as; places in the tints of page/space.js. */
+/** \brief How a line is drawn; indices into the tints of page/space.js. */
 enum class LineLook : std::uint8_t { Wire, Doubtful, Jumper };
 
-/** \brief Wires and jumpers as runs of vertices: their number, their look, and their
- * places, 16 bits each. */
+/** \brief Wires and jumpers as runs of vertices: number, look, and positions, 16 bits
+ * each. */
 Bytes
 lineBytes(const Content& content, const SpaceFrame& frame)
 {
@@ -128,7 +128,7 @@ lineBytes(const Content& content, const SpaceFrame& frame)
   return out;
 }
 
-/** \brief The same from the southwest and above, for readers without WebGL 2. */
+/** \brief The same view from the southwest and above, for browsers without WebGL 2. */
 std::string
 stillPicture(const Content& content, const SpaceFrame& frame, const Indices& shown)
 {

@@ -7,8 +7,8 @@
 
 namespace linelet::powerline::report {
 
-/** \brief Cloud and lines as a 3D view that can be rotated; a still picture without
- * WebGL 2. */
+/** \brief Cloud and lines as a 3D view that can be rotated; a still picture in browsers
+ * without WebGL 2. */
 Section
 spaceSection(const Content& content);
 

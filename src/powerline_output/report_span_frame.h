@@ -49,7 +49,7 @@ public:
   }
 
   double length = 0;     ///< meters
-  double half_width = 0; ///< of the wires' ends beside the axis, meters
+  double half_width = 0; ///< largest distance of the wires' ends from the axis, meters
 
 private:
   Point from_ = Point::Zero(), axis_ = Point::UnitX();

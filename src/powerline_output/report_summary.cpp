@@ -70,7 +70,7 @@ private:
         falling > 0);
     if (area > 0)
       add(number(area, 0) + " m²",
-          "of vegetation too near, " + number(volume, 0) + " m³");
+          "of vegetation too close, " + number(volume, 0) + " m³");
     std::string spans;
     for (const int span : severe)
       spans += (spans.empty() ? "" : ", ") + std::to_string(span);
@@ -86,7 +86,7 @@ private:
             ? "Nothing severe as scanned; see the list for what to plan."
         : unknown ? "Clearances are unknown: neither ground nor objects were seen near "
                     "the wires."
-                  : "Nothing is nearer to a wire than its limit, as scanned.";
+                  : "Nothing is closer to a wire than its limit, as scanned.";
     if (muchIsUnexplained(content.network))
       verdict_ +=
           " Wires may be missing: " + number(unexplainedLength(content.network), 0) +
@@ -134,7 +134,7 @@ private:
           "wires below " + number(content.options.clearance, 1) + " m clearance",
           below.value_or(1) > 0);
     }
-    add(std::to_string(doubtful), "wires in doubt");
+    add(std::to_string(doubtful), "doubtful wires");
   }
 
   Json totals_ = Json::array();

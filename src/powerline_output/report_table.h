@@ -13,7 +13,7 @@ namespace linelet::powerline::report {
 /** \brief A table of the page, in the form of page/table.mustache. */
 class Table {
 public:
-  /** \brief A column: words are left-aligned, figures right-aligned. */
+  /** \brief A column: words are left-aligned, numbers right-aligned. */
   struct Column {
     std::string name;
     bool words = false;
@@ -23,7 +23,7 @@ public:
   struct Cell {
     std::string text;
     bool alarm = false;
-    std::string link = {};   ///< address
+    std::string link = {};   ///< URL
     std::string remark = {}; ///< after the text
     std::string swatch = {}; ///< color of a square before the text
   };
@@ -39,7 +39,7 @@ public:
     json_["rows"] = nlohmann::ordered_json::array();
   }
 
-  /** \brief Appends a row that links of the page reach as \a anchor. */
+  /** \brief Appends a row that links can reach as \a anchor. */
   void
   row(std::initializer_list<Cell> cells, const std::string& anchor = {})
   {

@@ -28,7 +28,7 @@ placeOf(int span)
   return "#span" + std::to_string(span);
 }
 
-/** Lowest of a clearance over the wires of a span. */
+/** The smallest of a clearance over the wires of a span. */
 template <class Get>
 double
 lowest(const Content& content, const Span& span, Get get)
@@ -36,7 +36,7 @@ lowest(const Content& content, const Span& span, Get get)
   double least = std::numeric_limits<double>::quiet_NaN();
   for (const int id : span.wires) {
     const double distance = get(content.wire(id)).distance;
-    if (!(least <= distance)) // also while least is still NaN
+    if (!(least <= distance)) // true while least is still NaN
       least = distance == distance ? distance : least;
   }
   return least;

@@ -78,7 +78,7 @@ writeReview(const std::string& path,
             const PowerLineNetwork& network,
             const OutputOptions& options)
 {
-  // It is read back beside the cloud: in its coordinates, GeoJSON, too.
+  // It is read back with the cloud, so in its coordinates, even as GeoJSON.
   const io::VectorOptions vectors{"", true};
   io::writeLayers(path,
                   powerLineLayers(cloud, network, options),

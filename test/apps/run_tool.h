@@ -18,13 +18,13 @@
 
 namespace linelet::test {
 
-/** \brief What a run of the tool came to. */
+/** \brief The outcome of a run of the tool. */
 struct Outcome {
   int code = -1;
   std::string out, error;
 };
 
-/** \brief A test that runs the tool as a user does, in a folder of its own. */
+/** \brief A test that runs the tool as a user would, in its own folder. */
 class ToolTest : public testing::Test {
 protected:
   ToolTest()
@@ -49,7 +49,7 @@ protected:
     return bytes.str();
   }
 
-  /** \brief Writes a file of the folder; its path. */
+  /** \brief Writes a file into the folder. \return its path */
   std::string
   write(const std::string& name, const std::string& bytes) const
   {
@@ -74,7 +74,7 @@ protected:
             contents(path("stderr"))};
   }
 
-  /** \brief Runs what must work; the test fails with its message if it does not. */
+  /** \brief Runs what must succeed; otherwise the test fails with its message. */
   Outcome
   runWell(const std::string& arguments) const
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which points take part by their class, and which classes points are given.
+// Which points are used by class, and which classes points get.
 
 #include <map>
 

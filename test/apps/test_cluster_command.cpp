@@ -87,7 +87,7 @@ TEST_F(ClusterCommand, GivesTheSameFileWithAnyThreadsAndDevice)
   EXPECT_EQ(contents(path("one.ply")), contents(path("many.ply")));
   const Outcome device =
       run("cluster " + in + " " + path("device.ply") + " --leaf 1.7 --device auto");
-  if (device.code == 0) { // OpenCL is there, and has a device
+  if (device.code == 0) { // OpenCL has a device
     EXPECT_EQ(contents(path("one.ply")), contents(path("device.ply")));
   }
 }
@@ -102,7 +102,7 @@ TEST_F(ClusterCommand, WritesTheFacesOfItsCellsAsAMesh)
   EXPECT_EQ(json(path("out.json")).at("faces"), 2 * 25 + 4 * 5);
   EXPECT_NE(contents(path("mesh.ply")).find("element face 70\n"), std::string::npos);
   EXPECT_NE(contents(path("mesh.ply")).find("element vertex 72\n"), std::string::npos)
-      << "corners in common are one vertex";
+      << "shared corners are one vertex";
   runWell(start); // quads: one plane each
   EXPECT_EQ(json(path("out.json")).at("faces"), 25);
 }

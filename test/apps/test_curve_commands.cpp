@@ -60,7 +60,7 @@ TEST_F(CurveCommands, TheTruthScoresPerfectly)
   EXPECT_EQ(measures["success"], false);
 }
 
-// A parallel to the truth at distance 2: the same error at both vertices.
+// A line parallel to the truth at distance 2 has the same error at both vertices.
 TEST_F(CurveCommands, ErrorsAtVerticesAreWritten)
 {
   std::ofstream(path("truth.obj")) << "v 0 0 0\nv 9 0 0\nl 1 2\n";
@@ -196,7 +196,7 @@ TEST_F(CurveCommands, OnlyTheChosenClassesAreUsed)
   for (const Point& vertex : network.curves[0].points)
     EXPECT_NEAR(vertex.z(), 5, 1e-3);
   EXPECT_THAT(runWell("curves " + cloud + " " + output + " --keep-classes 99").error,
-              HasSubstr("no point is left"));
+              HasSubstr("no points are left"));
   runWell("generate circle " + path("circle.xyz"));
   expectOneLineOf("curves " + path("circle.xyz") + " " + path("out.obj") +
                       " --keep-classes 14",

@@ -35,7 +35,7 @@ TEST_F(CurvesFragmentsTest, OfAFolderAreThoseOfTheWhole)
     runWell(job_ + path("tiles") + " " + path("b.obj") + " --chunk " +
             std::to_string(chunk) + " --json " + path("b.json"));
     EXPECT_GT(json(path("b.json"))["fragments"], 1);
-    EXPECT_FALSE(fs::exists(path("b.obj.fragments"))) << "nothing is to stay";
+    EXPECT_FALSE(fs::exists(path("b.obj.fragments"))) << "nothing must remain";
     EXPECT_TRUE(contents(path("a.obj")) == contents(path("b.obj")))
         << "chunk " << chunk;
   }
@@ -71,7 +71,7 @@ TEST_F(CurvesFragmentsTest, UnsupportedOptionsAreRefused)
   expectOneLineOf(in + path("a.h5"), "a.h5");
 }
 
-// Without the warning nobody would know why memory ran out.
+// Without the warning, running out of memory would be a mystery.
 TEST_F(CurvesFragmentsTest, UncuttableCloudsAreReported)
 {
   std::string helix;

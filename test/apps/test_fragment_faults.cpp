@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What can go wrong while power lines and curves run in fragments: it is reported in
-// one sentence, and once mended, the result is that of an undisturbed run.
+// one sentence, and once it is fixed, the result is that of an undisturbed run.
 
 #include <chrono>
 #include <csignal>
@@ -72,7 +72,7 @@ TEST_P(FragmentFaultsTest, DiskFull)
 {
   fs::create_directories(path("disk"));
   if (::mount("none", path("disk").c_str(), "tmpfs", 0, "size=1m") != 0)
-    GTEST_SKIP() << "needs a file system of its own, which only root may mount";
+    GTEST_SKIP() << "needs its own file system, which only root may mount";
   runWell(job("a"));
   const Outcome outcome = run(job("disk"));
   EXPECT_EQ(outcome.code, 1);

@@ -32,7 +32,7 @@ TEST_F(FragmentsTest, TensorOfOneFileIsTheSameForAnyChunk)
   for (const std::string chunk : {"17.3", "40", "1000"}) {
     runWell("tensor" + options_ + in + " " + path("b.las") + " --chunk " + chunk);
     EXPECT_TRUE(contents(path("a.las")) == contents(path("b.las"))) << chunk;
-    EXPECT_FALSE(fs::exists(path("b.las.fragments"))) << "nothing is to stay";
+    EXPECT_FALSE(fs::exists(path("b.las.fragments"))) << "nothing must remain";
   }
 }
 
@@ -99,7 +99,7 @@ TEST_F(FragmentsTest, ATruncatedTileIsNamedAndTheRestIsKept)
   fs::resize_file(tile(3), whole.size() * 2 / 3);
   expectOneLineOf(job + path("b") + " --chunk 45", tile(3));
   write("tiles/t3.laz", whole);
-  // The file is another one now, so a plan made for the broken one is not resumed.
+  // The file has changed, so a plan made for the broken one is not resumed.
   expectOneLineOf(job + path("b") + " --chunk 45 --resume", "--resume");
   runWell(job + path("b") + " --chunk 45");
   EXPECT_TRUE(folderContents(path("a")) == folderContents(path("b")));
@@ -191,7 +191,7 @@ TEST_F(FragmentsTest, DiskFull)
 {
   fs::create_directories(path("disk"));
   if (::mount("none", path("disk").c_str(), "tmpfs", 0, "size=6m") != 0)
-    GTEST_SKIP() << "needs a file system of its own, which only root may mount";
+    GTEST_SKIP() << "needs its own file system, which only root may mount";
   const std::string job = "tensor" + options_ + path("tiles") + " ";
   runWell(job + path("a"));
   const std::string again = job + path("disk/b") + " --chunk 45 ";

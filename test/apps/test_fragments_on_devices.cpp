@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fragments on the processor and two unequal OpenCL devices side by side, under every
+// Fragments on the processor and two unequal OpenCL devices at once, under every
 // heuristic: each point once, with the values that the processor alone gives.
 
 #include <cmath>
@@ -23,7 +23,7 @@ protected:
     runWell("devices --json " + path("devices.json"));
     devices_ = json(path("devices.json"))["devices"].size();
     if (devices_ < 2)
-      GTEST_SKIP() << "OpenCL has " << devices_ << " devices here";
+      GTEST_SKIP() << "OpenCL has " << devices_ << " devices";
     TilesTest::SetUp();
     runWell("tensor --radius 1.5 --engine grid " + path("tiles") + " " + path("a"));
   }
@@ -36,7 +36,7 @@ protected:
     const io::Cloud a = io::readCloud(path("a") + "/" + name),
                     b = io::readCloud(folder + "/" + name);
     ASSERT_EQ(a.points.size(), b.points.size());
-    EXPECT_TRUE(a.points == b.points) << "another order";
+    EXPECT_TRUE(a.points == b.points) << "different order";
     ASSERT_EQ(a.columns.size(), b.columns.size());
     for (const char* factor : {"linearity", "planarity", "sphericity"}) {
       const io::Column *one = a.find(factor), *other = b.find(factor);
@@ -81,7 +81,7 @@ TEST_F(FragmentsOnDevicesTest, AreThoseOfTheProcessor)
     EXPECT_EQ(fragments, summary["fragments"].get<std::size_t>());
     EXPECT_EQ(points,
               summary["points"].get<double>() - summary["left_out"].get<double>());
-    EXPECT_FALSE(fs::exists(folder + ".fragments")) << "nothing is to stay";
+    EXPECT_FALSE(fs::exists(folder + ".fragments")) << "nothing must remain";
   }
 }
 

@@ -39,7 +39,7 @@ public:
     return cairo_image_surface_get_height(image_.get());
   }
 
-  /** \brief Counted from the upper left corner. */
+  /** \brief The pixel, counted from the upper left corner. */
   Rgb
   at(int x, int y) const
   {

@@ -35,7 +35,7 @@ protected:
     return path(name);
   }
 
-  /** \brief Runs what must be refused with one line; \a input must stay as it is. */
+  /** \brief Runs what must be rejected with one line; \a input must stay unchanged. */
   void
   expectKeeps(const std::string& arguments, const std::string& input) const
   {
@@ -139,13 +139,13 @@ TEST_F(NoHarm, ResultsOfAnotherInputAreKept)
   expectOneLineOf("powerlines " + namesake + " " + folder, "another one.las");
   runWell("powerlines " + other + " " + folder + " --overwrite");
   EXPECT_EQ(json(folder + "/summary.json")["source"], "other.las");
-  // A folder has its name, however it is written.
+  // A folder is the same, however its path is written.
   fs::create_directories(path("tiles"));
   cloud("tiles/a.las");
   runWell("powerlines " + path("tiles/") + " " + folder + " --overwrite");
   EXPECT_EQ(json(folder + "/summary.json")["source"], "tiles");
   runWell("powerlines " + other + " " + folder + " --overwrite");
-  // Results that could be anyone's.
+  // Results of an unknown origin.
   fs::remove(folder + "/summary.json");
   expectOneLineOf("powerlines " + other + " " + folder, "unknown input");
   write("out/summary.json", "{]");

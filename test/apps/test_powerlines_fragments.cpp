@@ -54,7 +54,7 @@ protected:
     const io::Cloud a = io::readCloud(path(one) + "/classified.laz"),
                     b = io::readCloud(path(other) + "/classified.laz");
     ASSERT_EQ(a.points.size(), b.points.size());
-    EXPECT_TRUE(a.points == b.points) << "another order";
+    EXPECT_TRUE(a.points == b.points) << "different order";
     ASSERT_EQ(a.columns.size(), b.columns.size());
     for (const io::Column& column : a.columns) {
       const io::Column* same = b.find(column.name);
@@ -81,7 +81,7 @@ protected:
   const std::string job_ = "powerlines --threads 1 ";
 };
 
-// A newcomer's run: a folder of tiles that exceeds memory, cut anywhere.
+// A beginner's run: a folder of tiles that exceeds memory, cut anywhere.
 TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
 {
   std::mt19937 random(randomSeed());
@@ -93,10 +93,10 @@ TEST_F(PowerlinesFragmentsTest, OfAFolderAreThoseOfTheWhole)
   EXPECT_GT(json(path("b.json"))["fragments"], 1);
   EXPECT_GT(json(path("b.json"))["wires"], 20);
   expectSameFiles("a", "b");
-  EXPECT_FALSE(fs::exists(path("b.fragments"))) << "nothing is to stay";
+  EXPECT_FALSE(fs::exists(path("b.fragments"))) << "nothing must remain";
 }
 
-// Wires that continue beyond a pole may end there one above the other.
+// Wires that continue beyond a pole may end there on top of each other.
 TEST_F(PowerlinesFragmentsTest, OfAStreetAreThoseOfTheWhole)
 {
   runWell("generate scene street " + path("street.laz") + " --seed 8");

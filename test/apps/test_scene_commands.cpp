@@ -191,7 +191,7 @@ TEST_F(SceneCommands, AMissingReferenceSystemIsReportedOnce)
        at = run.error.find(said, at + 1))
     ++times;
   EXPECT_EQ(times, 2) << run.error;
-  EXPECT_THAT(run.error, HasSubstr("its coordinates count as meters"));
+  EXPECT_THAT(run.error, HasSubstr("its coordinates are taken as meters"));
   EXPECT_THAT(run.error, HasSubstr(path("unknown/wires.geojson")));
   EXPECT_THAT(run.error, HasSubstr("take the coordinates for degrees"));
 }

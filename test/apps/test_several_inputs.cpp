@@ -44,7 +44,7 @@ protected:
           continue;
         const Point place =
             c < 0.3 ? Point(a, 8 * b, 0.1 * c) : Point(a, 0.03 * b, 9 + 0.03 * c);
-        // On the grid common to all files.
+        // On the grid that all files share.
         part.points.emplace_back((place * 100).array().round() / 100);
         part_sizes.push_back(0.5f + 0.25f * static_cast<float>(part.points.size() % 7));
       }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// When told to stop, the tool stops, whatever it is doing, and leaves nothing half
-// done.
+// When told to stop, the tool stops, whatever it is doing, and leaves nothing
+// half-done.
 
 #include <chrono>
 #include <csignal>
@@ -39,7 +39,7 @@ protected:
     return path("big.las");
   }
 
-  /** \brief A mesh of noisy lines, which takes long to disentangle. */
+  /** \brief A mesh of noisy lines, which takes a long time to disentangle. */
   std::string
   net() const
   {
@@ -126,7 +126,7 @@ protected:
       }
       std::this_thread::sleep_for(milliseconds(10));
     }
-    EXPECT_TRUE(WIFEXITED(status)) << "ended by the signal itself";
+    EXPECT_TRUE(WIFEXITED(status)) << "killed by the signal itself";
     EXPECT_EQ(WEXITSTATUS(status), 1) << contents(path("said"));
     EXPECT_NE(contents(path("said")).find("canceled"), std::string::npos);
     std::set<std::string> left = files();
@@ -221,7 +221,7 @@ TEST_F(Signals, EndScenes)
   expectEndsByBoth({"powerlines", path("scene.las"), path("folder")});
 }
 
-// A reader that is gone is no reason to die and leave files.
+// If the reader of a pipe is gone, the tool must not die and leave files.
 TEST_F(Signals, AClosedPipeIsAnErrorOfWriting)
 {
   const std::string cloud = write("in.xyz", "0 0 0\n1 0 0\n2 0 0\n");

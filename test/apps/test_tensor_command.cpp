@@ -161,7 +161,7 @@ TEST_F(TensorCommand, EverySearchGivesTheSame)
   const Outcome both =
       tensor(input + " " + output + " --radius 1 --search octree --engine grid");
   EXPECT_EQ(both.code, 1);
-  EXPECT_THAT(both.error, HasSubstr("give one of them"));
+  EXPECT_THAT(both.error, HasSubstr("give only one"));
 }
 
 TEST_F(TensorCommand, ChoosesARadiusAndReportsIt)

@@ -95,11 +95,11 @@ TEST_F(Usage, MisuseExitsWithTwo)
 TEST_F(Usage, TyposGetASuggestion)
 {
   EXPECT_THAT(run("curvse in.xyz out.obj").error, HasSubstr("did you mean curves?"));
-  // The value after it is not taken for a file.
+  // The value after it is not mistaken for a file.
   EXPECT_THAT(run("curves --distance-cutof 3 in.xyz out.obj").error,
               StartsWith("linelet curves: there is no option --distance-cutof, did you "
                          "mean --distance-cutoff?;"));
-  // A missing argument does not hide it either.
+  // Nor does a missing argument hide it.
   EXPECT_THAT(run("curves --hlep").error, HasSubstr("did you mean --help?"));
   EXPECT_THAT(run("tensor in.xyz out.xyz --radus=3").error,
               HasSubstr("did you mean --radius?"));
@@ -175,7 +175,7 @@ TEST_F(Usage, MisuseIsReportedInOneLine)
     EXPECT_THAT(outcome.error, HasSubstr("linelet curves --help"));
   }
   EXPECT_THAT(run("curves in.xyz out.obj --distance-cutoff far").error,
-              HasSubstr("--distance-cutoff = far is not a number that it takes"));
+              HasSubstr("--distance-cutoff = far is not a valid number"));
   EXPECT_THAT(run("curves in.xyz out.obj --config " + wrong).error,
               StartsWith("linelet curves: " + wrong + ": "));
 }

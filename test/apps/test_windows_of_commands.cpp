@@ -126,8 +126,8 @@ TEST_F(WindowsOfCommands, AreThoseOfAFileOfThePointsInThem)
     runWell(command + " " + path("part.laz") + to + " --json " + path("part.json"));
     const auto window = json(path("window.json")), part = json(path("part.json"));
     EXPECT_EQ(window["points"], countIn(10, 40, 5));
-    // Only what does not depend on the origin of the coordinates, which is that of the
-    // file.
+    // Only what does not depend on the origin of the coordinates, which differs between
+    // the files.
     for (const char* key :
          {"points", "bounds", "attributes", "classes", "curves", "wires", "spans"})
       EXPECT_EQ(window.value(key, nlohmann::json()), part.value(key, nlohmann::json()))

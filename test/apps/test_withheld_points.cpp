@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Points flagged as withheld take no part in any analysis, but stay in the written LAS
-// file unchanged.
+// Points flagged as withheld are left out of every analysis, but stay unchanged in the
+// written LAS file.
 
 #include <cmath>
 #include <cstdint>

@@ -75,7 +75,7 @@ protected:
     return all;
   }
 
-  /** Starts the tool; its process id. */
+  /** Starts the tool. \return its process id */
   static pid_t
   start(const std::vector<std::string>& arguments)
   {
@@ -135,7 +135,7 @@ protected:
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
-  /** How often a run is killed: a few times, or as often as the environment says. */
+  /** How often a run is killed: a few times, or as set in the environment. */
   static int
   kills()
   {

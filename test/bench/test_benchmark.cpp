@@ -125,7 +125,7 @@ TEST(Benchmark, ATruncatedLineIsNotARow)
   writeCsv(out, row);
   writeCsv(out, row);
   const std::string text = out.str();
-  // The cut may fall inside the last number, which still looks like a number then.
+  // The cut may fall inside the last number, and what is left still looks like one.
   std::istringstream cut(text.substr(0, text.size() - 3));
   EXPECT_EQ(readCsv(cut).size(), 1u);
   std::istringstream other("x,y\n1,2\n");

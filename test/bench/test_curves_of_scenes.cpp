@@ -20,8 +20,7 @@ constexpr std::uint8_t ground_class = 2;
 
 TEST(CurvesOfScenes, RoofsOfATownAreNone)
 {
-  // Ridges, eaves and gable ends, and rows of pulses on roofs: a surface lies beside
-  // them.
+  // Ridges, eaves, gable ends and rows of pulses on roofs: next to them lies a surface.
   double wrong = 0;
   for (const std::uint32_t seed : {4, 5}) {
     SceneSettings settings;

@@ -156,7 +156,7 @@ TEST(RandomCloud, FollowsFromItsSeed)
 
 TEST(RandomRuns, AreMeasuredInTheUnitOfTheirShape)
 {
-  // The truth itself, a hundredth of its extent aside.
+  // The truth itself, shifted by a hundredth of its extent.
   for (const BenchmarkRun& run : randomRuns(12, 9)) {
     const RandomCloud cloud = randomCloud(*run.random, run.sampling);
     const Point shift = 0.1 * cloud.unit * Point(0.6, 0, 0.8);

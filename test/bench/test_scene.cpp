@@ -169,7 +169,7 @@ TEST(Scene, SamplingAsAsked)
       ++single;
     }
   }
-  // Some stretches are hidden, and what stands above takes its share.
+  // Some stretches are hidden, and objects above intercept pulses.
   EXPECT_GT(static_cast<double>(count) / length, 7.5);
   EXPECT_LT(static_cast<double>(count) / length, 11);
   ASSERT_GT(single, 1000U);
@@ -221,7 +221,7 @@ TEST(Scene, WaterReturnsNothing)
     }
 }
 
-/** A reader that is gone is no reason to die and leave files. */
+/** Wires in a forest are partly hidden. */
 TEST(Scene, TheForestHidesWires)
 {
   double hidden = 0, all = 0;

@@ -112,7 +112,7 @@ TEST(SceneScores, Tolerances)
   EXPECT_EQ(curves(0.421, trueWire(0, 0.32, 0.1)), 0);
 }
 
-/** Each wire has its own tolerance, even side by side with another. */
+/** Each wire has its own tolerance, even next to another. */
 TEST(SceneScores, EachWireByItself)
 {
   // The vector lies 0.3 m from both: within the bundle's tolerance, not the wire's.

@@ -7,12 +7,12 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 tool=$(realpath "$1")
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
-cd "$room"
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+cd "$dir"
 mkdir bin
 ln -s "$tool" bin/linelet
-export PATH=$room/bin:$PATH
+export PATH=$dir/bin:$PATH
 failures=0
 
 mkdir tiles
@@ -33,7 +33,7 @@ compare() {
 }
 
 if command -v parallel > /dev/null; then
-  # Stands in for ssh: the host "dying" refuses everything after its second job.
+  # Stands in for ssh: the host "dying" rejects everything after its second job.
   cat > bin/fakessh << 'END'
 #!/bin/bash
 while [ "${1#-}" != "$1" ]; do shift; done
@@ -48,8 +48,8 @@ exec bash -c "$*"
 END
   chmod +x bin/fakessh
   plan
-  seq 6 | PARALLEL_SSH=$room/bin/fakessh parallel --sshlogin 1/dying,1/alive \
-    --workdir "$room" --joblog jobs.log --retries 3 \
+  seq 6 | PARALLEL_SSH=$dir/bin/fakessh parallel --sshlogin 1/dying,1/alive \
+    --workdir "$dir" --joblog jobs.log --retries 3 \
     "PATH=$PATH linelet work out --every {}/6" > /dev/null
   compare "GNU parallel, a host dies"
   plan
@@ -64,7 +64,7 @@ fi
 
 if command -v parallel > /dev/null && [ -x /usr/sbin/sshd ] && [ "$(id -u)" = 0 ]; then
   plan
-  export JOBLOG=$room/jobs3.log
+  export JOBLOG=$dir/jobs3.log
   seq 24 | "$here/ssh_hosts.sh" bash -c 'PARALLEL_SSH="ssh -F $SSH_CONFIG" parallel \
     --sshlogin 1/dying,1/alive --workdir "$PWD" --joblog "$JOBLOG" --retries 5 \
     "PATH=$PATH linelet work out --every {}/24"' > /dev/null

@@ -7,27 +7,27 @@
 # killed, with everything running on it, after two jobs of $JOBLOG have ended. Needs
 # root and openssh-server. Uses its own keys and listens on the loopback device only.
 set -euo pipefail
-room=$(mktemp -d)
+dir=$(mktemp -d)
 pids=()
 finish() {
   for pid in "${pids[@]}"; do kill "$pid" 2> /dev/null || true; done
   wait 2> /dev/null || true
-  rm -rf "$room"
+  rm -rf "$dir"
 }
 trap finish EXIT
 
 mkdir -p /run/sshd
-ssh-keygen -q -t ed25519 -N '' -f "$room/host"
-ssh-keygen -q -t ed25519 -N '' -f "$room/user"
-export SSH_CONFIG=$room/config
+ssh-keygen -q -t ed25519 -N '' -f "$dir/host"
+ssh-keygen -q -t ed25519 -N '' -f "$dir/user"
+export SSH_CONFIG=$dir/config
 port=16820
 for host in dying alive; do
   port=$((port + 1))
-  cat > "$room/$host.sshd" << END
+  cat > "$dir/$host.sshd" << END
 ListenAddress 127.0.0.1
 Port $port
-HostKey $room/host
-AuthorizedKeysFile $room/user.pub
+HostKey $dir/host
+AuthorizedKeysFile $dir/user.pub
 PidFile none
 StrictModes no
 UsePAM no
@@ -37,13 +37,13 @@ END
 Host $host
   HostName 127.0.0.1
   Port $port
-  IdentityFile $room/user
+  IdentityFile $dir/user
   IdentitiesOnly yes
-  UserKnownHostsFile $room/known
+  UserKnownHostsFile $dir/known
   StrictHostKeyChecking no
   LogLevel ERROR
 END
-  /usr/sbin/sshd -D -f "$room/$host.sshd" 2> "$room/$host.err" &
+  /usr/sbin/sshd -D -f "$dir/$host.sshd" 2> "$dir/$host.err" &
   pids+=($!)
 done
 dying=${pids[0]}

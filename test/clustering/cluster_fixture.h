@@ -19,7 +19,7 @@ namespace linelet::test {
 
 using CellKey = std::array<std::int32_t, 3>;
 
-/** \brief Two faces of a roof, their edges against the ground, and a wall: noisy. */
+/** \brief Two faces of a roof, their edges above the ground, and a wall, all noisy. */
 inline Points
 house(std::size_t count, unsigned seed, double noise = 0.02)
 {

@@ -140,7 +140,7 @@ TEST(CellFaces, WithoutAPlaneThereIsNoQuad)
   for (const Points& points : {Points{Point(1, 2, 3)}, Points(7, Point(1, 2, 3)), row})
     for (const double n : {1., 5.}) {
       EXPECT_TRUE(clusterPoints(points, cube(n, CellFaces::Quads)).faces.empty());
-      // But it has boxes, and normals by empty cells give it quads.
+      // But it has boxes, and normals toward empty cells give it quads.
       EXPECT_FALSE(clusterPoints(points, cube(n, CellFaces::Boxes)).faces.empty());
     }
   ClusterSettings settings = cube(5, CellFaces::Quads);

@@ -60,7 +60,7 @@ TEST(ClusterEdges, NanAndInfinityAreLeftOut)
 TEST(ClusterEdges, HugeGridsWorkLikeSmallOnes)
 {
   const Points points = house(5000, 2);
-  // More cells than memory could hold one by one.
+  // More cells than would fit into memory.
   std::size_t before = 0;
   for (const double n : {1., 10., 100., 1000., 4000.}) {
     ClusterSettings settings;

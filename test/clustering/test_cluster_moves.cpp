@@ -54,7 +54,7 @@ TEST_P(Moves, GoNoFartherThanOneCellAndLoseNoPoint)
       ASSERT_LE(steps, 1);
       gone += steps == 1 ? 1 : 0;
     }
-    EXPECT_GT(gone, before); // every further pass still improves this cloud
+    EXPECT_GT(gone, before); // every additional pass still improves this cloud
     before = gone / 2;
   }
 }

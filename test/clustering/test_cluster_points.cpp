@@ -211,10 +211,9 @@ TEST(ClusterPoints, HaveMeansAndModesOfTheirMembersValues)
   EXPECT_EQ(clusterModes(clusters, {2, 6, 6, 9, 2}), (std::vector<double>{6, 2}));
 }
 
-// The outside of a ball is known, and normals by empty cells point there. Cells are
-// half a unit wide and looked at two cells far, so a few degrees are lost to their
-// coarseness.
-TEST(ClusterPoints, NormalsTowardsEmptyCellsPointOutOfABall)
+// The outside of a ball is known, and normals toward empty cells point there. Cells are
+// half a unit wide and considered up to two cells away, which costs a few degrees.
+TEST(ClusterPoints, NormalsTowardEmptyCellsPointOutOfABall)
 {
   constexpr unsigned seed = 8;
   SCOPED_TRACE(seed);
@@ -250,7 +249,7 @@ TEST(ClusterPoints, NormalsTowardsEmptyCellsPointOutOfABall)
 }
 
 // A wall with one point per cell has hardly any covariance, but still a normal.
-TEST(ClusterPoints, NormalsTowardsEmptyCellsNeedOnePointACell)
+TEST(ClusterPoints, NormalsTowardEmptyCellsNeedOnePointPerCell)
 {
   Points wall;
   for (int i = 0; i < 40; ++i)

@@ -169,7 +169,7 @@ TEST_P(CurveReconstructionInPcl, NeighborsComeFromTheSearchThatWasGiven)
       reconstruction.setInputCloud(cloud);
       reconstruction.setSearchMethod(search);
       const CurveNetwork curves = reconstruction.reconstruct();
-      EXPECT_EQ(search->getInputCloud(), cloud) << "the search was never asked";
+      EXPECT_EQ(search->getInputCloud(), cloud) << "the search was not used";
       ASSERT_EQ(curves.curves.size(), expected.curves.size());
       for (std::size_t i = 0; i < curves.curves.size(); ++i)
         EXPECT_EQ(curves.curves[i].points, expected.curves[i].points);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A failure in one of several threads (memory, the caller's search or progress monitor)
-// reaches the caller; without a guard the program would end.
+// reaches the caller; without a guard the program would terminate.
 
 #include <atomic>
 #include <cmath>

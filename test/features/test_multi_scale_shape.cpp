@@ -121,7 +121,7 @@ TEST_F(MultiScaleShapeFeatureTest, IndicesChooseQueriesTheSurfaceTheNeighbors)
   for (std::size_t i = 0; i < some.size(); ++i)
     EXPECT_TRUE(same(some[i], all[static_cast<std::size_t>((*indices)[i])]));
 
-  // The same queries as a cloud of their own, with neighbors from the whole.
+  // The same queries as a separate cloud, with neighbors from the whole.
   const auto queries =
       pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*cloud, *indices);
   MultiScaleShapeFeature<pcl::PointXYZ> other;
@@ -317,7 +317,7 @@ TEST_F(MultiScaleShapeFeatureTest, NeighborsComeFromTheSearchThatWasGiven)
     feature.setSearchMethod(search);
     Records out;
     feature.compute(out);
-    EXPECT_EQ(search->getInputCloud(), cloud) << "the search was never asked";
+    EXPECT_EQ(search->getInputCloud(), cloud) << "the search was not used";
     EXPECT_EQ(feature.getScaleUnit(), expected.scale_unit);
     EXPECT_EQ(feature.getRadii(), expected.radii);
     ASSERT_EQ(out.size(), points.size());

@@ -63,7 +63,7 @@ TEST_F(PdtEstimation, MarksWhatCannotBeKnown)
 TEST_F(PdtEstimation, IsDenseWhereEverythingIsKnown)
 {
   const Cloud::Ptr cloud = scattered(500, 8);
-  cloud->is_dense = false; // the input's flag says nothing about the output
+  cloud->is_dense = false; // the input's flag must not affect the output
   cloud->header.frame_id = "lidar";
   cloud->header.stamp = 77;
   Estimation estimation;

@@ -39,7 +39,7 @@ public:
     return {fragmentOf,
             [this](const Fragment& fragment, std::size_t number, std::size_t device) {
               const std::lock_guard<std::mutex> lock(mutex_);
-              EXPECT_EQ(fragment.number, number) << "another one's points";
+              EXPECT_EQ(fragment.number, number) << "points of another fragment";
               ++computed[number];
               ++by_device[device];
             },

@@ -198,7 +198,7 @@ TEST(Schedulers, WithinTheBoundOfTheOptimum)
 
 namespace {
 
-/** 65 fragments of 1 thousand to 3.5 million points, 58 million in all. */
+/** 65 fragments of 1 thousand to 3.5 million points, 58 million in total. */
 std::vector<double>
 lidarFragments(std::mt19937& random)
 {

@@ -40,7 +40,7 @@ check(const Cloud& cloud)
     std::abort();
 }
 
-/** False if the bytes are refused. */
+/** False if the bytes are rejected. */
 bool
 tryReading(std::string_view bytes, bool lenient)
 {

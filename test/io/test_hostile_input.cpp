@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// False counts and broken text are refused without allocating by them.
+// False counts and broken text are rejected without allocating memory for them.
 
 #include <functional>
 #include <map>

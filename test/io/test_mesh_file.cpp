@@ -34,7 +34,7 @@ TEST(MeshFile, FacesAndTheirCornersAreWhatVtkReads)
   reader->SetFileName(folder.file("mesh.ply").c_str());
   reader->Update();
   vtkPolyData* mesh = reader->GetOutput();
-  EXPECT_EQ(mesh->GetNumberOfPoints(), 4 + 5) << "corners in common once";
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 4 + 5) << "shared corners once";
   ASSERT_EQ(mesh->GetNumberOfPolys(), 3);
   for (vtkIdType k = 0; k < 3; ++k) {
     const Points& corners = faces[static_cast<std::size_t>(k)].corners;

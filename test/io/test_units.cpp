@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The units of a file, from its text (WKT) and from its GeoTIFF keys.
+// The units of a file, from its WKT and from its GeoTIFF keys.
 
 #include <cmath>
 #include <cstdint>

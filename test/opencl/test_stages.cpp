@@ -23,7 +23,8 @@ using namespace linelet::opencl;
 
 namespace {
 
-/** \brief With the lanes that the device prefers, and with the single lane of GPUs. */
+/** \brief With the device's preferred vector width, and with the single lane of
+ * GPUs. */
 class Stages : public ::testing::TestWithParam<unsigned> {
 protected:
   void

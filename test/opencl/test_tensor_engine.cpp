@@ -15,7 +15,7 @@ using namespace linelet;
 using namespace linelet::test;
 
 // Each pair of centroid and weighting needs its own program, so not every pair is
-// tried; Stages.WeightsAreThoseOfWeighting covers each weighting by itself.
+// tried; Stages.WeightsAreThoseOfWeighting covers each weighting on its own.
 TEST_F(OpenCL, EveryCentroidGivesWhatTheReferenceGives)
 {
   const Points points = box(1500, Point(8, 6, 2), 3);
@@ -182,7 +182,7 @@ TEST_F(OpenCL, ReportsUnsupportedRequests)
   EXPECT_NO_THROW(engine->estimate({Point::Zero()}, {Point::Zero()}, settings));
   try {
     opencl::TensorEngine("no such device");
-    FAIL() << "a device that is not there was opened";
+    FAIL() << "a device that does not exist was opened";
   }
   catch (const opencl::Error& error) {
     EXPECT_NE(std::string(error.what()).find("no such device"), std::string::npos);

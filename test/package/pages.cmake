@@ -19,7 +19,7 @@ foreach(page IN LISTS pages)
 endforeach()
 if(dead)
   list(JOIN dead "\n  " dead)
-  message(FATAL_ERROR "These links lead nowhere:\n  ${dead}")
+  message(FATAL_ERROR "These links are dead:\n  ${dead}")
 endif()
 
 file(READ ${SOURCE_DIR}/doc/pcl.md page)

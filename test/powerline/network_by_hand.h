@@ -14,7 +14,7 @@ namespace linelet::test {
 
 /** \brief Two spans over flat ground at z = 0 with three pylons 20 m high at x = 0, 100
  * and 200; two wires in the first span (y = -3, 3), one in the second. The second wire
- * comes within 3 m of a tree and is in doubt. */
+ * comes within 3 m of a tree and is doubtful. */
 inline powerline::PowerLineNetwork
 networkByHand()
 {
@@ -55,7 +55,7 @@ networkByHand()
   near.vegetation.wire = near.curve.at(10);
   near.vegetation.other = near.vegetation.wire - Point(0, 0, 3);
   near.confidence = 0.4;
-  near.reason = "few points < 1 a meter & a hole";
+  near.reason = "few points < 1 per meter & a hole";
   for (int id = 1; id <= 2; ++id) {
     Span span;
     span.id = span.number = id;

@@ -109,7 +109,6 @@ TEST_P(Feet, GiveTheLinesOfTheSameScanInMeters)
     const io::Cloud feet = inFeet(scan, metric_heights);
     // Exactly the conversion to meters: rounding alone moves points in and out of the
     // tubes of wires.
-    // out of the tubes of wires.
     io::Cloud meters = scan;
     const MetricFrame frame(feet);
     for (std::size_t i = 0; i < feet.points.size(); ++i)

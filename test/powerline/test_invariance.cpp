@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Position, heading, order of points and unit of a scan do not change its wires; with
-// fewer points fewer are found, but no false ones.
+// Position, heading, point order and unit of a scan do not change its wires; with fewer
+// points, fewer are found, but no false ones.
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Poles that only the wires reveal, all those of a line together; and clouds that hold
-// nothing but the line.
+// Poles revealed only by all wires of a line together, and clouds that hold nothing but
+// the line.
 
 #include <algorithm>
 #include <cmath>

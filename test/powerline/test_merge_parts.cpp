@@ -164,7 +164,7 @@ TEST_F(MergeParts, OfRandomTilingsAreTheWhole)
   }
 }
 
-// A single part is the whole: nothing is lost on the way, to the bit.
+// A single part is the whole: merging it changes no bit.
 TEST_F(MergeParts, OfOneIsTheSame)
 {
   const Merged merged = inParts(cloud_.points, {-1e5, -1e5, 1e6}, 0);

@@ -176,7 +176,7 @@ TEST(Roofs, BesideALineAreNotWires)
   EXPECT_LT(scoresOf(bench::SceneKind::Town, 8).falseLength(), 15);
 }
 
-// Five parallel pipes cut off by the border of the data, 118 m in all.
+// Five parallel pipes cut off by the border of the data, 118 m in total.
 TEST(Pipes, AtTheBorderAreNotWires)
 {
   EXPECT_LT(scoresOf(bench::SceneKind::ClutterEmpty, 6).falseLength(), 15);

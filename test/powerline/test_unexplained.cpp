@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whatever looks like a line but is not a wire is reported, and nothing else.
+// Lines that are not wires are reported, and nothing else.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Scans unlike a well-kept tile: what they lack or have too much of must not hide the
+// Scans unlike a clean tile: what they lack or have too much of must not hide the
 // wires.
 
 #include <algorithm>
@@ -71,7 +71,7 @@ countFound(const PowerLineNetwork& n, const Line& line, double reach, double par
       }));
 }
 
-// Noise that scatters farther than the tube of a wire is not a wire beside it.
+// Noise that scatters beyond the tube of a wire is not another wire beside it.
 TEST(UnlikeScan, OfMuchNoiseShowsEachWireOnce)
 {
   for (const std::uint32_t seed : {1U, 2U, 3U})

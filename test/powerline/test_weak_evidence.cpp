@@ -88,7 +88,7 @@ TEST_P(BlurredBundle, IsDrawnInItsMiddleOrAsBothItsConductors)
   const auto onWire = [&](double y, double s) {
     return SceneBuilder::onWire({0, y, 20}, {length, y, 20}, sag_parameter, s);
   };
-  // Footprints nearly as wide as the conductors are apart: hardly a gap between them.
+  // Footprints nearly as wide as the conductor spacing, so there is hardly a gap.
   for (const double y : {-half, half})
     for (int i = 0; i < 8 * length; ++i)
       scene.points.push_back(

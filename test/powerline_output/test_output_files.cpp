@@ -304,7 +304,7 @@ TEST_F(OutputFiles, SummaryCountsWhatIsThere)
   EXPECT_EQ(json.at("circuits")[0].at("pylons").size(), 3U);
 }
 
-// Where nothing was seen below the wires, 0 of them would be a promise.
+// If nothing was seen below the wires, a count of 0 would be a promise.
 TEST_F(OutputFiles, SummaryCountsNoClearancesThatAreUnknown)
 {
   EXPECT_EQ(wiresBelowClearance(network_, 5), std::optional<std::size_t>(1));

@@ -21,8 +21,7 @@ TEST_F(Report, IsWellFormedAndStandsAlone)
 {
   const std::string text = page();
   EXPECT_EQ(nestingError(text), "");
-  // Nothing is fetched from anywhere: links go to places in the page, pictures are
-  // data.
+  // The page loads nothing: links stay within the page, pictures are embedded.
   EXPECT_EQ(text.find("http"), std::string::npos);
   EXPECT_EQ(text.find("<script src"), std::string::npos); // none from elsewhere
   EXPECT_EQ(text.find("import("), std::string::npos);
@@ -81,8 +80,8 @@ TEST_F(Report, DoesNotCallClearWhatWasNotFound)
   EXPECT_NE(text.find("400 m above ground look like lines"), std::string::npos);
 }
 
-// A scan of the line alone shows no hazards, which does not prove there are none.
-TEST_F(Report, DoesNotCallClearWhatCannotBeKnown)
+// A scan of only the line shows no hazards, which does not prove that there are none.
+TEST_F(Report, UnknownClearancesAreNotReportedAsSafe)
 {
   const std::string known = page();
   EXPECT_EQ(known.find("clearances are unknown"), std::string::npos);
@@ -95,7 +94,7 @@ TEST_F(Report, DoesNotCallClearWhatCannotBeKnown)
   options_.hazards.emplace_back();
   text = page();
   EXPECT_EQ(nestingError(text), "");
-  EXPECT_EQ(text.find("Nothing is nearer"), std::string::npos);
+  EXPECT_EQ(text.find("Nothing is closer"), std::string::npos);
   EXPECT_EQ(text.find("No wire comes closer"), std::string::npos);
   EXPECT_NE(text.find("Clearances are unknown"), std::string::npos);
 }
@@ -192,13 +191,13 @@ TEST_F(Report, JumpersAndInsulatorsAreDrawn)
   for (std::size_t at = 0; at < lines.size();
        at += 4 + 6 * (lines[at] + 256U * lines[at + 1]))
     kinds.push_back(lines[at + 2]);
-  EXPECT_EQ(kinds, (std::vector<int>{0, 1, 0, 2})); // the second wire is in doubt
+  EXPECT_EQ(kinds, (std::vector<int>{0, 1, 0, 2})); // the second wire is doubtful
 }
 
 TEST_F(Report, GivesTheReasonForDoubt)
 {
   const std::string text = page();
-  EXPECT_NE(text.find("few points &lt; 1 a meter &amp; a hole"), std::string::npos);
+  EXPECT_NE(text.find("few points &lt; 1 per meter &amp; a hole"), std::string::npos);
   EXPECT_EQ(occurrences(text, "<path class=\"curve doubtful\""), 1U);
 }
 
@@ -210,7 +209,7 @@ TEST_F(Report, EscapesNames)
   EXPECT_NE(text.find("a&lt;b&gt;&amp;&quot;c&quot;.las"), std::string::npos);
 }
 
-// Nobody can reproduce the results of a page that does not give the settings.
+// Results cannot be reproduced from a page without the settings.
 TEST_F(Report, NamesProgramInputsAndSettings)
 {
   EXPECT_EQ(page().find("id=\"settings\""), std::string::npos);

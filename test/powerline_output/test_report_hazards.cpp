@@ -80,7 +80,7 @@ TEST_F(Report, HazardsAreSummarizedListedAndMarked)
   options_.hazards.front().clearances.clear();
   options_.hazards.front().fall_in.clear();
   const std::string calm = page();
-  EXPECT_NE(calm.find("Nothing is nearer to a wire than its limit"), std::string::npos);
+  EXPECT_NE(calm.find("Nothing is closer to a wire than its limit"), std::string::npos);
 }
 
 TEST_F(Report, OtherStatesHaveTheirOwnRows)

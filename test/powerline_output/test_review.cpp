@@ -118,7 +118,7 @@ TEST_F(ReviewTest, AllRejected)
   EXPECT_TRUE(after.wires.empty());
   EXPECT_TRUE(after.spans.empty());
   EXPECT_TRUE(after.circuits.empty());
-  ASSERT_EQ(after.supports.size(), 1u); // it has a point of its own
+  ASSERT_EQ(after.supports.size(), 1u); // it has its own point
   EXPECT_EQ(after.supports[0].id, 1);
 }
 
@@ -132,7 +132,7 @@ TEST_F(ReviewTest, AcceptedWireIsCertain)
   EXPECT_EQ(after.wires[1].review.note, "checked");
 }
 
-// Other settings give other ids and ends: a wire is identified by its place.
+// Other settings give other ids and ends, so a wire is identified by its position.
 TEST_F(ReviewTest, WiresAreKnownByTheirPlace)
 {
   network.wires[0].review.note = "left";

@@ -81,7 +81,7 @@ protected:
 
 TEST_F(Splats, InsideOfAFilledCuboidNothingIsSeen)
 {
-  // As published: extent 1, radius .2, some hundred neighbors.
+  // As published: extent 1, radius .2, about a hundred neighbors.
   Points points;
   while (points.size() < 20000)
     points.emplace_back(uniform(0, 1), uniform(0, 1), uniform(0, 1));

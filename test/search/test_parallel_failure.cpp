@@ -35,7 +35,7 @@ TEST(ParallelFailure, CarriesAnExceptionOutOfAParallelRegion)
     });
   EXPECT_TRUE(failure.failed());
   EXPECT_THROW(failure.rethrow(), std::runtime_error);
-  // After a failure, nothing further starts.
+  // After a failure, nothing else starts.
   bool begun = false;
   failure.guard([&] { begun = true; });
   EXPECT_FALSE(begun);

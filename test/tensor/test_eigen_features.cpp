@@ -20,7 +20,7 @@ const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 TEST(EigenFeatures, OfBallDiscAndLineAreTheExtremes)
 {
-  for (const double scale : {1e-6, 1.0, 1e6}) { // free of units and size
+  for (const double scale : {1e-6, 1.0, 1e6}) { // independent of units and size
     SCOPED_TRACE(scale);
     const EigenFeatures ball = eigenFeatures(scale * Eigen::Vector3d(1, 1, 1), up);
     EXPECT_NEAR(ball.omnivariance, 1.0 / 3, 1e-12);

@@ -17,7 +17,7 @@ Polylines::Polylines(double width)
   const auto mapper = Ptr<vtkPolyDataMapper>::New();
   mapper->SetInputData(data);
   mapper->SetScalarModeToUseCellData();
-  // In front of the points beside them.
+  // In front of nearby points.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -200);
   actor->SetMapper(mapper);

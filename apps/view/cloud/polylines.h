@@ -16,7 +16,7 @@
 
 namespace linelet::view {
 
-/** \brief Polylines, each in a color of its own. */
+/** \brief Polylines, each in its own color. */
 struct Polylines {
   vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
   vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();

@@ -45,7 +45,7 @@ describeAll(Settings& settings, Analysis analysis, Visit&& visit)
   describe(settings.classes, of_input);
 }
 
-/** \brief The shortest text that is read as \a value again. */
+/** \brief The shortest text that reads back as \a value. */
 std::string
 exact(double value)
 {

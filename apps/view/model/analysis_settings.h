@@ -29,7 +29,7 @@ struct Parameter {
   Kind kind = Kind::Text;
   std::string value, standard;      ///< as on the command line; standard: the default
   std::vector<std::string> choices; ///< of Kind::Choice; some allow others, too
-  std::string range;                ///< in words
+  std::string range;                ///< as text
   std::string unit;                 ///< empty: none, or unknown
 };
 

@@ -10,7 +10,7 @@ namespace linelet::view {
 
 namespace {
 
-/// Bytes of graphs that are kept.
+/// Most bytes of graphs to keep.
 constexpr std::size_t most_graphs = std::size_t{1} << 30;
 
 } // namespace

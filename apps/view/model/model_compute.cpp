@@ -37,8 +37,8 @@ chooseRadius(TensorSettings& settings, double scale_unit)
   if (settings.radius > 0 || settings.k > 0)
     return;
   if (!(scale_unit > 0))
-    throw std::invalid_argument("no radius can be chosen for points that are fewer "
-                                "than two or share one place; set the radius");
+    throw std::invalid_argument("no radius can be chosen for fewer than two points, "
+                                "or coincident ones; set the radius");
   settings.radius = 3 * scale_unit;
 }
 

@@ -137,7 +137,7 @@ Model::values(const std::string& field) const
   const io::Column* column = cloud.find(field);
   if (column == nullptr)
     throw std::invalid_argument("there is no field '" + field +
-                                "'; computing may give it");
+                                "'; it may have to be computed first");
   for (std::size_t i = 0; i < n; ++i)
     values.push_back(static_cast<float>(io::valueAt(*column, i)));
   return values;

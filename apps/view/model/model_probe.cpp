@@ -84,7 +84,7 @@ Model::imageAround(std::size_t columns)
 {
   if (!selected_ || graphs_ == nullptr || graphs_->scale == LinearityGraph::none)
     throw std::invalid_argument(
-        "select a point that has a scale of its own, to see its neighborhood");
+        "select a point with an optimal scale to see its neighborhood");
   const ScaleShape& own = graphs_->graph[graphs_->scale];
   const Point axis(static_cast<double>(own.major_x),
                    static_cast<double>(own.major_y),

@@ -14,12 +14,12 @@ namespace linelet::view {
 
 namespace {
 
-/// With at most that many points, a click builds a search over all of them: it takes a
-/// moment, and every sum keeps the order of a run over the whole cloud.
+/// Up to this many points, a click builds a search over all of them: that takes only a
+/// moment, and sums keep the order of a run over the whole cloud.
 constexpr std::size_t few_points = 4000000;
 
 /** \brief The points of \a scene within \a reach of a box around \a places, in order:
- * graphs there depend on no others. */
+ * graphs there depend only on these. */
 Points
 surfaceAround(const Scene& scene, const Points& places, double reach)
 {

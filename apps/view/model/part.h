@@ -51,11 +51,11 @@ struct Part {
   }
 };
 
-/** \brief The points, with the attributes that decide whether they take part. */
+/** \brief The points, with the attributes that decide whether they are used. */
 io::Cloud
 cloudOf(const Scene& scene, const Part& part);
 
-/** \brief The points of \a part that take part according to \a classes; NaN for the
+/** \brief The points of \a part that are usable according to \a classes; NaN for the
  * others. */
 Points
 usablePoints(const Scene& scene, const Part& part, const io::ClassFilter& classes);

@@ -21,7 +21,7 @@ struct Ray {
 
 /** \brief The point of \a grid that a click selects: of those inside the cone, and no
  * deeper behind the foremost one than twice the cone's radius there, the one nearest to
- * its axis; among equals the one with the lowest index.
+ * its axis; ties go to the lowest index.
  * \param[in] depth no point is searched for beyond it
  * \return its index, or UniformGrid::none */
 Index

@@ -208,8 +208,9 @@ readNetwork(const std::string& folder, const io::Cloud& classified)
     SummaryReader(classified).read(json::parse(in), network);
   }
   catch (const json::exception&) {
-    throw io::FileError(path + ": is not whole, or of another version of linelet; run "
-                               "linelet powerlines once more");
+    throw io::FileError(path +
+                        ": is incomplete, or from another version of linelet; run "
+                        "linelet powerlines again");
   }
   const auto known = [&](int id, std::size_t count) {
     return id >= 1 && static_cast<std::size_t>(id) <= count;
@@ -218,12 +219,12 @@ readNetwork(const std::string& folder, const io::Cloud& classified)
     if (network.wires[i].id != static_cast<int>(i) + 1 ||
         !known(network.wires[i].span, network.spans.size()))
       throw io::FileError(path + ": its wires are not numbered in order; run linelet "
-                                 "powerlines once more");
+                                 "powerlines again");
   for (const powerline::Span& span : network.spans)
     for (const int id : span.wires)
       if (!known(id, network.wires.size()))
         throw io::FileError(path + ": a span names wire " + std::to_string(id) +
-                            ", which is not there; run linelet powerlines once more");
+                            ", which does not exist; run linelet powerlines again");
   network.classes = valuesOf<std::uint8_t>(classified, "classification", 0);
   network.wire_id = valuesOf<std::int32_t>(classified, "wire_id", 0);
   network.span_id = valuesOf<std::int32_t>(classified, "span_id", 0);

@@ -142,7 +142,7 @@ openScene(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     if (isPowerLineFolder(path)) {
       if (!scene->folder.empty())
-        throw io::FileError(path + ": is a second folder of power lines beside " +
+        throw io::FileError(path + ": is a second folder of power lines besides " +
                             scene->folder + "; open one at a time");
       scene->folder = path;
       points.push_back(classifiedCloudOf(path));

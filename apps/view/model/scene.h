@@ -33,7 +33,7 @@ struct Scene {
   std::vector<std::string> inputs; ///< as the user named them
   std::string folder;              ///< folder of results of `powerlines`, empty: none
   io::Cloud cloud;
-  Points points; ///< those of the cloud, NaN where they take no part
+  Points points;                     ///< those of the cloud, NaN if unused
   std::unique_ptr<UniformGrid> grid; ///< over \ref points; null without points
   double scale_unit = 0;             ///< D, NaN if the points have none
   Box bounds;                        ///< of points and curves

@@ -17,11 +17,11 @@ namespace linelet::view {
 /** \brief The progress of work. */
 struct Progress {
   std::string stage;
-  double part = 0; ///< in [0, 1]; 0 if the length is not known
+  double part = 0; ///< in [0, 1]; 0 if the length is unknown
 };
 
-/** \brief Runs one piece of work at a time in a thread of its own, with progress and
- * cancellation. All functions are to be called from one thread, that of the window. */
+/** \brief Runs one piece of work at a time in its own thread, with progress and
+ * cancellation. Call all functions from one thread, that of the window. */
 class Worker {
 public:
   Worker() = default;
@@ -30,8 +30,8 @@ public:
   Worker&
   operator=(const Worker&) = delete;
 
-  /** \brief What work does in its thread, and what \ref poll then does with it in its
-   * own thread; the latter is skipped if the work was canceled or failed. */
+  /** \brief What runs in the worker's thread, and what \ref poll then runs in the
+   * caller's; the latter is skipped if the work was canceled or failed. */
   using Work = std::function<void(ProgressMonitor*)>;
   using Finish = std::function<void()>;
 

@@ -15,8 +15,8 @@ ErrorPanel::ErrorPanel(const Model& model) : model_(model)
 {
   x_title = "along the curve, unit of the file";
   y_title = "distance (unit) and angle (90° = full height)";
-  empty_text = "Open true curves with --truth FILE, and choose a curve: this shows how "
-               "far it is from them, and how far turned.";
+  empty_text = "Open true curves with --truth FILE, and choose a curve: this shows its "
+               "distance from them, and the angle between the tangents.";
 }
 
 void

@@ -16,7 +16,7 @@ GraphsPanel::GraphsPanel(const Model& model) : model_(model)
   log_x = true;
   empty_text =
       "Click a point of the cloud: this shows how linear, planar and spherical "
-      "its neighborhood is at every radius, and which radius is its own.";
+      "its neighborhood is at every radius, and which radius is optimal.";
 }
 
 void
@@ -58,7 +58,7 @@ GraphsPanel::refresh()
     marks.push_back(
         {radii[maximum.scale],
          own ? red : dark,
-         (own ? QString("own scale %1, ").arg(radii[maximum.scale], 0, 'g', 4)
+         (own ? QString("optimal radius %1, ").arg(radii[maximum.scale], 0, 'g', 4)
               : QString()) +
              QString("score %1").arg(maximum.score, 0, 'f', 3),
          own ? 2.5 : 1.5,
@@ -69,7 +69,7 @@ GraphsPanel::refresh()
               .arg(*model_.selected())
               .arg(graphs->stored ? "as computed" : "engine sweep");
   if (graphs->scale == LinearityGraph::none)
-    title = QString("point %1 has no scale of its own: too few neighbors")
+    title = QString("point %1 has no optimal scale: too few neighbors")
                 .arg(*model_.selected());
   const double last = radii.size() > 1 ? radii.back() : 2 * radii.front();
   setRange(radii.front(), last, 0, 1.02);

@@ -51,10 +51,11 @@ ImagePanel::paintEvent(QPaintEvent*)
   const ScaleImage* image = model_.image();
   if (image_.isNull() || image == nullptr) {
     painter.setPen(QColor(110, 116, 124));
-    painter.drawText(rect().adjusted(12, 12, -12, -12),
-                     Qt::AlignCenter | Qt::TextWordWrap,
-                     "Shape over radius, place by place: choose Image along the curve, "
-                     "along a line that you draw, or around the selected point.");
+    painter.drawText(
+        rect().adjusted(12, 12, -12, -12),
+        Qt::AlignCenter | Qt::TextWordWrap,
+        "Shape over radius at every position: choose Image along the curve, "
+        "along a line that you draw, or around the selected point.");
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing);
@@ -105,10 +106,11 @@ ImagePanel::paintEvent(QPaintEvent*)
                      Qt::AlignCenter,
                      QString::number(image->along[i], 'g', 4));
   }
-  painter.drawText(QRectF(in.left(), in.bottom() + 18, in.width(), 18),
-                   Qt::AlignCenter,
-                   "place along the line (black: own scale; green: area under the "
-                   "linearity graph); upwards: radius");
+  painter.drawText(
+      QRectF(in.left(), in.bottom() + 18, in.width(), 18),
+      Qt::AlignCenter,
+      "position along the line (black: optimal radius; green: area under the "
+      "linearity graph); upward: radius");
 }
 
 } // namespace linelet::view

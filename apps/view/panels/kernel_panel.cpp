@@ -90,9 +90,10 @@ KernelPanel::refresh()
              static_cast<double>(i + 1) / 40,
              static_cast<double>(counts[i]) / static_cast<double>(most)});
     }
-    plot_->title = QString("%1 neighbors within %2 (bars: how many lie how far)")
-                       .arg(all)
-                       .arg(radius, 0, 'g', 4);
+    plot_->title =
+        QString("%1 neighbors within %2 (bars: histogram of their distances)")
+            .arg(all)
+            .arg(radius, 0, 'g', 4);
   }
   plot_->lines.push_back(std::move(line));
   const std::array<double, 2> parameters = weight.parameters();

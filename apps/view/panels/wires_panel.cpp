@@ -66,7 +66,7 @@ WiresPanel::WiresPanel(Model& model)
                                      "to objects m",
                                      "points",
                                      "said",
-                                     "why in doubt"});
+                                     "reason for doubt"});
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -193,10 +193,10 @@ WiresPanel::refresh()
     return;
   const powerline::Wire& wire = model_.lines()->wires[static_cast<std::size_t>(id) - 1];
   const powerline::Review& said = model_.review(id);
-  reason_->setText(QString("wire %1: %2")
-                       .arg(id)
-                       .arg(wire.reason.empty() ? QString("nothing speaks against it")
-                                                : text(wire.reason)));
+  reason_->setText(
+      QString("wire %1: %2")
+          .arg(id)
+          .arg(wire.reason.empty() ? QString("no doubts") : text(wire.reason)));
   class_->setValue(said.point_class);
   note_->setText(text(said.note));
 }

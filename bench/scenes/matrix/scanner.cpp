@@ -12,7 +12,7 @@ namespace linelet::bench::scenes {
 
 namespace {
 
-constexpr double dead_zone = 0.5; ///< least distance of returns of a pulse, meters
+constexpr double dead_zone = 0.5; ///< minimum distance of returns of a pulse, meters
 constexpr std::size_t most_returns = 5;
 constexpr double outliers = 1e-5; ///< share of pulses that return from empty air
 

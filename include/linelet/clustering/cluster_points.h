@@ -17,21 +17,21 @@ namespace LINELET_PUBLIC linelet {
  *
  * Points are sorted into the cells of a grid, uniform in space or in the view of a
  * camera. Then those near a border may move to the cell across it: only indices change,
- * the grid becomes curvilinear. A point may move only to the cell across its nearest
- * border, and only if that holds points; so it is never more than one cell away from
- * its own, and no new cells arise. All decisions of a pass are based on the state
- * before it.
+ * and the grid becomes curvilinear. A point moves only across its nearest border, and
+ * only into a cell that holds points, so it never ends up more than one cell from its
+ * own, and no new cells appear. All decisions of a pass are based on the state before
+ * it.
  *
- * The page of the publication with the exact rule is not available; these are ours:
+ * The exact rule of the publication is not available to us; these are our own:
  * - MoveRule::Plane: to the cell whose plane (mean and smallest eigenvector of the
  *   members' covariance) is nearer. The sum of squared distances to the planes never
  *   rises.
- * - MoveRule::Population: to the less populated one, those nearest to the border first,
- *   at most a sixth of the difference per pass (the bound of explicit diffusion in
- * three dimensions). The sum of squared populations never rises.
+ * - MoveRule::Population: to the less populated cell, the points nearest to the border
+ *   first, at most a sixth of the difference per pass (the bound of explicit diffusion
+ *   in three dimensions). The sum of squared populations never rises.
  * - MoveRule::Field: where the point's value is below its cell's mean and above that of
- *   the cell across. No cell's mean ever falls: with planarity, planar cells grow purer
- *   and edges stand out.
+ *   the cell across. No cell's mean ever falls: if the field is planarity, planar cells
+ *   become purer and edges stand out.
  *
  * Means and tensors are sums of integers, so neither the order of the points nor the
  * number of threads changes a bit; means are exact to within 4e-6 of a cell for up to

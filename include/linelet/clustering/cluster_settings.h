@@ -25,7 +25,7 @@ enum class MoveRule {
 
 template <>
 struct Names<MoveRule> {
-  static constexpr std::string_view kind = "rule of moves";
+  static constexpr std::string_view kind = "move rule";
   static constexpr std::array<std::pair<MoveRule, std::string_view>, 3> table = {{
       {MoveRule::Plane, "plane"},
       {MoveRule::Population, "population"},
@@ -43,7 +43,7 @@ enum class NormalRule {
 
 template <>
 struct Names<NormalRule> {
-  static constexpr std::string_view kind = "rule of normals";
+  static constexpr std::string_view kind = "normal rule";
   static constexpr std::array<std::pair<NormalRule, std::string_view>, 2> table = {{
       {NormalRule::Tensor, "tensor"},
       {NormalRule::EmptyCells, "empty-cells"},
@@ -59,7 +59,7 @@ enum class CellFaces {
 
 template <>
 struct Names<CellFaces> {
-  static constexpr std::string_view kind = "faces of cells";
+  static constexpr std::string_view kind = "cell face";
   static constexpr std::array<std::pair<CellFaces, std::string_view>, 3> table = {{
       {CellFaces::None, "none"},
       {CellFaces::Quads, "quads"},
@@ -69,16 +69,17 @@ struct Names<CellFaces> {
 
 /** \brief The grid that points are clustered in, and how its cells adapt to them.
  *
- * Exactly one of \ref cells, \ref leaf and \ref count sets how fine the grid is. */
+ * Exactly one of \ref cells, \ref leaf and \ref count sets the resolution of the
+ * grid. */
 struct ClusterSettings {
-  std::vector<double> cells; ///< number of cells along x, y and z; of a camera: across
-                             ///< the picture, down, and in depth
+  std::vector<double> cells; ///< number of cells along x, y and z; with a camera:
+                             ///< across the picture, down, and in depth
   double leaf = 0;           ///< edge of cubic cells, unit of the points
   std::size_t count = 0;     ///< approximate number of representatives, of cubic cells
   unsigned moves = 2;        ///< how often points may move
   MoveRule move_by = MoveRule::Plane;
-  double border = 0.5; ///< how near the border of its cell a point must be to move, in
-                       ///< (0, 0.5] of the cell's width
+  double border = 0.5; ///< how near its cell's border a point must be to move, as a
+                       ///< fraction (0, 0.5] of the cell's width
   NormalRule normals = NormalRule::Tensor;
   CellFaces faces = CellFaces::None;
   std::optional<Camera>
@@ -111,7 +112,7 @@ describe(ClusterSettings& s, Visit&& visit)
         "cell, or the sides of the cell");
 }
 
-/** \brief Checks that the grid is given once and is valid.
+/** \brief Checks that exactly one grid size is given and that it is valid.
  * \throws std::invalid_argument with the value and what is expected */
 void
 validate(const ClusterSettings& settings);

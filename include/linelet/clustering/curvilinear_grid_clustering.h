@@ -15,15 +15,15 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief Thins a cloud to representatives of the cells of a curvilinear grid: \ref
- * clusterPoints in a PCL chain, in place of pcl::VoxelGrid.
+ * clusterPoints in a PCL pipeline, in place of pcl::VoxelGrid.
  *
- * One of \ref setLeafSize, \ref setGrid and \ref setCount says how fine the grid is; it
- * begins at the lower corner of the points' bounding box. The output has one point per
- * representative: the mean of its members, other fields of the point type averaged as
- * in pcl::CentroidPoint. It is dense and not organized. Points that are not finite, or
- * not in the camera's view, have no representative: they are the removed indices, if
- * these are extracted. For invalid settings, filter gives an empty output and a message
- * through PCL_ERROR.
+ * One of \ref setLeafSize, \ref setGrid and \ref setCount sets the resolution of the
+ * grid, which begins at the lower corner of the points' bounding box. The output has
+ * one point per representative: the mean of its members, other fields of the point type
+ * averaged as in pcl::CentroidPoint. It is dense and not organized. Points that are not
+ * finite, or not in the camera's view, have no representative; they are reported as
+ * removed indices on request. For invalid settings, filter gives an empty output and a
+ * message through PCL_ERROR.
  *
  * Prebuilt for PointXYZ, PointXYZI, PointXYZRGB, PointNormal and PointXYZINormal. For
  * any other type define PCL_NO_PRECOMPILE before the first include. */
@@ -82,8 +82,8 @@ public:
     return settings_.count;
   }
 
-  /** \brief How often points may move to the cell across their nearest border, 2 if
-   * not set; 0: the cells are boxes. */
+  /** \brief How often points may move to the cell across their nearest border, 2 by
+   * default; 0: the cells are boxes. */
   void
   setMoves(unsigned moves)
   {
@@ -95,7 +95,7 @@ public:
     return settings_.moves;
   }
 
-  /** \brief What makes them move, their members' planes if not set. */
+  /** \brief What makes them move, by default the planes of the members. */
   void
   setMoveRule(MoveRule rule)
   {
@@ -162,7 +162,7 @@ protected:
   using Base::input_;
   using Base::removed_indices_;
 
-  /** \brief The clusters of points; another engine overrides this. */
+  /** \brief The clusters of \a points; other engines override this. */
   virtual Clusters
   cluster(const Points& points, const std::vector<double>& field);
 

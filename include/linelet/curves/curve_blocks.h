@@ -17,12 +17,12 @@ namespace LINELET_PUBLIC linelet {
 /** \brief The rectangles in plan into which a scene is divided to search it for curves.
  *
  * What is found in a block depends only on the points in it and in a margin around it:
- * these points give the same curves there, to the last digit, whatever else of the
- * cloud is known. A scene no larger than a block, a small cloud, and a cloud of curves
- * alone, whose connected components cross any border, are one block. */
+ * they give the same curves there, to the last digit, whatever else of the cloud is
+ * loaded. A scene no larger than a block, a small cloud, and a cloud of only curves,
+ * whose connected components cross any border, are one block. */
 class CurveBlocks {
 public:
-  /** \param[in] whole of the cloud */
+  /** \param[in] whole traits of the cloud */
   explicit CurveBlocks(const CloudTraits& whole);
 
   std::size_t
@@ -39,16 +39,16 @@ public:
   Point
   middle(std::size_t block) const;
 
-  /** \brief Whether a point at \a p takes part in \a block. */
+  /** \brief Whether \a block uses a point at \a p. */
   bool
   takesPart(const Point& p, std::size_t block) const;
 
-  /** \brief The blocks that a point at \a p takes part in; none if it is not finite. */
+  /** \brief The blocks that use a point at \a p; none if it is not finite. */
   std::vector<std::size_t>
   around(const Point& p) const;
 
-  /** \brief No point that takes part in a block is farther than this from its center
-   * along x or y. */
+  /** \brief No point that a block uses is farther than this from its center along x or
+   * y. */
   double
   reach() const;
 
@@ -60,11 +60,12 @@ private:
 
 /** \brief The curves of the whole cloud.
  * \param[in] parts by block, as \ref curvesOfBlock gives them
- * \param[in] whole of the cloud */
+ * \param[in] whole traits of the cloud */
 CurveNetwork
 joinBlocks(std::vector<CurvePart> parts, const CloudTraits& whole);
 
-/** \brief \a found, curves of the whole cloud, as \ref joinBlocks gives them. */
+/** \brief Sorts \a found, the curves of a whole cloud, by place, as \ref joinBlocks
+ * does. */
 CurveNetwork
 inOrderOfPlaces(const CurveNetwork& found);
 

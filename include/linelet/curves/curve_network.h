@@ -57,8 +57,7 @@ struct Curve {
   double noise = std::numeric_limits<double>::quiet_NaN();
   /// Points per length; NaN if unknown
   double density = std::numeric_limits<double>::quiet_NaN();
-  /// Log-likelihood ratio (natural) of the curve to its background alone; NaN if
-  /// unknown.
+  /// Natural log-likelihood ratio of the curve to background alone; NaN if unknown
   double evidence = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -18,29 +18,28 @@ namespace LINELET_PUBLIC linelet {
  * the places of an owner form a convex region. */
 using PartOwner = std::function<std::size_t(const Point&)>;
 
-/** \brief What a part owns of a curve that was found in it. */
+/** \brief The portion of a curve found in a part that the part owns. */
 struct CurvePiece {
   static constexpr std::size_t whole = static_cast<std::size_t>(-1);
 
   /** \brief Where the curve was cut, at the border of what the part owns. */
   struct Cut {
-    /// Part that owns what is beyond; whole: it was not cut
+    /// Part that owns what lies beyond; whole: not cut
     std::size_t neighbor = whole;
-    Points beyond; ///< how the curve went on from the cut, without it
+    Points beyond; ///< how the curve continued, without the cut itself
   };
 
-  Curve curve; ///< evidence: its share of it; an end at a cut is EndKind::Bounds
+  Curve curve; ///< evidence: this piece's share; an end at a cut is EndKind::Bounds
   std::array<Cut, 2> cuts; ///< front and back
 };
 
-/** \brief The curves of a part, as far as it owns them. */
+/** \brief The curves of a part, cut to what it owns. */
 struct CurvePart {
   std::vector<CurvePiece> pieces;
   std::vector<Junction> junctions; ///< of \ref pieces
 };
 
-/** \brief Cuts the curves that were found in a part and its surroundings to what the
- * part owns.
+/** \brief Cuts curves found in a part and its surroundings to what the part owns.
  * \param[in] self the part
  * \param[in] reach length of CurvePiece::Cut::beyond */
 CurvePart
@@ -51,11 +50,11 @@ ownedBy(const CurveNetwork& found,
 
 /** \brief The curves of a whole cloud, joined from those of its parts.
  *
- * Where a curve was cut, both parts know how it goes on: pieces whose courses lie
+ * Where a curve was cut, both parts know how it continues: pieces whose courses lie
  * within \a tolerance of each other at the border are joined, the closest first. If the
- * neighbor has the curve only up to the border, it is joined to that end. Noise becomes
- * the root mean square, density the mean over the length, evidence the sum. Curves and
- * junctions are sorted by place, however the cloud was divided.
+ * neighbor has the curve only up to the border, the piece is joined to that end. Noise
+ * becomes the root mean square, density the mean over the length, evidence the sum.
+ * Curves and junctions are sorted by place, however the cloud was divided.
  * \param[in] tolerance distance across the curves, unit of the points */
 CurveNetwork
 joinParts(std::vector<CurvePart> parts, double tolerance);

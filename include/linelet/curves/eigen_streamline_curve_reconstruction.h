@@ -20,9 +20,9 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL chain.
+/** \brief Curves that run through a cloud: \ref reconstructCurves in a PCL pipeline.
  *
- * The full result is a \ref CurveNetwork, see \ref reconstruct. The overloads of
+ * The full result is the \ref CurveNetwork of \ref reconstruct. The overloads of
  * pcl::SurfaceReconstruction return it as a PolygonMesh or as vertices, one polygon per
  * curve with its vertices in order; a closed curve repeats the index of its first
  * vertex. PCL's mesh writers fill polygons: write curves with linelet::io instead.
@@ -73,7 +73,7 @@ public:
     return settings_.max_iterations;
   }
 
-  /** \brief The widest gap that is bridged, in the unit of the cloud; 0 (default):
+  /** \brief The widest gap to bridge, in the unit of the cloud; 0 (default):
    * automatic. */
   void
   setDistanceCutoff(double distance)
@@ -109,7 +109,7 @@ public:
     return settings_.threads;
   }
 
-  /** \brief All parameters at once, those of Preset::Published included. */
+  /** \brief All parameters at once, including those of Preset::Published. */
   void
   setSettings(const ReconstructionSettings& settings)
   {
@@ -121,8 +121,8 @@ public:
     return settings_;
   }
 
-  /** \brief Receives the progress of reconstruct, which throws \ref Canceled on its
-   * request. Null (default): no reports. It must outlive reconstruct. */
+  /** \brief Receives the progress of reconstruct and may cancel it, which throws \ref
+   * Canceled. Null (default): none. It must outlive reconstruct. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {

@@ -56,8 +56,8 @@ struct ButcherTable {
 const ButcherTable&
 butcherTable(IntegrationScheme scheme);
 
-/** \brief One step of length \a h from \a x along \a field, which is asked
- * field(position) and answers with a direction. The field does not change in time.
+/** \brief One step of length \a h from \a x along \a field, where field(position)
+ * returns a direction. The field does not depend on time.
  * \return the displacement */
 template <class Field>
 Point

@@ -47,7 +47,7 @@ struct Names<Preset> {
  * other parameters belong to the published presets. */
 struct ReconstructionSettings : StreamlineSettings {
   Preset preset = Preset::Refined;
-  CloudTraits whole; ///< of the cloud, if known; refined only
+  CloudTraits whole; ///< traits of the cloud, if known; refined only
 };
 
 template <class Visit>
@@ -58,7 +58,7 @@ describe(ReconstructionSettings& settings, Visit&& visit)
   describe(static_cast<StreamlineSettings&>(settings), visit);
 }
 
-/** \brief Those of \a settings that the refined reconstruction knows. */
+/** \brief The settings that apply to the refined reconstruction. */
 RefinedSettings
 refinedSettings(const ReconstructionSettings& settings);
 

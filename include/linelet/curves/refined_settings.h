@@ -8,8 +8,8 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Properties of a whole cloud, so that curves are found in each of its parts as
- * in all of it. */
+/** \brief Properties of a whole cloud, so that each of its parts gives the same curves
+ * as the whole. */
 struct CloudTraits {
   double scale_unit = 0;      ///< D, unit of the points
   double linear_share = 0;    ///< share of the points with a linear neighborhood
@@ -18,24 +18,24 @@ struct CloudTraits {
   Point high = Point::Zero(); ///< likewise
 };
 
-/** \brief Settings of the refined reconstruction; 0 lets it choose. */
+/** \brief Settings of the refined reconstruction; 0: chosen automatically. */
 struct RefinedSettings {
-  /// Steps per trace from its start point; 0: no limit but the number of points
+  /// Steps per trace from its start point; 0: limited only by the number of points
   unsigned max_iterations = 0;
   /// Traces started per connected component of the cloud; 0: until every point that
   /// looks like a curve is explained
   unsigned start_points = 0;
-  /// No gap wider than this is bridged, in the unit of the points, and points nearer to
-  /// each other than this are one connected component; 0: no such limit, and 5 D. Where
+  /// No gap wider than this is bridged, in the unit of the points, and points closer
+  /// together than this form one connected component; 0: no limit, and 5 D. Where
   /// directions agree, gaps of up to 2.5 D or 15 % of the joined length are bridged; in
-  /// a scene, hidden stretches of up to 150 spacings of the points.
+  /// a scene, hidden stretches of up to 150 point spacings.
   double distance_cutoff = 0;
-  bool follow_hidden = true; ///< in a scene, join curves across a stretch that hides
-                             ///< them, where a parabola continues them
-  bool only_stiff = false;   ///< in a scene, leave out curves that turn by more than a
-                             ///< few degrees over ten of their points
-  unsigned threads = 0;      ///< threads; 0: all
-  CloudTraits whole;         ///< of the cloud, if known
+  bool follow_hidden = true; ///< in a scene, join curves across a hidden stretch where
+                             ///< a parabola continues them
+  bool only_stiff = false;   ///< in a scene, leave out curves that turn more than a few
+                             ///< degrees over ten of their points
+  unsigned threads = 0;      ///< 0: all
+  CloudTraits whole;         ///< traits of the cloud, if known
 };
 
 } // namespace linelet

@@ -16,12 +16,12 @@ namespace LINELET_PUBLIC linelet {
  * method of Ritter, Schiffner, Harders 2021.
  *
  * Multi-scale features of all points; start points by score; from each a line-let grows
- * both ways, all of them a step at a time, until its ends leave the points, meet or
- * cross; open ends are cut back, stumps dropped, the rest joined. The amount of work is
- * bounded by the number of points, and the result does not depend on the number of
- * threads.
+ * both ways, all of them one step at a time, until its ends leave the points, meet or
+ * cross; open ends are cut back, stumps are dropped, and the rest is joined. The amount
+ * of work is bounded by the number of points, and the result does not depend on the
+ * number of threads.
  * \param[in] points any points; those with a coordinate that is not finite are left out
- * \param[in] monitor told of the stages "shape" (the features) and "curves"
+ * \param[in] monitor notified of the stages "shape" (the features) and "curves"
  * \return curves; none if the cloud has no scale (fewer than two distinct points)
  * \throws std::invalid_argument for a parameter out of range, Canceled */
 CurveNetwork

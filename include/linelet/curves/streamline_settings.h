@@ -31,7 +31,7 @@ enum class DirectionMode {
   TensorDeflection,           ///< interpolated tensor times last direction (TEND)
   ClosestAngular,             ///< mu e3 + (1 - mu) d_A, e3 of the nearest point
   MultiScaleAngular, ///< the same with the multi-scale feature of the position itself,
-                     ///< mu included: computed anew at every step
+                     ///< mu included, recomputed at every step
   ComputedAngular ///< the same with e3 of the position itself at the optimal radius of
                   ///< the nearest point
 };
@@ -59,8 +59,8 @@ constexpr double published_largest_radius = 60, quick_largest_radius = 10;
 struct StreamlineSettings {
   // Parameters for users; 0 lets the method choose.
   unsigned start_points = 0;   ///< number of line-lets; 0: by start_threshold
-  unsigned max_iterations = 0; ///< steps of each end of a line-let; 0: as many as fit
-                               ///< into the cloud's bounding box four times
+  unsigned max_iterations = 0; ///< steps of each end of a line-let; 0: enough to cross
+                               ///< the cloud's bounding box four times
   double distance_cutoff = 0;  ///< a line-let ends farther than this from every point;
                                ///< 0: 2 D
 
@@ -84,22 +84,22 @@ struct StreamlineSettings {
   double largest_radius = 0;
   double interpolation_radius = 2.5; ///< in D; 0: optimal radius of the nearest point
   double step = 0.5;                 ///< h, in D
-  /// In D: how far the nearest point, which gives mu, may be
+  /// In D: largest distance of the nearest point, which gives mu
   double search_radius = 1.25;
   double merge_distance = 1.4; ///< in h: ends meet, lines cross
-  double branch_angle = 70; ///< degrees: a sharper turn ends a line-let, begins another
+  double branch_angle = 70; ///< degrees: a sharper turn ends a line-let, starts another
   double prune_distance = 1.2; ///< in h: open ends are cut back to the points
   /// Where start_points is 0: starts are taken while their score exceeds this fraction
   /// of the second one's (the score of the first has another unit, as its distance is
   /// set to 1).
   double start_threshold = 0.2;
-  /// In D: points farther than this from every line-let start further ones; 0: none.
+  /// In D: points farther than this from every line-let start additional ones; 0: none
   double cover_distance = 8;
   double stump_length = 4; ///< in h: shorter loose ends and pieces are dropped
   /// Number of points considered as starts, drawn at random with shape.scale_unit_seed;
   /// 0: all (the thesis' StartPointsLimit).
   std::size_t start_candidates = 0;
-  /// Least N1 of a start point, if any point has as many
+  /// Smallest N1 of a start point, unless no point has as many
   unsigned min_start_neighbors = 6;
   /// Exponent of N1 in the score of start points. On 330 runs of the benchmark (seed
   /// 11), 0.01 succeeds in .321 and 1 in .339, with a mean E_V of .438 and .447. 12
@@ -108,7 +108,7 @@ struct StreamlineSettings {
   double start_neighbor_exponent = 0.01;
   /// A tensor for every point, for example of a diffusion tensor image: its eigenvector
   /// e3 is followed, and no shapes are measured; empty: those of the points. Direction
-  /// modes that compute shapes anew at every step do not work with it.
+  /// modes that recompute shapes at every step do not work with it.
   std::vector<SymmetricTensor> tensors;
   CentroidShiftSettings prefilter; ///< applied to the points before all this
   unsigned threads = 0;            ///< 0: all
@@ -173,7 +173,7 @@ describe(StreamlineSettings& s, Visit&& visit)
         "fraction of the second one's");
   visit("cover-distance",
         s.cover_distance,
-        "published: without --start-points, start further curves at points farther "
+        "published: without --start-points, start more curves at points farther "
         "than this from every curve, in D; 0: none");
   visit("stump-length",
         s.stump_length,

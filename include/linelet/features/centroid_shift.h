@@ -22,8 +22,8 @@ struct CentroidShiftSettings {
   unsigned threads = 0;                           ///< 0: all
 };
 
-/** \param[in] radius name of the radius
- * \param[in] prefix before the other names, with its dash */
+/** \param[in] radius name of the option for the radius
+ * \param[in] prefix of the other names, with its dash */
 template <class Visit>
 void
 describe(CentroidShiftSettings& s,
@@ -47,7 +47,7 @@ describe(CentroidShiftSettings& s,
  * Neighbors (d <= radius) are always those of the unmoved points. Ends of curves recede
  * by about half the radius and bends are cut, so the radius should be little more than
  * the noise. The result does not depend on the number of threads.
- * \param[in] points any; those that are not finite stay as they are
+ * \param[in] points any; those that are not finite are returned unchanged
  * \throws std::invalid_argument unless the radius is positive and finite; Canceled */
 Points
 shiftToCentroids(const Points& points,

@@ -13,7 +13,7 @@ namespace linelet {
  * passed to a function, those from \ref begin to \ref end are the piece; the others are
  * neighbors, within a margin that the function states.
  *
- * Results equal those of the whole cloud to the bit if the points keep its order and
+ * Results are bit for bit those of the whole cloud if the points keep its order and
  * coordinates (the same Cloud::shift). */
 struct CloudPiece {
   std::size_t begin = 0, end = 0;

@@ -21,7 +21,7 @@ struct EngineWork {
 
 /** \brief The work that settings require for a cloud. The number of neighbors is
  * estimated at a few queries among every m-th point, which takes negligible time and is
- * right within a factor of two. */
+ * accurate within a factor of two. */
 EngineWork
 engineWork(const Points& surface,
            const Points& queries,

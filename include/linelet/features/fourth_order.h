@@ -43,8 +43,9 @@ mandel(const Eigen::Matrix3d& tensor);
 Eigen::Matrix3d
 fromMandel(const MandelVector& vector);
 
-/** \brief A fourth-order tensor on symmetric ones, T_ijkl = T_jikl = T_ijlk = T_klij:
- * in Mandel's notation a symmetric 6x6 matrix with 21 independent components. */
+/** \brief A fourth-order tensor that acts on symmetric second-order ones, T_ijkl =
+ * T_jikl = T_ijlk = T_klij: in Mandel's notation a symmetric 6x6 matrix with 21
+ * independent components. */
 class FourthOrderTensor {
 public:
   using Matrix = Eigen::Matrix<double, 6, 6>;
@@ -78,7 +79,7 @@ public:
   rotated(const Eigen::Matrix3d& q) const;
 
   /** \brief Eigenvalues, ascending, and their symmetric 3x3 eigentensors of norm 1,
-   * each with a trace that is not negative. */
+   * each with a nonnegative trace. */
   struct EigenTensors {
     std::array<double, 6> values;
     std::array<Eigen::Matrix3d, 6> tensors;
@@ -97,14 +98,14 @@ private:
   Matrix matrix_;
 };
 
-/** \brief A fully symmetric fourth-order tensor: 15 components, one for each way to
- * choose how often x, y and z occur among the four indices. */
+/** \brief A fully symmetric fourth-order tensor: 15 components, one for each
+ * combination of four indices. */
 class SymmetricFourthOrderTensor {
 public:
   SymmetricFourthOrderTensor() = default;
 
-  /** \brief The mean of \a tensor over all orders of its indices: the part of it that
-   * the form T_ijkl v_i v_j v_k v_l sees. */
+  /** \brief The mean of \a tensor over all orders of its indices: the part on which the
+   * form T_ijkl v_i v_j v_k v_l depends. */
   explicit SymmetricFourthOrderTensor(const FourthOrderTensor& tensor);
 
   /** \brief T_ijkl, indices 0 to 2. */
@@ -126,8 +127,7 @@ public:
   double
   along(const Eigen::Vector3d& v) const;
 
-  /** \brief The same tensor in the form that has eigentensors.
-   */
+  /** \brief The same tensor in the form that has eigentensors. */
   FourthOrderTensor
   expanded() const;
 

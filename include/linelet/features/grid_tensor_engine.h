@@ -17,12 +17,12 @@ namespace LINELET_PUBLIC linelet {
  *
  * Points are sorted into blocks twice as wide as the radius, whose corners are
  * multiples of their width; the inner loops run over vectors of candidates, on the best
- * instruction set found at run time. A record depends on the points in the block and
- * the blocks around it, and on nothing else. Sums are in float relative to the query's
- * surroundings and in double beyond them; numbers of neighbors are exactly those of the
- * other engines, shape factors agree to 1e-4 (median and step: exactly). Memory besides
- * input and output is 30 to 40 bytes per point, plus some 20 bytes per candidate and
- * thread, which is much only if a ball holds a large part of the cloud.
+ * instruction set found at run time. A record depends only on the points in its block
+ * and the blocks around it. Sums are in float relative to the query's surroundings and
+ * in double beyond them; numbers of neighbors are exactly those of the other engines,
+ * shape factors agree to 1e-4 (median and step: exactly). Besides input and output it
+ * needs 30 to 40 bytes per point, plus some 20 bytes per candidate and thread, which
+ * matters only if a ball holds a large part of the cloud.
  *
  * Settings and sizes are those of \ref estimateTensors with a radius, or one per query.
  * \throws std::invalid_argument, Canceled as there */

@@ -61,13 +61,13 @@ enum class AreaEnd {
 
 template <>
 struct Names<AreaEnd> {
-  static constexpr std::string_view kind = "end of the area";
+  static constexpr std::string_view kind = "area end";
   static constexpr std::array<std::pair<AreaEnd, std::string_view>, 2> table = {
       {{AreaEnd::LastMinimum, "last-minimum"}, {AreaEnd::WholeGraph, "whole-graph"}}};
 };
 
 /** \brief How the blend mu of a direction is computed, clamped to [0.05, 0.95]. The
- * thesis names seven variants; it gives no formulas for the others. */
+ * thesis names seven variants but gives no formulas for the rest. */
 enum class BlendMode {
   Published, ///< A_j / (2 A) + CL_j - 1/2 (eq. 10)
   Integral,  ///< A_j / A
@@ -134,7 +134,7 @@ struct LinearityGraph {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::vector<GraphMaximum> maxima; ///< by scale; scales with enough neighbors only
-  std::vector<std::size_t> minima;  ///< by scale; a plateau is named by its last scale
+  std::vector<std::size_t> minima;  ///< by scale; a plateau counts as its last scale
   double area = 0;                  ///< A, NaN where no scale is defined
   double largest = 0;               ///< CL_max, NaN where no scale is defined
   std::size_t best = none;          ///< index in \ref maxima of the best score

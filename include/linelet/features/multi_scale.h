@@ -33,8 +33,8 @@ multiScaleRadii(const NeighborSearch& search,
                 ProgressMonitor* monitor = nullptr);
 
 /** \brief The multi-scale shape feature (Ritter, Schiffner, Harders 2021): the shape of
- * the neighborhood of every query at a sequence of radii, and the scale that serves the
- * reconstruction of curves best.
+ * the neighborhood of every query at a sequence of radii, and the scale that suits
+ * curve reconstruction best.
  *
  * One search at the largest radius serves all scales. The tensor at radius r is that of
  * the points with d <= r; scales with fewer than two neighbors away from the query are

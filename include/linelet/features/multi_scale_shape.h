@@ -22,10 +22,10 @@ namespace LINELET_PUBLIC linelet {
  *
  * Nothing has to be set: the radii follow from the scale unit D of the surface.
  * setRadiusSearch, which other features need, gives the largest radius here, as \ref
- * setMaxRadius does; setKSearch is refused. Neighbors come from the search given by
- * setSearchMethod (any of them), else from a built-in grid, which is faster: one query
- * at the largest radius serves all scales. All find the same neighbors. With the engine
- * set to sweep or grid, the search is not used.
+ * setMaxRadius does; setKSearch is not supported. Neighbors come from the search given
+ * by setSearchMethod (any of them), else from a built-in grid, which is faster: one
+ * query at the largest radius serves all scales. All find the same neighbors. With the
+ * engine set to sweep or grid, the search is not used.
  *
  * The output has one record per query, in order. Undefined values are NaN, and is_dense
  * is then false; as everywhere in PCL, only the header of the cloud is carried over.

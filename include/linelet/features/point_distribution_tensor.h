@@ -13,11 +13,11 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The neighborhood tensor of every point of a cloud, with its eigen-analysis
- * and shape factors: \ref estimateTensors in a PCL chain.
+ * and shape factors: \ref estimateTensors in a PCL pipeline.
  *
- * Exactly one size of neighborhood must be set: setRadiusSearch, setKSearch, \ref
- * setRadii or \ref setCounts. Points with d <= radius belong to a neighborhood, d
- * computed in double, the query point included where it is part of the surface.
+ * Exactly one neighborhood size must be set: setRadiusSearch, setKSearch, \ref setRadii
+ * or \ref setCounts. Points with d <= radius belong to a neighborhood, d computed in
+ * double, the query point included where it is part of the surface.
  *
  * Neighbors come from the search given by setSearchMethod (any of them; PCL hands a
  * cloud to its search only when the pointer changes, so never alter a cloud in place),
@@ -129,7 +129,7 @@ protected:
   initCompute() override;
 
   /** \brief The records of the queries; other engines override this. A std::exception
-   * thrown by it becomes a message and unknown records. */
+   * thrown by an override becomes a message and undefined records. */
   virtual std::vector<PointDistributionTensor>
   estimate(const Points& surface,
            const Points& queries,

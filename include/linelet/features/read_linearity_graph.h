@@ -14,13 +14,13 @@ namespace LINELET_PUBLIC linelet {
 /** \brief Reads a linearity graph CL(k).
  *
  * Rules, where the papers are silent:
- * - A scale whose linearity is NaN is not defined: the graph consists of the others.
+ * - A scale whose linearity is NaN is undefined; the graph consists of the others.
  * - A run of equal values (within \ref flat_linearity) is one extremum. It is a minimum
  *   if the graph is higher on both sides (ends of the graph are not minima), a maximum
- * if it is lower on every side that exists; so a flat graph and a graph of one scale
- * are maxima.
- * - Maxima are sought where the neighborhood has settings.min_neighbors points, on the
- *   part of the graph from the first such scale on; j- does not reach below it.
+ *   if it is lower on every side that exists; so a flat graph and a graph of one scale
+ *   each have one maximum.
+ * - Maxima are sought from the first scale on whose neighborhood has
+ *   settings.min_neighbors points; j- does not reach below it.
  * - A runs from the first defined scale to the end of the last local minimum, else (or
  *   with AreaEnd::WholeGraph) to the end of the graph. Where it is 0 the fraction A_j/A
  *   is 1.

@@ -9,9 +9,9 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief The engine that \ref multiScaleShapes runs: what ScaleEngine::Auto stands
- * for, judged by the numbers of points and queries and the neighbors that a sample of
- * the queries has within the largest radius. */
+/** \brief The engine that \ref multiScaleShapes runs: for ScaleEngine::Auto, the one
+ * that suits the numbers of points and queries, and the neighbors that a sample of the
+ * queries has within the largest radius. */
 ScaleEngine
 chosenScaleEngine(const Points& surface,
                   const Points& queries,

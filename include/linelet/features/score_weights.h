@@ -13,8 +13,8 @@ namespace LINELET_PUBLIC linelet {
 /** \brief Factors of the terms of a maximum's score O_m: those of the published eq. 9,
  * and those that the thesis lists as unused (Appendix A.2, MSSFW*), 0 by default.
  *
- * The thesis names a further one, MSSFWDNR, without saying what it multiplies; it has
- * no counterpart here. */
+ * The thesis also names MSSFWDNR without saying what it multiplies; it has no
+ * counterpart here. */
 struct ScoreWeights {
   double linearity = 1; ///< MSSFWLin: of CL_j
   double scale = -1;    ///< MSSFWSize: of k_j / K
@@ -30,13 +30,14 @@ struct ScoreWeights {
 
   ScoreWeights() = default;
 
-  /** \brief From "published" or "NAME=VALUE,...", with the names above; those not named
-   * keep their defaults.
+  /** \brief From "published" or "NAME=VALUE,...", with the names above; others keep
+   * their defaults.
    * \throws std::invalid_argument for an unknown name or a value that is not a finite
    * number */
   explicit ScoreWeights(std::string_view text);
 
-  /** \brief Those that differ from the published ones, as text for that constructor. */
+  /** \brief The weights that differ from the published ones, as text for that
+   * constructor. */
   std::string
   name() const;
 };

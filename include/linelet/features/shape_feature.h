@@ -17,8 +17,8 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Common base of the PCL classes for shapes of neighborhoods: shared
- * parameters, checks of the input, and the form of the output.
+/** \brief Common base of the PCL classes for neighborhood shapes: shared parameters,
+ * input checks, and the output.
  *
  * \tparam RecordT the output: floats, NaN if undefined, with a field `linearity`
  * \tparam Settings a struct with `weighting`, `centroid` and `threads` */
@@ -77,8 +77,8 @@ public:
     return settings_.threads;
   }
 
-  /** \brief Receives the progress of compute, which throws linelet::Canceled on its
-   * request. Null (default): no reports. It must outlive compute. */
+  /** \brief Receives the progress of compute and may cancel it, which throws
+   * linelet::Canceled. Null (default): none. It must outlive compute. */
   void
   setProgressMonitor(ProgressMonitor* monitor)
   {
@@ -105,7 +105,7 @@ protected:
   Points
   queryPoints() const;
 
-  /** \brief Copies \a records to \a output; is_dense tells whether all are known. */
+  /** \brief Copies \a records to \a output; is_dense tells whether all are defined. */
   static void
   setOutput(PointCloudOut& output, const std::vector<RecordT>& records);
 

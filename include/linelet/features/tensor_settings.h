@@ -87,8 +87,7 @@ isRadius(double radius)
   return radius > 0 && std::isfinite(radius);
 }
 
-/** \brief Checks that exactly one size of neighborhood is given, and that it makes
- * sense.
+/** \brief Checks that exactly one valid neighborhood size is given.
  * \param[in] queries number of query points
  * \throws std::invalid_argument with the value and what is expected */
 void

@@ -18,14 +18,14 @@ namespace LINELET_PUBLIC fragments {
 /** \brief Waiting fragments by number of points, smallest first. */
 using Waiting = std::deque<std::size_t>;
 
-/** \brief SimpleH: what a free device takes of the fragments \a waiting: the slow
- * device the smallest, the others the largest. Nothing if none is waiting. */
+/** \brief SimpleH: which of the \a waiting fragments a free device takes: the slow
+ * device the smallest, the others the largest. Empty if none is waiting. */
 std::optional<std::size_t>
 simpleH(const Waiting& waiting, bool slow);
 
 /** \brief SimpleHS: the same, but the slow device takes a fragment only if it is
- * expected to finish it before the fastest one would finish all that wait; as
- * long as one of the two predictions is unknown, it takes it. */
+ * expected to finish it before the fastest one would finish all that wait, or if either
+ * prediction is still unknown. */
 std::optional<std::size_t>
 simpleHS(const Waiting& waiting,
          bool slow,
@@ -39,16 +39,16 @@ class Dispatcher {
 public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  /** \brief By a dynamic heuristic.
+  /** \brief Assigns fragments by a dynamic heuristic.
    * \param[in] points of every fragment
-   * \param[in] devices how many
+   * \param[in] devices number of devices
    * \param[in] slow the device that is slower than the others, or \ref none */
   Dispatcher(Heuristic heuristic,
              std::vector<double> points,
              std::size_t devices,
              std::size_t slow);
 
-  /** \brief By a static schedule. */
+  /** \brief Assigns fragments by a static schedule. */
   Dispatcher(const Schedule& schedule, std::size_t devices);
 
   /** \brief The next fragment of \a device; empty once none is left for it. */
@@ -78,8 +78,8 @@ dispatcherFor(Heuristic heuristic,
               const ExpectedTimes& times,
               const std::vector<double>& points);
 
-/** \brief Simulates devices that take fragments as they become free, where
- * fragments take the times in \a times; see \ref dispatcherFor. */
+/** \brief Simulates devices that take fragments as they become free; fragments take the
+ * times in \a times. See \ref dispatcherFor. */
 Schedule
 simulate(Heuristic heuristic,
          const ExpectedTimes& times,

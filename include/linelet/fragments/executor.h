@@ -21,10 +21,10 @@ struct FragmentWork {
   /// Loads a fragment. Called from several threads at once.
   std::function<Fragment(std::size_t number)> load;
   /// Computes it on a device, and may consume its contents. Called from several threads
-  /// at once; for every device but the first, by one at a time.
+  /// at once, but by one at a time for every device except the first.
   std::function<void(Fragment& fragment, std::size_t number, std::size_t device)>
       compute;
-  /// Told that the fragment is done or, with a reason, has failed. Called once per
+  /// Notified that the fragment is done or, with a reason, has failed. Called once per
   /// fragment, by one thread at a time.
   std::function<void(std::size_t number, const std::string& reason)> settle;
 };

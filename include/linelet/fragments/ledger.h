@@ -16,10 +16,10 @@ namespace LINELET_PUBLIC fragments {
 
 /** \brief A record of finished work, one small file per entry, replaced atomically: a
  * killed worker leaves a complete entry or none. Any number of workers may write;
- * workers that do the same work write the same, except for times. */
+ * workers that do the same work write the same entry, except for times. */
 class Ledger {
 public:
-  /** \brief Kinds of work; names of folders. */
+  /** \brief Kinds of work, which name the folders. */
   static constexpr const char* cut = "cut";       ///< an input into pieces
   static constexpr const char* task = "task";     ///< a fragment
   static constexpr const char* output = "output"; ///< an output written
@@ -30,7 +30,7 @@ public:
     double points = 0, seconds = 0, peak_bytes = 0;
     std::string device;                          ///< device that computed it, or empty
     std::map<std::size_t, std::uint64_t> pieces; ///< cut: points by fragment
-    std::map<std::string, double> figures;       ///< sums that the command keeps
+    std::map<std::string, double> figures;       ///< totals that the command keeps
   };
 
   /** \param[in] fingerprint of the plan; entries with another one are ignored */

@@ -72,7 +72,7 @@ public:
 private:
   using Ranges = std::optional<std::vector<io::PointRange>>;
 
-  /** An input as a fragment finds it. */
+  /** What a fragment takes from one input. */
   struct Share {
     std::size_t input;
     Ranges octree;
@@ -102,7 +102,7 @@ private:
   path(std::size_t fragment, std::size_t input) const;
 
   const Plan& plan_;
-  double reach_; // of the plan, which it looks for among all inputs
+  double reach_; // of the plan, where computing it visits all inputs
   std::string folder_;
   io::ReadOptions options_;
   io::ClassFilter classes_;

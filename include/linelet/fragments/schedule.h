@@ -90,12 +90,11 @@ double
 makespan(const Schedule& schedule);
 
 /// \name Static heuristics: pure functions of the expected times
-/// Completion time of a fragment on a device is the load of the device so far and the
-/// expected time. Ties go to the first fragment and the first device;
-/// of equal sufferage, to the longest fragment. All end
-/// within n times the optimum for n devices (Ibarra and Kim 1977).
-/// \throws std::invalid_argument if there are fragments but no device, or a time is
-/// negative or not finite
+/// The completion time of a fragment on a device is the device's load so far plus the
+/// expected time. Ties go to the first fragment and the first device; in sufferage, to
+/// the longest fragment. All finish within n times the optimum for n devices (Ibarra
+/// and Kim 1977). \throws std::invalid_argument if there are fragments but no device,
+/// or a time is negative or not finite
 /// @{
 Schedule
 minMin(const ExpectedTimes& times);

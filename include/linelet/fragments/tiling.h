@@ -36,8 +36,8 @@ struct TilingSettings {
  * outside reach to infinity. Boxes with too many points are split. */
 class Tiling {
 public:
-  /** \brief A cut: places below \ref plane are on one side, all others on the other.
-   * Sides are numbers of cuts, or -1 - number of a box. */
+  /** \brief A cut: places below \ref plane are on one side, all others on the other. A
+   * side is the number of another cut, or -1 - the number of a box. */
   struct Cut {
     int axis = 0;
     double plane = 0;
@@ -47,8 +47,8 @@ public:
   /** \brief One box, of everything. */
   Tiling() = default;
 
-  /** \brief Cuts until no box holds more points than asked for; one that is
-   * narrower than four ghost zones is not cut: it would be mostly ghosts.
+  /** \brief Cuts until no box holds more points than asked for, but never a box
+   * narrower than four ghost zones, whose halves would be mostly ghost zone.
    * \throws std::invalid_argument for an invalid length or number */
   Tiling(const std::vector<Extent>& inputs, const TilingSettings& settings);
 

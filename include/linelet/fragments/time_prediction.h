@@ -13,8 +13,8 @@ namespace LINELET_PUBLIC fragments {
 
 /** \brief Predicts the time of a fragment from its number of points n, learned from
  * finished ones: t = a + b n + c n^2 by least squares (Grasso et al. 2015, section 4).
- * As long as fewer than three different sizes are known, the highest terms are omitted;
- * never negative. */
+ * While fewer than three different sizes are known, the highest terms are omitted.
+ * Never negative. */
 class TimePrediction {
 public:
   /** \brief Adds a finished fragment that took \a seconds. */

@@ -52,7 +52,7 @@ struct Column {
   std::string description; ///< from LAS extra bytes; may be empty
 };
 
-struct LasOrigin; // what LAS to LAS must keep besides points and columns
+struct LasOrigin; // what a copy from LAS to LAS must keep besides points and columns
 
 /** \brief A point cloud with all attributes of its file.
  *

@@ -15,8 +15,8 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief The parts of a cloud do not fit into one LAS file as they are; the whole
- * cloud does. */
+/** \brief Parts of a cloud that cannot share one LAS file as they are, although the
+ * whole cloud fits. */
 class PartsDiffer : public FileError {
 public:
   using FileError::FileError;
@@ -38,7 +38,8 @@ public:
                      unsigned threads = 0);
   ~CloudSink();
 
-  /** \brief Adds the points of \a cloud, which has the columns of those before.
+  /** \brief Adds the points of \a cloud, which must have the same columns as those
+   * before.
    * \throws PartsDiffer if it does not match them */
   void
   add(const Cloud& cloud);

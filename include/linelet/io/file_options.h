@@ -15,17 +15,17 @@ namespace LINELET_PUBLIC io {
 
 /** \brief How to read a point file. */
 struct ReadOptions {
-  bool lenient = false; ///< read what is complete of a truncated file
+  bool lenient = false; ///< read the complete part of a truncated file
   /// Only points in X0,Y0,X1,Y1 or in X0,Y0,Z0,X1,Y1,Z1, borders included, in the
   /// coordinates of the file; empty: all.
   std::vector<double> bounds, bounds_3d;
-  /// COPC: levels for this point spacing only, unit of the file; 0: all
+  /// COPC: only the levels that this point spacing needs, unit of the file; 0: all
   double resolution = 0;
   std::string crs; ///< reference system of the input: "EPSG:n", WKT or a file of it
   unsigned threads = 0;       ///< for decompression; 0: all
   std::optional<Point> shift; ///< Cloud::shift to use, as nearly as a LAS grid allows
-  /// Columns to read, of those that the file has; in LAZ with point formats 6 to 10,
-  /// the others are not even decompressed. Nothing: all.
+  /// Columns to read, if the file has them; in LAZ with point formats 6 to 10, the
+  /// others are not even decompressed. Not set: all.
   std::optional<std::vector<std::string>> attributes;
 };
 
@@ -38,7 +38,7 @@ describe(ReadOptions& s, Visit&& visit)
   visit("bounds-3d", s.bounds_3d, "read only points within X0,Y0,Z0,X1,Y1,Z1");
   visit("resolution",
         s.resolution,
-        "COPC: read only as many levels as this point spacing takes, in the unit of "
+        "COPC: read only the levels that this point spacing needs, in the unit of "
         "the cloud; 0: all");
   visit("crs",
         s.crs,

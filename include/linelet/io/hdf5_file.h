@@ -19,7 +19,7 @@ namespace linelet {
 namespace LINELET_PUBLIC io {
 
 // clang-format off
-// HDF5 files (.h5) in the layout of a fibre bundle (Benger 2004), in the manner of F5:
+// HDF5 files (.h5) in the layout of a fiber bundle (Benger 2004), in the manner of F5:
 //
 //   /t=0                                     a time slice, attribute Time
 //     /points                                a grid
@@ -30,7 +30,7 @@ namespace LINELET_PUBLIC io {
 //                                            are one compound, a tensor
 //         Fragments                          compound first, count, low, high: the
 //                                            points of each block, and its box
-//       /LAS                                 what a LAS file keeps beside its points
+//       /LAS                                 what a LAS file keeps besides its points
 //     /curves                                another grid: polylines
 //       /Points/StandardCartesianChart3D     Positions of their vertices
 //       /Lines                               first, count, closed, ... of each polyline
@@ -48,8 +48,8 @@ hasHdf5();
  * once \ref commit returns, complete, and not before. */
 class Hdf5CloudWriter {
 public:
-  /** \param[in] like has the attributes (names, types, descriptions; without values),
-   * shift, reference system and what came from LAS of all blocks
+  /** \param[in] like the attributes (names, types, descriptions), shift, reference
+   * system and LAS metadata that all blocks share; its values are ignored
    * \throws FileError */
   Hdf5CloudWriter(const std::string& path, const Cloud& like);
   ~Hdf5CloudWriter();
@@ -66,7 +66,7 @@ public:
   void
   append(const Cloud& cloud, std::size_t first, std::size_t count);
 
-  /** \brief Adds curves, as a grid of their own. At most once. */
+  /** \brief Adds curves, as a separate grid. At most once. */
   void
   add(const CurveNetwork& network, const Point& shift);
 
@@ -84,7 +84,7 @@ struct Hdf5Fragment {
   Point low = Point::Zero(), high = Point::Zero(); ///< of its finite points, world
 };
 
-/** \brief The fragments of a file, in order; one if it lists none.
+/** \brief The fragments of a file, in order; a single one if it lists none.
  * \throws FileError */
 std::vector<Hdf5Fragment>
 hdf5Fragments(const std::string& path);
@@ -114,7 +114,7 @@ writeHdf5Curves(const std::string& path,
 
 /** \brief The curves of a file in world coordinates, junctions and kinds of ends
  * included.
- * \param[out] wkt its reference system; null: not wanted
+ * \param[out] wkt its reference system; may be null
  * \throws FileError if it holds none */
 CurveNetwork
 readHdf5Curves(const std::string& path, std::string* wkt = nullptr);

@@ -17,9 +17,9 @@ struct InputList {
   bool several = false; ///< more than one file, or one from a folder or a list
 };
 
-/** \brief Finds the point files that \a names name: files, folders (all point files
- * directly in them, by name), virtual point clouds (.vpc) and lists (.txt whose lines
- * are paths, relative to the list).
+/** \brief Finds the point files that \a names stand for: files, folders (all point
+ * files directly in them, by name), virtual point clouds (.vpc) and lists (.txt whose
+ * lines are paths, relative to the list).
  * \throws FileError if there are none, or if a list names a missing file */
 InputList
 findInputs(const std::vector<std::string>& names);

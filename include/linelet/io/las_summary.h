@@ -21,7 +21,7 @@ struct LasSummary {
   std::vector<std::string> records; ///< user, number and length of each
 };
 
-/** \brief That of the file \a cloud came from; nothing if it was not LAS. */
+/** \brief The summary of the file that \a cloud came from; empty if it was not LAS. */
 std::optional<LasSummary>
 lasSummary(const Cloud& cloud);
 

@@ -10,9 +10,9 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Fails at once if writeCloud to \a path would fail after long work: because
- * its ending names no format that can be written, or no file can be created there.
- * Leaves no file.
+/** \brief Fails before long work if writeCloud to \a path would fail after it: because
+ * its ending names no format that can be written, or because no file can be created
+ * there. Leaves no file.
  * \throws FileError */
 void
 checkCloudOutput(const std::string& path);
@@ -22,7 +22,7 @@ void
 checkCurvesOutput(const std::string& path);
 
 /** \brief Whether \a one and \a other are the same file, under any names and links, or
- * would be once both exist. Devices and pipes, which hold nothing, never are. */
+ * would be once both exist. Never true for devices and pipes, which store nothing. */
 bool
 isSameFile(const std::string& one, const std::string& other);
 

@@ -16,8 +16,8 @@ namespace LINELET_PUBLIC io {
 
 class StagedFile;
 
-/** \brief A file under construction. Nothing exists at its path before \ref commit;
- * without it, nothing remains. */
+/** \brief A file under construction. Nothing exists at its path before \ref commit, and
+ * nothing remains without it. */
 class OutputFile {
 public:
   /** \throws FileError if no file can be created at \a path */
@@ -31,7 +31,7 @@ public:
   void
   write(std::string_view bytes);
 
-  /** \brief Writes \a bytes over those at \a place, written before. Not for pipes.
+  /** \brief Overwrites the bytes written earlier at \a place. Not for pipes.
    * \throws FileError */
   void
   rewrite(std::size_t place, std::string_view bytes);

@@ -20,7 +20,7 @@ namespace LINELET_PUBLIC io {
 namespace detail {
 
 /** \brief Calls f(name of the column, access to the member) for every attribute that
- * the point type P has in common with Cloud, colors apart. */
+ * the point type P has in common with Cloud, except colors. */
 template <class P, class F>
 void
 forEachAttribute(F f)

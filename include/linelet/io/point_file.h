@@ -21,7 +21,7 @@ namespace LINELET_PUBLIC io {
  * added.
  * \param[in] path the file
  * \param[in] options see there
- * \param[out] warnings one sentence for every loss (null: not wanted)
+ * \param[out] warnings one sentence for everything lost; may be null
  * \throws FileError */
 Cloud
 readCloud(const std::string& path,

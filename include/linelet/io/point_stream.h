@@ -16,7 +16,7 @@ namespace linelet {
 namespace LINELET_PUBLIC io {
 
 /** \brief Reads a point file block by block, in its order. For LAS and LAZ, only one
- * block is in memory, each chunk is decoded once, and what the options leave out is
+ * block is in memory, each chunk is decoded once, and what the options exclude is
  * skipped; other formats are a single block. */
 class PointStream {
 public:

@@ -40,7 +40,7 @@ unitsOf(const std::string& wkt);
 
 /** \brief Why lengths in the plan of \a cloud are meaningless, as a clause to follow
  * the name of its file: its reference system is in degrees, or it has none and the
- * coordinates look like degrees. Empty if they are lengths as far as is known. */
+ * coordinates look like degrees. Empty if they are lengths, as far as is known. */
 std::string
 degreesIn(const Cloud& cloud);
 

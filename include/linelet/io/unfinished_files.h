@@ -10,14 +10,13 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Removes unfinished files that killed processes of this machine left in \a
+/** \brief Removes unfinished files that killed processes on this machine left in \a
  * folder. */
 void
 removeLeftovers(const std::string& folder);
 
-/** \brief Removes all files under construction, whatever their writer; none is created
- * or published afterwards. For a program that is about to exit, from any of its
- * threads. */
+/** \brief Removes all files under construction, by any writer; none is created or
+ * published afterwards. For a program about to exit, from any thread. */
 void
 removeUnfinishedFiles();
 

@@ -14,7 +14,7 @@
 namespace linelet {
 namespace LINELET_PUBLIC io {
 
-/** \brief Class numbers, as text: "7,18"; "none" and "all" name no number. */
+/** \brief Class numbers given as text: "7,18"; "none" and "all" give an empty list. */
 class ClassList {
 public:
   /** \throws std::invalid_argument */
@@ -40,8 +40,8 @@ private:
   std::vector<int> numbers_;
 };
 
-/** \brief Which points of a classified cloud an analysis may use. Without effect on
- * clouds without classes. */
+/** \brief Which points of a classified cloud an analysis may use. Clouds without
+ * classes are unaffected. */
 struct ClassFilter {
   /// Points of these classes are ignored: by default noise, low and high (ASPRS).
   ClassList ignored{"7,18"};
@@ -71,7 +71,7 @@ describe(ClassFilter& s, Visit&& visit)
  * analysis skips. Overlap, synthetic and key points are used like others. */
 class UsablePoints {
 public:
-  /** \brief Those of \a cloud, which must outlive this.
+  /** \brief The usable points of \a cloud, which must outlive this.
    * \param[out] warnings one sentence for each reason to leave points out */
   explicit UsablePoints(const Cloud& cloud,
                         std::vector<std::string>* warnings = nullptr,

@@ -28,7 +28,7 @@ struct VectorFeature {
   Points vertices; ///< world coordinates; a closed line and the ring of a polygon
                    ///< repeat their first vertex
   Attributes attributes;
-  /// Its layer in a DXF drawing; empty: the name of the layer
+  /// Its layer in a DXF drawing; empty: named as the VectorLayer
   std::string drawing_layer;
   std::string label; ///< text beside it in a DXF drawing; empty: none
 };
@@ -43,7 +43,7 @@ struct VectorLayer {
   double text_height = 0.5; ///< of labels in a DXF drawing, in the unit of coordinates
 };
 
-/** \brief How to write a vector file. */
+/** \brief How vector files are written. */
 struct VectorOptions {
   std::string output_crs; ///< EPSG:n, WKT or a WKT file; empty: that of the input
   bool keep_crs = false;  ///< GeoJSON in the system of the input, not in WGS 84

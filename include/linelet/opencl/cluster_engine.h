@@ -15,8 +15,8 @@ namespace linelet {
 namespace LINELET_PUBLIC opencl {
 
 /** \brief \ref linelet::clusterPoints on an OpenCL 1.2 device with double precision,
- * with the same bits: the device computes cells, sums and moves of points, the host the
- * planes and means of cells. Not for use by several threads at once. */
+ * bit for bit: the device computes cells, sums and moves of points, the host the planes
+ * and means of cells. Not for use by several threads at once. */
 class ClusterEngine {
 public:
   /** \brief Opens a device, as \ref TensorEngine does. \throws Error also if it has no

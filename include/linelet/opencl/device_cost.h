@@ -21,7 +21,7 @@ double
 estimatedSeconds(const DeviceCost& device, const EngineWork& work);
 
 /** \brief Whether \a device is the cheapest engine. It has to beat the grid on eight
- * threads, whatever this machine has, so that the choice depends on the work alone.
+ * threads, whatever this machine has, so that the choice depends only on the work.
  * Never true for settings that \ref TensorEngine::estimate refuses. */
 bool
 isCheapest(const DeviceCost& device,
@@ -29,7 +29,7 @@ isCheapest(const DeviceCost& device,
            const TensorSettings& settings);
 
 /** \brief Why the engine cannot compute with \a settings; null if it can. The weighted
- * median and unbounded weightings need double. */
+ * median and unbounded weightings need double precision. */
 const char*
 unsupported(const TensorSettings& settings);
 

@@ -18,13 +18,12 @@ namespace LINELET_PUBLIC opencl {
 
 /** \brief The neighborhood tensor on an OpenCL 1.2 device (Grasso et al. 2015).
  *
- * Keys of cells, a bitonic sort, neighbors, centroids, tensors and their
- * eigen-analysis are computed on the device, in float relative to each query point.
- * Shape factors agree with \ref estimateTensors within 1e-4, neighbors exactly: pairs
- * that float cannot decide are decided in double, on a device without double by
- * completing these queries on the host. The k nearest points are those of a ball that
- * is narrowed down by counting; queries with ties, or far from all points, are
- * completed on the host as well.
+ * Cell keys, a bitonic sort, neighbors, centroids, tensors and their eigen-analysis are
+ * computed on the device, in float relative to each query point. Shape factors agree
+ * with \ref estimateTensors within 1e-4, neighbors exactly: pairs that float cannot
+ * decide are decided in double; on a device without double, the host completes these
+ * queries. The k nearest points are those of a ball that is narrowed down by counting;
+ * queries with ties, or far from all points, are completed on the host as well.
  *
  * A cloud that does not fit into the device's memory, or has too many cells for a
  * 64-bit key, is cut into slabs with a margin as wide as the radius. A CPU device runs
@@ -50,8 +49,8 @@ public:
 
   /** \brief As \ref linelet::estimateTensors; settings.engine has no effect, and
    * settings.threads is for the host's part.
-   * \throws std::invalid_argument for what is \ref unsupported, and for k nearest
-   * points on a device without double precision
+   * \throws std::invalid_argument if \ref unsupported, and for k nearest points on a
+   * device without double precision
    * \throws Error
    * \throws Canceled between slabs */
   std::vector<PointDistributionTensor>

@@ -19,18 +19,18 @@ namespace LINELET_PUBLIC powerline {
 enum class HazardKind : std::uint8_t {
   Ground,     ///< the terrain
   Vegetation, ///< trees, bushes
-  Building, ///< houses, masts, booms: whatever is smooth and closed, or stiff and thin
-  Wire,     ///< a wire of another line
-  Support,  ///< a pylon or pole of another line
-  FallIn    ///< a tree that would reach the wire by falling
+  Building,   ///< houses, masts, booms: anything smooth and closed, or stiff and thin
+  Wire,       ///< a wire of another line
+  Support,    ///< a pylon or pole of another line
+  FallIn      ///< a tree that would reach the wire by falling
 };
 
 constexpr std::size_t hazard_kinds = 6;
 
-/** \brief How near it is, by the limits of its kind. */
+/** \brief How close it is, by the limits for its kind. */
 enum class Severity : std::uint8_t { None, Low, Medium, High };
 
-/** \brief Least acceptable distances, by what is near and by severity; meters.
+/** \brief Smallest acceptable distances, by what is near and by severity; meters.
  *
  * For all kinds but FallIn a distance below \ref Row::low is a hazard. For FallIn it is
  * the gap that remains between the falling tree and the wire; at 0 it touches. */
@@ -40,7 +40,7 @@ struct ClearanceLimits {
     double high = 0, medium = 0, low = 0;
   };
 
-  std::string name; ///< where they come from, in words
+  std::string name; ///< where they come from, as text
   std::array<Row, hazard_kinds> rows;
 
   const Row&
@@ -58,7 +58,7 @@ struct ClearanceLimits {
 };
 
 /** \brief One distance for everything: low below \a clearance, medium below three
- * quarters of it, high below half; trees that fall: 2, 1 and 0 m. */
+ * quarters of it, high below half; for falling trees 2, 1 and 0 m. */
 ClearanceLimits
 uniformLimits(double clearance);
 
@@ -71,14 +71,14 @@ uniformLimits(double clearance);
  * - "nesc:KV": ground by NESC (IEEE C2) rule 232, 18.5 ft plus 0.4 in per kV above 22
  * kV phase to ground; buildings and other lines likewise from 7.5 ft and 4 ft; trees by
  * California's General Order 95, appendix E (4, 6, 10 and 15 ft).
- * - else a file: one line "KIND HIGH MEDIUM LOW" each for ground, vegetation, building,
- * wire, support and fall_in, in meters; # begins a comment. Kinds it leaves out are
- * taken from \a otherwise.
+ * - otherwise a file: one line "KIND HIGH MEDIUM LOW" each for ground, vegetation,
+ *   building, wire, support and fall_in, in meters; # begins a comment. Kinds it omits
+ *   are taken from \a otherwise.
  *
  * These standards apply to specific load cases, with conditions that no point cloud
- * shows: the presets are starting values, not a proof of compliance. Their margins
+ * shows: the presets are starting values, not proof of compliance. Their margins
  * (between medium and low) are our own.
- * \throws std::invalid_argument that names line and value; io::FileError */
+ * \throws std::invalid_argument naming the line and value; io::FileError */
 ClearanceLimits
 readLimits(const std::string& name_or_file, const ClearanceLimits& otherwise);
 
@@ -86,7 +86,7 @@ readLimits(const std::string& name_or_file, const ClearanceLimits& otherwise);
 
 template <>
 struct Names<powerline::HazardKind> {
-  static constexpr std::string_view kind = "kind of hazard";
+  static constexpr std::string_view kind = "hazard kind";
   static constexpr std::array<std::pair<powerline::HazardKind, std::string_view>, 6>
       table = {{{powerline::HazardKind::Ground, "ground"},
                 {powerline::HazardKind::Vegetation, "vegetation"},

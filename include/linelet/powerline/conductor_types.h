@@ -17,9 +17,9 @@ struct Conductor {
   double area = 0;      ///< square millimeters, all metals
   double diameter = 0;  ///< millimeters
   double mass = 0;      ///< kilograms per kilometer
-  double modulus = 0;   ///< final modulus of elasticity, gigapascal
+  double modulus = 0;   ///< final modulus of elasticity, gigapascals
   double expansion = 0; ///< 1e-6 per kelvin
-  double creep = 0; ///< elongation still to come, as the warming that causes as much, K
+  double creep = 0; ///< elongation still to come, as warming that causes the same, K
 };
 
 /** \brief Common types: ACSR by ASTM B 232 (E and expansion by stranding as in DIN
@@ -32,7 +32,7 @@ knownConductors();
 /** \brief A type by its name ("Drake", "240/40"), or from a file: lines "KEY VALUE"
  * with the keys area (mm2), diameter (mm), mass (kg/km), modulus (GPa), expansion
  * (1e-6/K), and optionally name and creep (K); # begins a comment.
- * \throws std::invalid_argument that names line and value; io::FileError */
+ * \throws std::invalid_argument naming the line and value; io::FileError */
 Conductor
 readConductor(const std::string& name_or_file);
 

@@ -16,18 +16,18 @@ namespace LINELET_PUBLIC powerline {
 /** \brief Extracts every wire from an airborne or UAV scan, without training or a map.
  *
  * Candidates above ground with a line-like neighborhood seed wires; a wire grows along
- * itself as a parabola (approximating a catenary) with robust weights, as long as the
- * points ahead stand out from those around; it is broken at supports, accepted by
- * evidence, joined with its continuation, and fitted as a catenary. A network without
+ * itself as a robustly fitted parabola (approximating a catenary) as long as the points
+ * ahead stand out from those around them; it is broken at supports, accepted on
+ * evidence, joined to its continuation, and fitted as a catenary. A network without
  * wires is a valid result.
  *
  * \param[in] points meters, z up; points that are not finite are ignored
- * \param[in] classes class of every point, or empty; read for the ground (2) with
- * PowerLineSettings::use_classes, and passed on to the output for all other points
+ * \param[in] classes class of every point, or empty; gives the ground (2) with
+ * PowerLineSettings::use_classes, and is kept for points that get no new class
  * \param[in] settings see there
- * \param[in] monitor told of the stages; may cancel
- * \param[out] part if not null: what was found, for \ref mergeParts, when the points
- * are a part of a cloud
+ * \param[in] monitor notified of the stages; may cancel
+ * \param[out] part if not null: what was found, for \ref mergeParts, if the points are
+ * part of a larger cloud
  * \return wires, supports and a label for every point
  * \throws std::invalid_argument for a setting out of range, or if there are not as many
  * classes as points
@@ -40,9 +40,9 @@ extractPowerLines(const Points& points,
                   NetworkPart* part = nullptr);
 
 /** \brief The same for a cloud, whose column `classification` gives the classes.
- * Withheld points are ignored (io::UsablePoints). The network is in meters also where
- * the cloud is not: see MetricFrame.
- * \throws std::invalid_argument also where the cloud's units are no lengths */
+ * Withheld points are ignored (io::UsablePoints). The network is in meters even if the
+ * cloud is not: see MetricFrame.
+ * \throws std::invalid_argument also if the cloud's units are not lengths */
 PowerLineNetwork
 extractPowerLines(const io::Cloud& cloud,
                   const PowerLineSettings& settings = {},

@@ -11,12 +11,12 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief Every stretch of a wire that is nearer to something than its limit, all
+/** \brief Every stretch of a wire closer to something than its limit allows, all
  * crossings, and the trees that would reach a wire by falling.
  *
  * A stretch is the union of the parts of the wire that are closer than the limit to any
- * point of one kind; gaps of up to a meter are closed. Distances in space are measured
- * to the interpolated terrain, between the curves of wires, and to the points of
+ * point of one kind; gaps of up to a meter are closed. Distances are measured in 3D to
+ * the interpolated terrain, between the curves of wires, and to the points of
  * everything else.
  * \throws Canceled */
 Hazards

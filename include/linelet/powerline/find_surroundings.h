@@ -30,16 +30,16 @@ describe(SurroundingClasses& s, Visit&& visit)
 
 /** \brief Collects what stands near the wires of \a network.
  *
- * Points of \a classes are what these say. All others (0, 1 and those not named here)
- * are distinguished by shape and returns: roofs and walls are planar over some meters
- * and give single echoes, masts and booms are linear there, wires that were not found
- * are linear and left out, and the rest is vegetation; fewer than four such points
+ * Points of \a classes are what these say. All others (0, 1 and any class not named
+ * here) are told apart by shape and returns: roofs and walls are planar over some
+ * meters and give single echoes, masts and booms are linear there, undetected wires are
+ * linear too and left out, and the rest is vegetation; fewer than four such points
  * within a meter of each other are a bird or noise. Points of the classes 2, 7, 8, 9,
  * 11, 13 to 16 and 18 are none of them, nor is anything but a building at the bodies,
  * arms and insulators of the supports of a wire.
  * \param[in] cloud what the network was extracted from
- * \param[in] usable its points that are used
- * \param[in] limits the largest of which defines what is near
+ * \param[in] usable its usable points
+ * \param[in] limits the largest of which determines what is near
  * \throws Canceled */
 Surroundings
 findSurroundings(const PowerLineNetwork& network,

@@ -17,10 +17,10 @@ struct Ground {
   double cell = 1;            ///< side of a cell, meters
   double x = 0, y = 0;        ///< center of the first cell
   int columns = 0, rows = 0;  ///< cells along x and y
-  std::vector<float> heights; ///< row by row, x fastest; empty if nothing is known
+  std::vector<float> heights; ///< row by row, x fastest; empty if unknown
 
   /** \brief Height of the terrain at a place, bilinear; beyond the raster, that of its
-   * rim; NaN without a raster. */
+   * edge; NaN without a raster. */
   double
   heightAt(double at_x, double at_y) const;
 };

@@ -16,23 +16,23 @@
 namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
-/** \brief A stretch of a wire that is closer to something than its limit. Meters, in
- * the coordinates of the network. */
+/** \brief A stretch of a wire that is closer to something than its limit allows.
+ * Meters, in the coordinates of the network. */
 struct Encroachment {
   int id = 0; ///< index in Hazards::clearances + 1
   HazardKind kind = HazardKind::Ground;
   Severity severity = Severity::Low; ///< by \ref nearest
   int wire = 0, span = 0, circuit = 0;
-  int other = 0;           ///< id of the other wire or support; 0 for all other kinds
+  int other = 0;           ///< id of the other wire or support; 0 for other kinds
   double from = 0, to = 0; ///< parameters s of the wire's catenary
   double length = 0;       ///< along the wire
   Points line;             ///< the stretch
-  Clearance nearest;       ///< where the distance is least
+  Clearance nearest;       ///< where the distance is smallest
   double vertical = 0,
          horizontal = 0;  ///< components of that distance; vertical: downward
   std::size_t points = 0; ///< number of points closer than the limit
-  Points outline;    ///< convex, closed, around what is too near, at its mean height
-  double area = 0;   ///< in plan of what is too near (vegetation), square meters
+  Points outline;    ///< convex, closed, around what is too close, at its mean height
+  double area = 0;   ///< in plan of what is too close (vegetation), square meters
   double volume = 0; ///< of what must be cut (vegetation), cubic meters
 };
 
@@ -45,7 +45,7 @@ struct Crossing {
   double vertical = 0;                                      ///< between these
   /// Where the two are closest: a point on each wire, the upper first
   Clearance nearest;
-  double horizontal = 0; ///< component of the least distance
+  double horizontal = 0; ///< component of the smallest distance
   double angle = 0;      ///< between the two in plan, degrees, (0, 90]
 };
 
@@ -59,17 +59,17 @@ struct FallIn {
   double height = 0;        ///< top above foot
   Point at = Point::Zero(); ///< point of the wire nearest to the foot
   double distance = 0;      ///< from the foot to that place
-  double gap = 0; ///< distance - height: what remains when it has fallen; negative: it
+  double gap = 0; ///< distance - height: what remains once it has fallen; negative: it
                   ///< hits the wire
 };
 
 /** \brief What is hazardous along the wires of a network. */
 struct Hazards {
-  std::string state; ///< of the conductors; "as scanned" where they were not moved
+  std::string state; ///< of the conductors; "as scanned" if they were not moved
   ClearanceLimits limits;
   std::vector<Encroachment> clearances; ///< by wire and place
-  std::vector<Crossing> crossings;      ///< all of them, also those without a hazard
-  std::vector<FallIn> fall_in;          ///< the least gap first
+  std::vector<Crossing> crossings;      ///< all of them, hazardous or not
+  std::vector<FallIn> fall_in;          ///< smallest gap first
   StateOfWires moved; ///< the wires in that state, with Wire::ground measured; empty
                       ///< for the state as scanned
 };

@@ -10,11 +10,11 @@ namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
 /** \brief Converts between a cloud, which may be in feet, and the network of its lines,
- * which is in meters: with the same axes and origin (io::Cloud::shift). */
+ * which is in meters, with the same axes and origin (io::Cloud::shift). */
 class MetricFrame {
 public:
   /** \brief The frame of \a cloud, by the units of its reference system.
-   * \throws std::invalid_argument if these are not lengths (degrees) */
+   * \throws std::invalid_argument if these are not lengths but degrees */
   explicit MetricFrame(const io::Cloud& cloud);
 
   /** \brief A point of the cloud (without its shift) in meters. */
@@ -31,7 +31,7 @@ public:
     return of_network.cwiseQuotient(unit_) + shift_;
   }
 
-  /** \brief Height in meters above the file's zero, of a height in the network. */
+  /** \brief Height in meters above the file's zero for a height in the network. */
   double
   metersAbove(double z) const
   {

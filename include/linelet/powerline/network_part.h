@@ -48,23 +48,23 @@ struct NetworkPart {
   std::function<bool(double x, double y)> owns;
 };
 
-/** \brief What became of the wires and supports of a part: by their id there, their id
- * in the whole; 0: dropped. */
+/** \brief What became of the wires and supports of a part: for each id there, the id in
+ * the whole; 0: dropped. */
 struct PartIds {
   std::vector<int> wires, supports;
 };
 
 /** \brief The network of a whole cloud, without labels of points and without terrain.
  *
- * A wire is taken from the part that owns the middle of its catenary, a support and
- * the attachment points there from the one that owns its axis; a wire whose attachment
- * points another part knows better is fitted again to its points. What both or neither
- * of two parts own, because they place it on different sides of a border, is taken
- * once. Jumpers and insulators are taken from the part that owns their middle. Of an
- * unexplained line, each part gives what it owns, joined at the borders. Spans,
- * circuits and all ids follow as for one cloud. Parts must overlap by a whole span and
- * its supports.
- * \param[out] ids of each part */
+ * A wire is taken from the part that owns the middle of its catenary, a support and the
+ * attachment points there from the one that owns its axis; a wire whose attachment
+ * points another part knows better is fitted again to its points. What both of two
+ * parts own, or neither, because they place it on different sides of a border, is taken
+ * once. Jumpers and insulators are taken from the part that owns their middle. Each
+ * part contributes what it owns of an unexplained line, joined at the borders. Spans,
+ * circuits and all ids follow as for a single cloud. Parts must overlap by a whole span
+ * and its supports.
+ * \param[out] ids for each part, what became of its wires and supports */
 PowerLineNetwork
 mergeParts(const std::vector<NetworkPart>& parts, std::vector<PartIds>& ids);
 

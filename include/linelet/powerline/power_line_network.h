@@ -61,9 +61,9 @@ struct Catenary {
   polyline(double deviation = 0.005) const;
 };
 
-/** \brief The closest approach of something to a wire from below or beside. */
+/** \brief The closest approach of something below or beside a wire. */
 struct Clearance {
-  /// Meters; NaN: none near
+  /// Meters; NaN: nothing near
   double distance = std::numeric_limits<double>::quiet_NaN();
   Point wire = Point::Zero();  ///< place on the wire
   Point other = Point::Zero(); ///< place on the ground, or point of the object
@@ -84,7 +84,7 @@ struct Review {
     Rejected  ///< it is not a wire
   };
   Verdict verdict = Verdict::None;
-  int point_class = -1; ///< class for its points, 0 to 255; -1: that of wires
+  int point_class = -1; ///< class for its points, 0 to 255; -1: the wire class
   std::string note;
 
   bool
@@ -99,14 +99,15 @@ struct Wire {
   int id = 0;      ///< index in PowerLineNetwork::wires + 1; 0 means no wire
   int span = 0;    ///< id of its span
   int circuit = 0; ///< id of its circuit (chain of spans)
-  int number = 0;  ///< 1, 2, ... across the span, from left to right, then downward;
-                  ///< stays with a conductor from span to span where it can be followed
+  /// 1, 2, ... across the span, from left to right, then downward; the same for a
+  /// conductor from span to span where it can be followed
+  int number = 0;
   Catenary curve;
   Point front = Point::Zero(),
         back = Point::Zero();              ///< end points, = curve at its ends
   int front_support = 0, back_support = 0; ///< ids of the supports there; 0: none seen
-  int conductors = 1; ///< 2: a bundle (of two or more) whose conductors the points do
-                      ///< not resolve everywhere
+  int conductors = 1; ///< 2: a bundle of two or more conductors that the points do not
+                      ///< resolve everywhere
   std::size_t points = 0; ///< number of cloud points that it explains
   double rms = 0;         ///< of their distances to the curve, meters
   double length = 0;      ///< along the curve, meters
@@ -114,8 +115,8 @@ struct Wire {
   double sag = 0;         ///< largest vertical distance from the chord, meters
   double largest_gap = 0; ///< longest stretch without a point, meters
   Clearance ground;       ///< lowest vertical clearance to the terrain
-  Clearance vegetation;  ///< least distance to a point above ground that is not part of
-                         ///< the line (trees, bushes, houses)
+  Clearance vegetation;  ///< smallest distance to a point above ground that is not part
+                         ///< of the line (trees, bushes, houses)
   double confidence = 1; ///< [0, 1]
   std::string reason;    ///< why the confidence is low; empty if it is not
   Review review;         ///< see review.h
@@ -129,7 +130,7 @@ polyline(const Wire& wire, double deviation = 0.005);
 /** \brief All wires between two neighboring supports. */
 struct Span {
   int id = 0;      ///< index in PowerLineNetwork::spans + 1
-  int circuit = 0; ///< id of its line
+  int circuit = 0; ///< id of its circuit
   int number = 0;  ///< 1, 2, ... along the circuit
   int from_support = 0,
       to_support = 0;     ///< ids; 0: none seen (at the edge of the data, for example)
@@ -146,26 +147,27 @@ struct Support {
   };
   int id = 0; ///< index in PowerLineNetwork::supports + 1
   Kind kind = Kind::Pylon;
-  Point base = Point::Zero(); ///< on the ground; its lowest point if no ground is known
+  Point base = Point::Zero(); ///< on the ground; if unknown, its lowest point
   Point top = Point::Zero();  ///< above the base, at the height of its highest point
-  double height = 0;          ///< top - base, meters; NaN if no ground is known
+  double height = 0;          ///< top - base, meters; NaN if the ground is unknown
   /// Number of cloud points assigned to it; 0: inferred from wires alone
   std::size_t points = 0;
   double confidence = 1; ///< [0, 1]
 };
 
-/** \brief The loop that leads the current past a support: from the end of a conductor
- * on one side to that of the same phase on the other, clear of the structure. */
+/** \brief The loop that carries the current past a support: from the end of a conductor
+ * on one side to the same phase on the other, clear of the structure. */
 struct Jumper {
-  int id = 0;             ///< index in PowerLineNetwork::jumpers + 1
-  int support = 0;        ///< id; 0: gone
-  int from_wire = 0;      ///< ids of the wires that it connects; of a bundle in
-  int to_wire = 0;        ///< several vectors, one of them; 0: gone
+  int id = 0;      ///< index in PowerLineNetwork::jumpers + 1
+  int support = 0; ///< id; 0: removed
+  /// Ids of the wires that it connects; for a bundle drawn as several wires, one of
+  /// them; 0: removed
+  int from_wire = 0, to_wire = 0;
   Points course;          ///< vertices, from clamp to clamp
   double length = 0;      ///< along the course, meters
   double sag = 0;         ///< largest vertical distance below the chord, meters
   double rms = 0;         ///< of the distances of its points to the course, meters
-  std::size_t points = 0; ///< cloud points of it
+  std::size_t points = 0; ///< number of its cloud points
 };
 
 /** \brief A string of insulators, or several side by side, between a structure and a
@@ -178,12 +180,12 @@ struct InsulatorString {
   };
   int id = 0; ///< index in PowerLineNetwork::insulators + 1
   Kind kind = Kind::Tension;
-  int support = 0; ///< id; 0: gone
+  int support = 0; ///< id; 0: removed
   int wire = 0;    ///< id of the wire that it holds; 0: none
   int jumper = 0;  ///< id of the jumper that it holds or that begins there; 0: none
   Point structure = Point::Zero(), live = Point::Zero(); ///< its ends
   double length = 0;                                     ///< between them, meters
-  std::size_t points = 0;                                ///< cloud points of it
+  std::size_t points = 0;                                ///< number of its cloud points
 };
 
 /** \brief A circuit: spans that follow each other from support to support. */

@@ -13,12 +13,12 @@ namespace LINELET_PUBLIC powerline {
 struct PowerLineSettings {
   bool use_classes =
       false;             ///< take the terrain from points of class 2, if there are any
-  double clearance = 5;  ///< vegetation nearer than this is reported as a hazard
+  double clearance = 5;  ///< smallest acceptable distance to anything near a wire
   double max_gap = 50;   ///< no wire is extended across a longer stretch without points
-  double min_height = 3; ///< wires hang higher above the terrain than this
+  double min_height = 3; ///< wires hang at least this high above the terrain
   double min_length = 10; ///< shorter wires are reported only where the data ends or as
                           ///< visible parts of service drops
-  io::ClassFilter points; ///< which points of a cloud are used
+  io::ClassFilter points; ///< points of a cloud to use
   unsigned threads = 0;   ///< 0: all
 };
 
@@ -32,7 +32,7 @@ describe(PowerLineSettings& s, Visit&& visit)
         "take the terrain from points of class 2 where there are any");
   visit("clearance", s.clearance, "smallest acceptable clearance, meters");
   visit("max-gap", s.max_gap, "longest gap across which a wire is extended, meters");
-  visit("min-height", s.min_height, "least height of wires above ground, meters");
+  visit("min-height", s.min_height, "minimum height of wires above ground, meters");
   visit("min-length",
         s.min_length,
         "shortest wire to report, meters; shorter ones are reported where the data "

@@ -20,16 +20,16 @@ struct ReviewedWire {
 };
 
 /** \brief For every wire of \a network, the index of the same wire in \a reviewed, or
- * -1: of those that run within half the spacing of a bundle's conductors along more
- * than half of the shorter of the two, the one that covers most of it. */
+ * -1: among those that run within half a bundle's conductor spacing along more than
+ * half of the shorter of the two, the one that covers most of it. */
 std::vector<int>
 matchReviewed(const PowerLineNetwork& network,
               const std::vector<ReviewedWire>& reviewed);
 
-/** \brief Applies reviews to \a network: rejected wires leave it (their points are
- * unclassified again; spans, circuits and supports that exist only because of them go
- * with them, supports with points of their own stay), accepted ones become certain, and
- * every wire keeps class and note. Everything is renumbered, in the same order.
+/** \brief Applies reviews to \a network: rejected wires leave it (their points become
+ * unclassified; spans, circuits and supports that exist only because of them go too,
+ * supports with points of their own stay), accepted ones become certain, and every wire
+ * keeps class and note. Everything is renumbered, in the same order.
  * \return one sentence for every accepted wire that was not found */
 std::vector<std::string>
 applyReview(PowerLineNetwork& network, const std::vector<ReviewedWire>& reviewed);

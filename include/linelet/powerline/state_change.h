@@ -21,8 +21,8 @@ struct ConductorState {
   double wind = 0;        ///< pressure on the diameter including ice, pascals
 };
 
-/** \brief "75C", "0C,ice=10mm,wind=400Pa".
- * \throws std::invalid_argument that explains the format */
+/** \brief Reads a state such as "75C" or "0C,ice=10mm,wind=400Pa".
+ * \throws std::invalid_argument explaining the format */
 ConductorState
 parseState(const std::string& text);
 
@@ -30,7 +30,7 @@ parseState(const std::string& text);
 struct ConductorLoad {
   double vertical = 0, horizontal = 0; ///< newtons per meter
 
-  /** \brief Of both together. */
+  /** \brief Of both combined. */
   double
   resultant() const;
 
@@ -74,8 +74,8 @@ tensionAfter(const std::vector<SpanShape>& before,
 double
 rulingSpan(const std::vector<SpanShape>& spans);
 
-/** \brief The catenary of constant \a a that hangs between two points, with the swing
- * \a swing of Catenary::swing. */
+/** \brief The catenary with constant \a a between two points, swung out by \a swing
+ * degrees (see Catenary::swing). */
 Catenary
 catenaryBetween(const Point& front, const Point& back, double a, double swing);
 

@@ -22,16 +22,16 @@ struct StrainSection {
 
 /** \brief The wires of a network in another state. */
 struct StateOfWires {
-  std::vector<Wire> wires; ///< as many as the network has, with clearances unknown
+  std::vector<Wire> wires; ///< those of the network, with clearances unknown
   std::vector<StrainSection> sections;
 };
 
 /** \brief How wires are brought to another state. */
 struct StateSettings {
   Conductor conductor;
-  /// Of the conductor during the scan, degrees Celsius
+  /// Temperature of the conductor during the scan, degrees Celsius
   double measured_temperature = 15;
-  /// Degrees; where a line turns by more, the support is a dead end
+  /// A support where the line turns by more than this is a dead end; degrees
   double dead_end_angle = 10;
   std::vector<int> dead_ends; ///< ids of supports that are dead ends in any case
 };
@@ -39,11 +39,11 @@ struct StateSettings {
 /** \brief Brings every wire of \a network to \a state, section by section.
  *
  * A section is a chain of wires from attachment to attachment. It ends where the line
- * ends, turns by more than \ref StateSettings::dead_end_angle, at the supports that are
- * named, and where the catenary constants on both sides differ by more than four times
- * what the scatter of their points explains: suspension insulators would let tensions
- * become equal. Attachments stay in place; every wire keeps its own ratio to the
- * section's mean, so that the state as scanned leaves all curves unchanged.
+ * ends or turns by more than \ref StateSettings::dead_end_angle, at the named supports,
+ * and where the catenary constants on both sides differ by more than four times what
+ * the scatter of their points explains: suspension insulators would equalize the
+ * tensions. Attachments stay in place; every wire keeps its own ratio to the section's
+ * mean, so that the state as scanned leaves all curves unchanged.
  * \param[in] side 1 or -1: wind blows to the right or to the left of the wires
  * \throws std::invalid_argument */
 StateOfWires

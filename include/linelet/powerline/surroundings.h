@@ -13,7 +13,7 @@ namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
 /** \brief What stands near the lines: classified points that are not ground, a wire, or
- * a support of that wire's own line. Found once, for any number of states of the wires.
+ * a support of that wire's own line. Found once and used for every state of the wires.
  */
 struct Surroundings {
   Points points;

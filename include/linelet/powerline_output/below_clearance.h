@@ -22,8 +22,8 @@ belowClearance(const Wire& wire, double limit);
 bool
 clearancesAreUnknown(const PowerLineNetwork& network);
 
-/** \brief How many wires come below \a limit; nothing if clearances are unknown, which
- * a 0 would misreport. */
+/** \brief How many wires fall below \a limit; empty if clearances are unknown, which 0
+ * would misreport. */
 std::optional<std::size_t>
 wiresBelowClearance(const PowerLineNetwork& network, double limit);
 

@@ -17,7 +17,7 @@ namespace linelet {
 namespace LINELET_PUBLIC powerline {
 
 /** \brief What to do with points that had the class of a wire or tower but belong to
- * none found. */
+ * nothing that was found. */
 enum class ExistingClasses {
   Keep, ///< they keep their class
   Reset ///< they become unclassified (1)
@@ -41,7 +41,8 @@ describe(ClassScheme& s, Visit&& visit)
         "support found: keep the class, or reset it to unclassified (1)");
 }
 
-/** \throws std::invalid_argument if a class is above 255 or both are the same */
+/** \brief Checks the classes. \throws std::invalid_argument if one is above 255 or both
+ * are the same */
 void
 check(const ClassScheme& scheme);
 

@@ -17,7 +17,7 @@ namespace LINELET_PUBLIC powerline {
  * along the wires), `clearance_areas` (polygons in plan, the same attributes),
  * `crossings` (from the upper wire to the lower, where they are closest) and `fall_in`
  * (from the top of the tree to the wire), each feature with its ids, distances,
- * severity and the coordinates of both ends. Layers without features are included. */
+ * severity and the coordinates of both ends. Empty layers are included. */
 std::vector<io::VectorLayer>
 hazardLayers(const io::Cloud& cloud, const std::vector<Hazards>& states);
 

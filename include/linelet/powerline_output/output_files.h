@@ -32,7 +32,7 @@ makeOutputFolder(const std::string& folder, bool compress = false);
  * .dxf, `clearances.csv`, `crossings.csv`, `fall_in.csv`, `summary.json` and
  * `report.html` into \a folder, which is created if it does not exist. An empty network
  * gives the same files, valid and without wires.
- * \param[in] folder where to; older files of these names are replaced
+ * \param[in] folder where to write; existing files of these names are replaced
  * \param[in] cloud what the network was extracted from; move it in to save memory
  * \param[out] warnings one sentence for everything that a format cannot hold
  * \return the paths of the files, in the order above
@@ -45,8 +45,8 @@ writePowerLineFiles(const std::string& folder,
                     std::vector<std::string>* warnings = nullptr,
                     ProgressMonitor* monitor = nullptr);
 
-/** \brief Writes the same files except the classified cloud; \a cloud may hold only the
- * points of the input that pictures show, with \ref OutputOptions::input set. */
+/** \brief Writes the same files except the classified cloud; \a cloud may hold just the
+ * points that the pictures show, if \ref OutputOptions::input is set. */
 std::vector<std::string>
 writeNetworkFiles(const std::string& folder,
                   const io::Cloud& cloud,

@@ -27,7 +27,7 @@ struct Provenance {
   std::vector<std::pair<std::string, std::string>> settings; ///< name and value
 };
 
-/** \brief Size and bounds that identify an input. */
+/** \brief Size and bounds, which identify an input. */
 struct InputExtent {
   std::size_t points = 0;
   Point low = Point::Zero(), high = Point::Zero(); ///< world coordinates
@@ -43,7 +43,7 @@ struct OutputOptions {
   bool compress = false;     ///< classified.laz instead of classified.las
   unsigned threads = 0;      ///< for writing; 0: all
   Provenance provenance;     ///< for the report
-  /// Of the whole input, if the cloud holds only a part of it.
+  /// Extent of the whole input, if the cloud holds only part of it
   std::optional<InputExtent> input;
   std::vector<Hazards> hazards; ///< in each state of the wires, first as scanned;
                                 ///< empty: not searched for

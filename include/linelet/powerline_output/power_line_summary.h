@@ -21,14 +21,14 @@ powerLineSummary(const io::Cloud& cloud,
                  const PowerLineNetwork& network,
                  const OutputOptions& options);
 
-/** \brief If \a folder holds results of another input than \a cloud named \a source, by
- * their summary: the name of that input, or "an unknown input". Else empty. */
+/** \brief If the summary in \a folder is of an input other than \a cloud named \a
+ * source: the name of that input, or "an unknown input". Otherwise empty. */
 std::string
 otherResultsIn(const std::string& folder,
                const io::Cloud& cloud,
                const std::string& source);
 
-/** \brief The same, for an input of that extent. */
+/** \brief The same for an input given by its extent. */
 std::string
 otherResultsIn(const std::string& folder,
                const InputExtent& input,

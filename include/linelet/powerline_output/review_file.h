@@ -18,13 +18,13 @@ namespace LINELET_PUBLIC powerline {
 /** \brief Reads reviews of wires: the lines of a file like `wires.gpkg` whose
  * columns `review` (accepted, rejected or empty), `review_class` (-1: none) and
  * `review_note` the viewer, or a GIS, filled in. Lines without a review are read too.
- * \param[in] cloud whose network was reviewed: gives shift and units
+ * \param[in] cloud the cloud whose network was reviewed; gives shift and units
  * \throws io::FileError if there is no such column, or if it holds something else */
 std::vector<ReviewedWire>
 readReview(const std::string& path, const io::Cloud& cloud);
 
 /** \brief Writes the layers of \a network, with the reviews of its wires, to \a path
- * (.gpkg): all of it, or nothing. \throws io::FileError */
+ * (.gpkg), completely or not at all. \throws io::FileError */
 void
 writeReview(const std::string& path,
             const io::Cloud& cloud,

@@ -11,8 +11,8 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief A picture with transparency, row by row: red, green, blue, each times alpha,
- * and alpha. */
+/** \brief A picture with transparency, row by row: red, green and blue, premultiplied
+ * by alpha, and alpha. */
 struct GlyphImage {
   int width = 0, height = 0;
   std::vector<std::array<float, 4>> pixels;

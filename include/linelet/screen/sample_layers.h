@@ -36,12 +36,12 @@ struct SampleLayers {
   }
 };
 
-/** \brief Draws points, as discs that face the eye, into depth buffers with several
- * samples per pixel: the result of pass one of Schiffner et al. 2013, a multi-sample
- * buffer.
+/** \brief Draws points as discs that face the eye into depth buffers with several
+ * samples per pixel: the multisample buffer that pass one of Schiffner et al. 2013
+ * makes.
  * \param[in] point_size diameter of the discs, pixels
  * \param[in] diameter of the discs in the unit of the cloud, so that nearer ones look
- * larger, but not smaller than \a point_size; 0: \a point_size alone
+ * larger, but never smaller than \a point_size; 0: \a point_size only
  * \param[in] layers samples per pixel: 1, 2, 4 or 8, at the usual positions of
  * multisampling
  * \param[in] threads 0: all; the result is the same for any number

@@ -22,7 +22,7 @@ enum class ScreenNormalMethod {
 
 template <>
 struct Names<ScreenNormalMethod> {
-  static constexpr std::string_view kind = "method of normals";
+  static constexpr std::string_view kind = "normal method";
   static constexpr std::array<std::pair<ScreenNormalMethod, std::string_view>, 4>
       table = {{{ScreenNormalMethod::LocalDerivatives, "derivatives"},
                 {ScreenNormalMethod::PlaneDiagonals, "diagonals"},
@@ -41,13 +41,13 @@ struct Names<ScreenNormalMethod> {
  * it, which may mean the 2-norm or its square; with the square, errors are larger. */
 struct ScreenNormalSettings {
   ScreenNormalMethod method = ScreenNormalMethod::Tensor;
-  /// Pixels that take part: 5, 9, 17 or 25. The publication shows their positions only
-  /// in a figure; ours are rings of four, in this order: the diagonals at 1 and 2
-  /// pixels, (2, 0) and its rotations, the diagonals at 3, (1, 0), (3, 0). 5 takes one
-  /// ring, 9 two, 17 four, 25 six.
+  /// Pixels used: 5, 9, 17 or 25. The publication shows their positions only in a
+  /// figure; ours are rings of four, in this order: the diagonals at 1 and 2 pixels,
+  /// (2, 0) and its rotations, the diagonals at 3, (1, 0), (3, 0). 5 takes one ring, 9
+  /// two, 17 four, 25 six.
   unsigned samples = 9;
-  double max_distance = 0; ///< samples farther from the pixel's own, in the unit of the
-                           ///< cloud, take no part; 0: all do
+  double max_distance = 0; ///< samples farther from the pixel's own are ignored, in the
+                           ///< unit of the cloud; 0: none are
   unsigned smoothing = 0;  ///< passes of a weighted mean over 3 x 3 normals
   unsigned threads = 0;    ///< 0: all; the result is the same for any number
 };

@@ -14,9 +14,9 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief The normals of what is visible, turned toward the eye.
  *
- * A pixel's own position is the mean of those of its samples that lie within the
- * distance limit of the first one; it has a normal if enough samples are around it.
- * \param[in] eye where the samples are seen from, relative to their origin, or for a
+ * A pixel's own position is the mean of its samples within the distance limit of the
+ * first one; it has a normal if enough samples surround it.
+ * \param[in] eye where the samples are seen from, relative to their origin; for a
  * parallel projection any place far in front
  * \throws std::invalid_argument */
 NormalImage

@@ -13,7 +13,7 @@
 namespace LINELET_PUBLIC linelet {
 
 /** \brief The normals of an organized cloud, from the pixels around each: \ref
- * screenNormals in a PCL chain, in place of pcl::IntegralImageNormalEstimation.
+ * screenNormals in a PCL pipeline, in place of pcl::IntegralImageNormalEstimation.
  *
  * Neighbors are pixels: search method, radius, k and search surface are not used.
  * Normals are turned toward the sensor's origin. Undefined normals (of a point that is
@@ -102,7 +102,7 @@ protected:
   using Base::indices_;
   using Base::input_;
 
-  /** \brief Replaces that of pcl::Feature, which requires a radius or k. */
+  /** \brief Replaces pcl::Feature::initCompute, which requires a radius or k. */
   bool
   initCompute() override;
 

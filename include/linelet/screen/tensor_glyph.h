@@ -14,11 +14,11 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief A tensor as it is to be drawn at its point. */
+/** \brief A tensor to be drawn at its point. */
 struct TensorGlyph {
   Point center = Point::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns e1, e2, e3
-  /// Along these, in the unit of the cloud
+  /// Along these axes, in the unit of the cloud
   Eigen::Vector3d half_lengths = Eigen::Vector3d::Ones();
   ShapeFactors shape{};
   std::array<float, 3> color{}; ///< red, green, blue in [0, 1]

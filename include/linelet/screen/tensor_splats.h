@@ -30,7 +30,7 @@ opacity(const ShapeFactors& shape, const SplatSettings& settings);
  * long as these axes are, which fades out toward its border. Linear tensors carry
  * stripes along e3 (a Gabor function), planar ones none; the more spherical, the more
  * transparent. Discs are blended from back to front, exactly, so that the order of the
- * glyphs does not matter. Glyphs with anything that is not finite are left out. */
+ * glyphs does not matter. Glyphs with any value that is not finite are left out. */
 GlyphImage
 drawSplats(const std::vector<TensorGlyph>& glyphs,
            const Camera& camera,

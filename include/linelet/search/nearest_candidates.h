@@ -16,7 +16,7 @@ namespace LINELET_PUBLIC linelet {
  * ties go to the lower index.
  * \param[in,out] candidates left in any order
  * \param[out] found the indices kept, ascending
- * \return distance of the farthest of them; 0 where there are none */
+ * \return distance of the farthest of them; 0 if there are none */
 double
 keepNearest(std::vector<std::pair<double, Index>>& candidates,
             std::size_t count,

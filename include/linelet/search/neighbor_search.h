@@ -26,9 +26,9 @@ public:
   virtual void
   within(const Point& query, double radius, Indices& found) const = 0;
 
-  /** \brief The \a count points nearest to \a query (all where there are fewer),
-   * ascending by index. Among equally distant points the lower indices are taken.
-   * \return distance of the farthest of them; 0 where there are none */
+  /** \brief The \a count points nearest to \a query (all if there are fewer), ascending
+   * by index. Among equally distant points the lower indices are taken.
+   * \return distance of the farthest of them; 0 if there are none */
   virtual double
   nearest(const Point& query, std::size_t count, Indices& found) const = 0;
 };

@@ -34,7 +34,7 @@ pointsOf(const pcl::PointCloud<PointT>& cloud)
 
 /** \brief Any `pcl::search::Search` as a NeighborSearch.
  *
- * PCL's searches compute distances in float, each in its own way. They only supply
+ * PCL's searches compute distances in float, each in its own way, so they only supply
  * candidates within a slightly larger radius; double precision decides. */
 template <typename PointT>
 class PclSearch : public NeighborSearch {
@@ -114,8 +114,8 @@ private:
   void
   forEachCandidate(const Point& query, double radius, Visit&& visit) const
   {
-    // Relative: sums of squares in float, projection into an image. Absolute: rounding
-    // of coordinates to float, also in the boxes of an octree.
+    // relative covers sums of squares in float and projection into an image; absolute
+    // covers rounding of coordinates to float, also in the boxes of an octree.
     constexpr double relative = 1e-4;
     constexpr double absolute = 4 * std::numeric_limits<float>::epsilon();
     const double coordinate = std::max(largest_, query.cwiseAbs().maxCoeff());

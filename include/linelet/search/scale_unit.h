@@ -16,7 +16,7 @@ namespace LINELET_PUBLIC linelet {
  *
  * \param[in] points those with non-finite coordinates are left out
  * \param[in] sample size of the subset; 0: all points
- * \param[in] seed of the subset, which depends on nothing else
+ * \param[in] seed of the subset; equal seeds give equal subsets
  * \param[in] threads 0: all
  * \return D in the unit of the points; for an even count the lower of the two middle
  * values. With 2 to 6 points the farthest other point stands in for the 6th nearest. 0

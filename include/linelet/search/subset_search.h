@@ -13,8 +13,8 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief Restricts a search over all points to some of them: other points are
- * left out, and results are places among those chosen. */
+/** \brief Restricts a search to a subset of its points; results are positions in that
+ * subset. */
 class SubsetSearch : public NeighborSearch {
 public:
   /** \param[in] whole over \a points; kept by reference

@@ -103,14 +103,14 @@ public:
   std::size_t
   countWithin(const Point& query, double radius) const;
 
-  /** \brief The point nearest to \a query within \a max_distance, or \ref none. Among
-   * equally near points the lowest index. */
+  /** \brief The point nearest to \a query within \a max_distance, or \ref none. Ties go
+   * to the lowest index. */
   Index
   nearest(const Point& query,
           double max_distance = std::numeric_limits<double>::infinity()) const;
 
-  /** \brief The \a count points nearest to \a query (fewer where there are fewer), near
-   * to far, equals by index. */
+  /** \brief The \a count points nearest to \a query (all if there are fewer), near to
+   * far, ties by index. */
   Indices
   nearestK(const Point& query, std::size_t count) const;
 
@@ -118,9 +118,9 @@ public:
   using Neighbor = std::pair<double, Index>;
 
   /** \brief As above.
-   * \param[in] radius > 0 to search first, doubled until enough are found: best a
-   * little more than the distance of the last neighbor
-   * \param[out] found near to far, equals by index */
+   * \param[in] radius > 0 to try first, doubled until enough are found; best slightly
+   * more than the distance of the last neighbor
+   * \param[out] found near to far, ties by index */
   void
   nearestK(const Point& query,
            std::size_t count,
@@ -201,7 +201,7 @@ private:
   void
   nearestInRow(std::size_t row, const Point& query, Nearest& best) const;
 
-  /** \brief Chooses place, width and number of the rows. */
+  /** \brief Chooses position, width and number of the rows. */
   void
   layRows(const Points& points);
 
@@ -217,7 +217,7 @@ private:
     return static_cast<std::size_t>(std::clamp(place, 0.0, last));
   }
 
-  /// Shorter runs are scanned, not bisected further.
+  /// Shorter runs are scanned rather than bisected.
   static constexpr std::size_t few = 4;
 
   Points points_;                      // sorted by row, then x

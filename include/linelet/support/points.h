@@ -14,7 +14,7 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief A point or vector in space, in the unit of the input (meters for LiDAR).
  *
- * In double, and close to the origin (see io::Cloud::shift), so that a float copy in a
+ * In double, and close to the origin (see io::Cloud::shift) so that a float copy in a
  * PCL cloud loses nothing that matters. */
 using Point = Eigen::Vector3d;
 

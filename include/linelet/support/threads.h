@@ -13,10 +13,10 @@
 
 namespace LINELET_PUBLIC linelet {
 
-/** \brief The number of threads to use for \a requested: as many, or for 0 what OpenMP
- * offers (OMP_NUM_THREADS is honored), at most 8 per processor. More gain nothing, and
- * OpenMP aborts the program if it cannot create them. Never changes the process-wide
- * count. */
+/** \brief The number of threads to use for \a requested: as many as requested, at most
+ * 8 per processor, or for 0 what OpenMP offers (OMP_NUM_THREADS is honored). More gain
+ * nothing, and OpenMP aborts the program if it cannot create them. Never changes the
+ * process-wide count. */
 inline int
 threadCount([[maybe_unused]] unsigned requested)
 {

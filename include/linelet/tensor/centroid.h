@@ -19,7 +19,7 @@ enum class Centroid {
   Mean,          ///< of the neighbors
   WeightedMean,  ///< weighted by the distance from the query point
   Median,        ///< geometric median: the least sum of distances
-  WeightedMedian ///< geometric median that discounts far neighbors
+  WeightedMedian ///< geometric median that downweights distant neighbors
 };
 
 template <>
@@ -50,7 +50,7 @@ struct Names<Centroid> {
  * \param[in] type which reference point
  * \param[in] neighbors coordinates of the neighbors, finite
  * \param[in] query the point around which the neighbors were chosen
- * \param[in] radius of the neighborhood, 0 where all neighbors lie at the query point
+ * \param[in] radius of the neighborhood, 0 if all neighbors lie at the query point
  * \param[in] weighting w_C, for the weighted types
  * \return the centroid. NaN if there are no neighbors; the mean where all weights of
  * WeightedMean or WeightedMedian are zero */
@@ -61,8 +61,9 @@ centroid(Centroid type,
          double radius,
          const Weighting& weighting = Kernel::QuadraticInverse);
 
-/** \brief Checks that unbounded kernels weigh distances from the query point only: any
- * other place may lie arbitrarily near a neighbor, whose weight rounding would decide.
+/** \brief Checks that unbounded kernels weigh only distances from the query point: any
+ * other place may lie arbitrarily close to a neighbor, whose weight would then depend
+ * on rounding.
  * \param[in] weighting of the tensor
  * \param[in] centroid_weighting of the weighted centroids
  * \throws std::invalid_argument naming the weighting and what to use instead */
@@ -73,7 +74,7 @@ checkWeightings(Centroid centroid,
 
 /** \brief The geometric median (Centroid::Median), searched from \a start: the same
  * result, sooner if the guess is good. (For an even number of collinear neighbors any
- * place between the middle two is a median.)
+ * point between the middle two is a median.)
  * \return NaN if there are no neighbors */
 Point
 medianFrom(const Points& neighbors, const Point& start);

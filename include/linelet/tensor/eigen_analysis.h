@@ -12,7 +12,7 @@ namespace LINELET_PUBLIC linelet {
 
 /** \brief Eigenvalues l1 <= l2 <= l3 and orthonormal eigenvectors of a tensor. */
 struct EigenSystem {
-  Eigen::Vector3d values;  ///< ascending; not negative
+  Eigen::Vector3d values;  ///< ascending, nonnegative
   Eigen::Matrix3d vectors; ///< columns e1, e2, e3
 
   /** \brief e3, the direction of the largest extent. */

@@ -29,8 +29,8 @@ struct EigenFeatures {
   double surface_variation; ///< l1 / L, 0 to 1/3 (Pauly et al. 2002)
 };
 
-/** \brief The features of eigenvalues l1 <= l2 <= l3, not negative, and the direction
- * of the smallest; all NaN if these are NaN or 0. */
+/** \brief The features of nonnegative eigenvalues l1 <= l2 <= l3 and the direction of
+ * the smallest; all NaN if these are NaN or 0. */
 inline EigenFeatures
 eigenFeatures(const Eigen::Vector3d& values, const Eigen::Vector3d& normal)
 {

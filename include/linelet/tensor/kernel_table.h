@@ -10,7 +10,7 @@
  * The weight is an expression in x, y = 1 - x, and the parameters first and second. A
  * compact kernel is evaluated on [0, 1) and 0 beyond. Its vector form is in
  * src/features/simd_grid/kernels/weights-inl.h (which does not compile without one),
- * its OpenCL form in src/opencl/kernels/weights.cl (without one it is NaN there). */
+ * its OpenCL form in src/opencl/kernels/weights.cl (where a missing one gives NaN). */
 #define LINELET_KERNELS(KERNEL) \
   KERNEL(Const, "const", Everywhere, 1)                                                        \
   KERNEL(Linear, "linear", Compact, y)                                                         \

@@ -19,7 +19,7 @@ struct ShapeFactors {
 };
 
 /** \brief The shape factors of eigenvalues, L = l1 + l2 + l3.
- * \param[in] values l1 <= l2 <= l3, not negative
+ * \param[in] values l1 <= l2 <= l3, nonnegative
  * \param[in] extent distance of the farthest neighbor from the query point: an L
  * below the rounding error of such coordinates means that all neighbors coincide
  * \return NaN if L is 0, NaN, or within rounding of 0 */
@@ -38,8 +38,8 @@ shapeFactors(const Eigen::Vector3d& values, double extent = 0)
 }
 
 /** \brief The linearity of a symmetric \a tensor by the closed form of its eigenvalues,
- * for use on millions of them; see \ref eigenAnalysis for the loss of accuracy.
- * \return 0 where the trace vanishes */
+ * for use on millions of tensors; see \ref eigenAnalysis for the loss of accuracy.
+ * \return 0 if the trace vanishes */
 double
 linearityOf(const Eigen::Matrix3d& tensor);
 

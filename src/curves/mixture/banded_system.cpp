@@ -92,8 +92,8 @@ BandedSystem::solve(Points& x)
     return;
   }
   const std::size_t n = nodes_;
-  // The border's own right-hand side less what the band takes of it: C^T B^-1 b is
-  // (B^-1 C)^T b.
+  // The border's own right-hand side less the band's contribution: C^T B^-1 b is (B^-1
+  // C)^T b.
   Eigen::Matrix<double, 2, 3> edge;
   edge.row(0) = x[n - 2].transpose();
   edge.row(1) = x[n - 1].transpose();

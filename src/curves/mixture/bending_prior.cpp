@@ -12,9 +12,9 @@ namespace linelet {
 namespace {
 
 constexpr double tail = 3; // degrees of freedom of the bending prior
-// Bends that the first guess of the prior's scale counts for.
+// Number of bends that the first guess of the prior's scale is worth.
 constexpr double bending_prior = 3;
-// Bends are alike over this share of a curve.
+// Bends are similar over this share of a curve.
 constexpr double even_share = 0.25;
 
 /** \brief Inverse variance of the second differences under the prior. */
@@ -62,15 +62,15 @@ tangentOf(const ModelCurve& curve, std::size_t i)
   return (curve.nodes[nextNodes(curve, i).second] - curve.nodes[i]).stableNormalized();
 }
 
-/** \brief The vector \a v across \a from turned by the least rotation of the unit
- * vector \a from to \a to. */
+/** \brief The vector \a v, perpendicular to \a from, turned by the smallest rotation of
+ * the unit vector \a from to \a to. */
 Point
 turned(const Point& v, const Point& from, const Point& to)
 {
   return v - v.dot(to) / std::max(1 + from.dot(to), 1e-9) * (from + to);
 }
 
-/** \brief What makes the square of bend \a i one at the scale 1. */
+/** \brief The factor that makes the square of bend \a i one at scale 1. */
 double
 bendUnit(const MixtureState& mixture, const MixtureCurve& state, std::size_t i)
 {
@@ -78,7 +78,7 @@ bendUnit(const MixtureState& mixture, const MixtureCurve& state, std::size_t i)
   return 1 / (scale * scale);
 }
 
-/** \brief Variance of what is unknown of bend \a i, per coordinate. */
+/** \brief Posterior variance of bend \a i, per coordinate. */
 double
 bendVariance(const MixtureState& mixture,
              const ModelCurve& curve,
@@ -97,14 +97,14 @@ bendVariance(const MixtureState& mixture,
 
 /** \brief The mean of the bends around each, as the prior expects them to be.
  *
- * A curve of even curvature (a circle, an arc, a turn of a spiral) would have to be
- * very lucky under a prior of independent bends around none, which leaves it as many
- * effective parameters as a curve that winds. So the mean is learnt: bends fade with
- * their distance, count by their weights in the Student distribution (corners hardly
- * count), and are carried along the curve by the least rotation of its direction. A
- * mean b of weight s that is none varies by 1 / (rigidity s) per coordinate, so b is
- * shrunk by the factor of James and Stein, 1 - across / (rigidity s |b|^2), to none
- * where it is not significant. What a bend adds to its own mean is the mean's share of
+ * A curve of even curvature (a circle, an arc, a turn of a spiral) is very unlikely
+ * under a prior of independent bends around zero, which charges it as many effective
+ * parameters as a winding curve. So the mean is learned: bends fade with distance,
+ * count by their weights in the Student distribution (corners hardly count), and are
+ * carried along the curve by the smallest rotation of its direction. If the true mean
+ * is zero, a mean b of weight s varies by 1 / (rigidity s) per coordinate, so b is
+ * shrunk by the James-Stein factor, 1 - across / (rigidity s |b|^2), to zero where it
+ * is not significant. What a bend contributes to its own mean is the mean's share of
  * the effective parameters. */
 void
 measureEvenCurvature(const MixtureState& mixture, MixtureCurve& state, double spacing)
@@ -123,7 +123,7 @@ measureEvenCurvature(const MixtureState& mixture, MixtureCurve& state, double sp
     state.bend_mean[i] = weight[i] * bend[i];
     total[i] = weight[i];
   }
-  // Adds the bends before each, as seen in this order; a ring is gone around twice.
+  // Adds the bends before each, in this order; a ring is traversed twice.
   const double keep = std::exp(-1 / (even_share * static_cast<double>(bends)));
   const auto addBefore = [&](auto place) {
     Point sum = Point::Zero();
@@ -181,7 +181,7 @@ stiffen(const MixtureState& mixture,
     double square = (bendOf(curve, i) - mean).squaredNorm();
     if (known)
       square += across * state.bend_variance[i];
-    // A Student distribution is a normal one that a greater bend makes wider.
+    // A Student distribution is a normal one whose width grows with the bend.
     state.bend_weight[i] = (tail + across) / (tail + rigidity * square * unit);
     const double w = mixture.noise.deviation * mixture.noise.deviation * rigidity *
                      state.bend_weight[i] * unit;
@@ -203,9 +203,8 @@ measureBending(const MixtureState& mixture,
                double spacing,
                const NodeSystem& system)
 {
-  // The scale of the prior at which the bends and their uncertainty are as wide as it
-  // says (MacKay's fixed point). Expectation maximization has the same fixed point, but
-  // converges slowly.
+  // The scale of the prior that matches the bends and their uncertainty (MacKay's fixed
+  // point). Expectation maximization has the same fixed point but converges slowly.
   const double rigidity = rigidityOf(state.bending, spacing);
   const std::size_t bends = bendsOf(state.curve);
   const double across = mixture.frame.dimensions - 1;

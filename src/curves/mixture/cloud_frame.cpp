@@ -12,15 +12,15 @@ namespace linelet {
 
 namespace {
 
-// Of the box of the outliers, beside the diagonal of the points.
+// Of the outliers' box, relative to the diagonal of the points.
 constexpr double least_width = 0.4;
-// Principal directions are arbitrary whose variances have this ratio or more.
+// Principal directions are arbitrary if the ratio of their variances is at least this.
 constexpr double alike = 0.5;
 
 /** \brief Volume (of two dimensions: area) of a box with the sides \a extent, smallest
  * first, none of them less than \a width. A box that hugs a single straight tube of
- * points would explain it as well as a curve does, so outliers are given some width in
- * every direction. */
+ * points would explain it as well as a curve does, so the box has some width in every
+ * direction. */
 double
 volumeOf(const Point& extent, double width, int dimensions)
 {
@@ -58,9 +58,10 @@ frameOf(const Points& points, double scale_unit)
   const Point extent = most - least; // smallest first
   const double thin = 0.01 * scale_unit;
   frame.dimensions = extent.x() > thin ? 3 : 2;
-  // Outliers are uniform in a box, mostly one along the axes. Where the points spread
-  // alike in every direction, the principal ones are arbitrary, and a box along them is
-  // up to twice as large: with the smaller of both, curves through outliers gain least.
+  // Outliers are uniform in a box, normally one along the principal axes. Where the
+  // points spread equally in every direction, these axes are arbitrary, and a box along
+  // them is up to twice as large: with the smaller of the two, curves through outliers
+  // gain least.
   const double width = least_width * frame.diagonal;
   frame.volume = volumeOf(extent, width, frame.dimensions);
   Point along_axes = high - low;

@@ -37,7 +37,7 @@ Expectation::operator()(MixtureState& mixture,
   const double background = mixture.outlier_share / mixture.frame.volume;
   const std::size_t n = mixture.points;
   density_.assign(n + EdgePoints::padding, background);
-  // A kernel writes beyond its edge, where the next edge is yet to write.
+  // A kernel writes past the end of its edge, where the next edge writes later.
   for (const MixtureEdge& edge : mixture.edges) {
     if (mixture.noise.fixed_radius > 0)
       FixedRadiusNoise::densities(mixture, edge, pairs);

@@ -18,7 +18,7 @@ public:
   void
   operator()(MixtureState& mixture, EdgePairs& pairs, FixedRadiusNoise& fixed_radius);
 
-  /** \brief One over the density at each point, by sorted index. */
+  /** \brief Inverse of the density at each point, by sorted index. */
   const std::vector<double>&
   inverseDensities() const
   {

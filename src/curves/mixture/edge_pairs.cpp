@@ -99,7 +99,7 @@ EdgePairs::areStale(const MixtureState& mixture) const
     then += edge.paired_noise;
     grown = grown || edge.noise > grown_share * edge.paired_noise;
   }
-  // Noise of one width shrinks while the fit settles; widths that vary grow as well.
+  // Uniform noise only shrinks while the fit settles; varying noise can grow too.
   return now < stale_share * then || (mixture.noise.varied && grown);
 }
 
@@ -124,8 +124,8 @@ shapeOf(const MixtureEdge& edge)
   shape.length = edge.length;
   shape.variance = edge.noise * edge.noise;
   shape.factor = 0;
-  // Where the edge is short beside the noise, the integral of the normal density along
-  // it is a normal density of its own.
+  // If the edge is short compared with the noise, the integral of the normal density
+  // along it is itself close to normal.
   shape.is_short = edge.length < 1.2 * edge.noise;
   return shape;
 }

@@ -24,12 +24,12 @@ public:
   /** \param[in] grid of the points; must outlive the pairs */
   explicit EdgePairs(const UniformGrid& grid);
 
-  /** \brief Finds the pairs of all edges of \a mixture anew. */
+  /** \brief Collects the pairs of all edges of \a mixture again. */
   void
   collect(MixtureState& mixture);
 
   /** \brief Whether the noise has changed so much since then that pairs are missing or
-   * many are useless. */
+   * many are superfluous. */
   bool
   areStale(const MixtureState& mixture) const;
 
@@ -51,7 +51,7 @@ private:
   std::shared_ptr<const SortedArrays> sorted_; // of the grid
 };
 
-/** \brief \a edge in the form that the kernels take; the factor of its density is left
+/** \brief \a edge in the form that the kernels take; the factor of its density stays
  * 0. */
 EdgeShape
 shapeOf(const MixtureEdge& edge);

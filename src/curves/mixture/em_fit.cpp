@@ -17,11 +17,12 @@ namespace linelet {
 
 namespace {
 
-// A fit is given up whose score per point is above that of its rival by more than this,
+// A fit is abandoned if its score per point exceeds its rival's by more than this,
 // divided by the iterations so far.
 constexpr double most_behind = 5;
 
-/** \brief The spacing of nodes: much closer than the noise they say nothing. */
+/** \brief The spacing of nodes: nodes much closer than the noise carry no
+ * information. */
 double
 spacingOf(const MixtureState& mixture, const EmSettings& settings)
 {

@@ -17,29 +17,30 @@ namespace linelet {
 
 /** \brief Fits polylines to points by expectation maximization.
  *
- * The model: a point is uniform in the frame's volume with probability eps, else its
- * source lies on a curve, with a density smooth along the curve, and is displaced by
- * normal noise, the logarithm of whose deviation may vary along the curve as a random
- * walk (of estimated step). The prior on a curve is a Student distribution with 3
- * degrees of freedom of its second differences, whose scale (q spacing^3) is estimated
- * per curve over the posterior of the bends: smooth curves stay round, corners survive.
- * Its mean is zero, or that of the bends around (\ref EmSettings::even_curvature).
- * Every few iterations, open ends are grown by one edge and cut back where that
- * improves the likelihood. One object fits one cloud many times and reuses its memory.
- */
+ * The model: a point is uniform in the frame's volume with probability eps; otherwise
+ * its source lies on a curve, with a density that is smooth along the curve, and the
+ * point is displaced from it by normal noise, the logarithm of whose deviation may vary
+ * along the curve as a random walk (of estimated step). The prior on a curve is a
+ * Student distribution with 3 degrees of freedom on its second differences, whose scale
+ * (q spacing^3) is estimated per curve over the posterior of the bends: smooth curves
+ * stay round, corners survive. Its mean is zero, or the mean of the neighboring bends
+ * (\ref EmSettings::even_curvature). Every few iterations, open ends grow by one edge
+ * and are cut back where that improves the likelihood. One object fits one cloud many
+ * times and reuses its memory. */
 class EmFitter {
 public:
   /** \param[in] points finite points; must outlive the fitter, as must \a grid
    * \param[in] grid the same points
-   * \param[in] stop asked in every iteration; true: \ref fit throws Canceled */
+   * \param[in] stop called in every iteration; if it returns true, \ref fit throws
+   * Canceled */
   EmFitter(const Points& points,
            const UniformGrid& grid,
            const CloudFrame& frame,
            std::function<bool()> stop = {});
 
-  /** \brief Fits \a curves, which give the topology and the start.
+  /** \brief Fits \a curves, which give the topology and the initial geometry.
    * \param[in] rival score (\ref scoreOf) of the best model so far: a fit that falls
-   * far behind it is abandoned and returned as it is */
+   * far behind it is abandoned and returned unfinished */
   EmFit
   fit(const ModelCurves& curves,
       const EmSettings& settings,
@@ -56,7 +57,7 @@ private:
   }
   bool
   trailsBehind(double rival, int iterations) const;
-  /** \brief What the score of the fit depends on. */
+  /** \brief The result, with all that its score depends on. */
   EmFit
   scored() const;
   EmFit

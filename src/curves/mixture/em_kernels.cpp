@@ -29,7 +29,7 @@ constant(double value)
   return hn::Set(D(), value);
 }
 
-/** \brief exp(-z (1.5976 + 0.07056 z^2)), held to where its square is finite: the
+/** \brief exp(-z (1.5976 + 0.07056 z^2)), clamped to where its square is finite: the
  * normal distribution function at z is 1 / (1 + this), to 2e-4. */
 HWY_INLINE V
 normalOdds(V z)
@@ -114,8 +114,8 @@ sums(const EdgeShape& edge,
   const D d;
   const Seen seen(edge);
   const V zero = hn::Zero(d), lanes = hn::Iota(d, 0);
-  // Where on the edge the point came from: uniform on the edge, normal around its
-  // place.
+  // Where on the edge the point came from: uniform on the edge, times normal around the
+  // point's own place.
   const double middle_weight = 12 / (edge.length * edge.length);
   const double spread = 1 / (1 / edge.variance + middle_weight);
   const V slope = constant(spread / edge.variance);
@@ -135,7 +135,7 @@ sums(const EdgeShape& edge,
     V place, off;
     seen.at(at[0], at[1], at[2], place, off);
     const V on = hn::Min(hn::Max(hn::MulAdd(slope, place, offset), zero), length);
-    // Along the curve only its ends are drawn by the points.
+    // Along the curve, points pull only on its ends.
     V move = hn::Sub(place, on);
     if (front)
       move = hn::IfThenElse(hn::Lt(place, zero), zero, move);
@@ -206,7 +206,7 @@ share(const double* inverse,
     sum = hn::Add(sum, part);
   }
   double total = hn::GetLane(hn::SumOfLanes(d, sum));
-  for (; k < count; ++k) { // beyond lie the densities of the next edge
+  for (; k < count; ++k) { // past these lie the densities of the next edge
     densities[k] *= inverse[sorted_index[k]];
     total += densities[k];
   }

@@ -27,7 +27,7 @@ struct EdgeShape {
   double length;
   double variance; ///< of the noise, per coordinate
   double factor;   ///< of the density
-  bool is_short;   ///< a normal density of its own along the edge, rather than the
+  bool is_short;   ///< approximated by a normal density along the edge instead of the
                    ///< integral of the normal density over it
 };
 
@@ -46,8 +46,8 @@ struct EmKernels {
   /** \brief The density of \a edge at the points; the padding is overwritten too. */
   void (*densities)(const EdgeShape& edge, const EdgePoints& points, double* density);
 
-  /** \brief Sums over the points, whose \a share lies with the edge. At a free \a front
-   * or \a back, points beyond the edge draw its vertex along the curve as well. */
+  /** \brief Sums over the points, weighted by their \a share in the edge. At a free \a
+   * front or \a back, points beyond the edge also pull its vertex along the curve. */
   EdgeSums (*sums)(const EdgeShape& edge,
                    const EdgePoints& points,
                    const double* share,
@@ -59,8 +59,8 @@ struct EmKernels {
   double (*invert)(double* densities, std::size_t count);
 
   /** \brief Multiplies the densities of an edge at \a count points by the \a inverse of
-   * the whole density at each, found at its \a sorted_index: the edge's share of the
-   * point. \return the sum of the shares */
+   * the total density at each, found at its \a sorted_index, which gives the edge's
+   * share of the point. \return the sum of the shares */
   double (*share)(const double* inverse,
                   const Index* sorted_index,
                   double* densities,

@@ -15,7 +15,7 @@ namespace linelet {
 struct EmSettings {
   double spacing = 0;         ///< of the nodes
   double noise = 0;           ///< initial standard deviation
-  double least_noise = 0;     ///< the standard deviation never falls below this
+  double least_noise = 0;     ///< lower bound of the standard deviation
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, in standard deviations
   double outlier_share = 0.1; ///< of the points, initially
@@ -37,16 +37,16 @@ struct EmFit {
   /// the second: 2 for normal noise (3 in a plane), 1.2 for fixed-radius noise.
   double kurtosis = 0;
   /// Root mean square of the distances of the points from the curves, per coordinate
-  /// across them: as measured, while the noise above does not fall below a least value.
+  /// across them: as measured, whereas the noise above has a lower bound.
   double spread = 0;
   double outlier_share = 0;  ///< of the points
   double log_likelihood = 0; ///< of the points under the mixture
   double freedom = 0;        ///< effective parameters of the curves' geometry
   double evidence = 0;       ///< half of the criterion's gain over no curve, if known
-  /// Where the noise varies: -2 log of the prior density of its widths over their
-  /// posterior one (Laplace), which the criterion adds as it adds parameters.
+  /// If the noise varies: -2 log of the prior density of its widths over their
+  /// posterior density (Laplace), which the criterion adds just as it adds parameters.
   double width_cost = 0;
-  std::vector<double> outlier; ///< per point the probability that no curve made it
+  std::vector<double> outlier;             ///< probability that a point is an outlier
   std::vector<std::vector<double>> counts; ///< points explained by each edge
 
   /** \brief Root mean square of the distances of points from their sources, per

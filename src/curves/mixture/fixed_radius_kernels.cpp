@@ -24,8 +24,8 @@ using V = hn::Vec<D>;
 
 // Shares below this one are left out.
 constexpr double least_share = 1e-5;
-// In widths of the sphere: beyond it the density is zero, and within it the density is
-// as good as linear.
+// In widths of the sphere: the density is zero beyond reach, and practically linear
+// within narrow.
 constexpr double reach = 4;
 constexpr double narrow = 0.3;
 
@@ -38,9 +38,9 @@ constant(double value)
 /** \brief A place on an edge, seen from a point. */
 struct Mark {
   V place;
-  V residual; // of its distance, in widths
+  V residual; // of its distance from the radius, in widths
   V density;  // of the standard normal distribution there
-  V above;    // probability of more
+  V above;    // probability of a larger residual
 };
 
 /** \brief Sums over the places of an edge, by density; residuals in widths. */
@@ -66,8 +66,8 @@ markAt(V place, V distance, V radius, V inverse_width)
   return {place, u, hn::Mul(constant(0.3989422804014327), power), above};
 }
 
-/** \brief Adds the places from \a foot, the nearest, to \a end; in between the distance
- * is taken as linear. */
+/** \brief Adds the places from \a foot, the nearest, to \a end; the distance is taken
+ * as linear in between. */
 HWY_INLINE void
 addPart(const Mark& foot, const Mark& end, Sums& sums)
 {
@@ -182,7 +182,7 @@ sums(const EdgeShape& edge,
     const V residual = hn::Div(hn::LoadU(d, means.residual + k), hn::Max(says, tiny));
     const V move = hn::Div(hn::Min(hn::Max(residual, hn::Neg(width)), width),
                            hn::Max(hn::Sqrt(squared), tiny));
-    // Along the curve only its ends are drawn by the points.
+    // Along the curve, points pull only on its ends.
     if (front)
       along = hn::IfThenZeroElse(hn::Le(place, zero), along);
     if (back)

@@ -17,7 +17,7 @@ struct FixedRadius {
 };
 
 /** \brief For pairs of an edge and a point, one array each: means over the positions on
- * the edge that the point may come from. */
+ * the edge where the point may come from. */
 struct FixedRadiusMeans {
   double* place;    ///< along the edge
   double* residual; ///< distance minus the radius
@@ -28,18 +28,16 @@ struct FixedRadiusMeans {
  * padding of \ref EdgePoints, which is overwritten. */
 struct FixedRadiusKernels {
   /** \brief The density of \a edge at the points, as if all distances were the radius,
-   * and the means that go with it. The variance of \a edge is not used. */
+   * and the corresponding means. The variance of \a edge is not used. */
   void (*densities)(const EdgeShape& edge,
                     const FixedRadius& noise,
                     const EdgePoints& points,
                     double* density,
                     const FixedRadiusMeans& means);
 
-  /** \brief Sums over the points, those of a kind with EmKernels::sums that draw the
-   * vertices: each point draws its source along the line between both, to where its
-   * distance is the radius.
-   * \param[in] sorted_index of each point, by which \a information, what it says of its
-   * distance, is found */
+  /** \brief Sums over the points like EmKernels::sums: each point pulls its source
+   * along the line between them, to where their distance is the radius.
+   * \param[in] sorted_index of each point, its index in \a information */
   EdgeSums (*sums)(const EdgeShape& edge,
                    const FixedRadius& noise,
                    const EdgePoints& points,

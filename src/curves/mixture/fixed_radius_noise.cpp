@@ -12,7 +12,7 @@ namespace linelet {
 
 namespace {
 
-// What a point says at least.
+// Lower bound of a point's information.
 constexpr double least_information = 0.05;
 // The width of the sphere, as a share of its radius.
 constexpr double widest = 0.3;
@@ -115,8 +115,8 @@ FixedRadiusNoise::measure(MixtureState& mixture, const EdgePairs& pairs) const
                                                        -0.3 * mixture.noise.deviation,
                                                        0.3 * mixture.noise.deviation),
                mixture.noise.least);
-  // Points inside the sphere say nothing of its width, so a longer step than that of
-  // expectation maximization.
+  // Points inside the sphere carry no information about its width, hence a longer step
+  // than in expectation maximization.
   const double change = std::pow(square / (variance * count), 1.5);
   mixture.noise.deviation =
       std::max(std::min(mixture.noise.deviation * std::clamp(change, 0.7, 1.4),

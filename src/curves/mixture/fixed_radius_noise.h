@@ -9,7 +9,7 @@
 
 namespace linelet {
 
-/** \brief Noise whose distances from the curves are about one radius: its part of the
+/** \brief Noise that puts points at about one distance from the curves: its part of the
  * E-step and of the M-step. */
 class FixedRadiusNoise {
 public:

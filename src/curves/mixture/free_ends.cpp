@@ -47,7 +47,7 @@ FreeEnds::prune(MixtureState& mixture, const EdgePairs& pairs)
         k -= cut[0];
       const auto count =
           mixture.edge_count.begin() + static_cast<std::ptrdiff_t>(state.first_edge);
-      // The counts of the edges that stay move to where the first ones were.
+      // The counts of the remaining edges move to the front.
       std::copy(count + static_cast<std::ptrdiff_t>(cut[0]),
                 count + static_cast<std::ptrdiff_t>(all),
                 count);
@@ -83,7 +83,7 @@ FreeEnds::cheapestCut(const MixtureState& mixture,
   for (; done < edges; ++done) {
     const std::size_t e = end == 0 ? done : edges - 1 - done;
     const MixtureEdge& edge = mixture.edges[state.first_edge + e];
-    double left = 1; // product of what is left of the points' densities
+    double left = 1; // product of the remaining fractions of the points' densities
     for (std::size_t k = edge.pairs_begin; k < edge.pairs_end; ++k) {
       double& gone = removed_[pairs.index[k]];
       const double before = std::max(1e-12, 1 - gone);
@@ -99,7 +99,7 @@ FreeEnds::cheapestCut(const MixtureState& mixture,
     freedom +=
         state.node_freedom[end == 0 ? done : state.node_freedom.size() - 1 - done];
     const bool whole = done + 1 == edges;
-    // A part of a curve is removed only if the likelihood alone gains by it.
+    // Part of a curve is removed only if that improves the likelihood itself.
     if ((state.curve.closed && !whole) || (whole && mixture.curves.size() == 1))
       continue;
     const double change = -2 * (loss - n * std::log(std::max(1e-12, 1 - weight))) -

@@ -12,8 +12,8 @@ namespace linelet {
 /** \brief Grows and cuts back the free ends of curves. */
 class FreeEnds {
 public:
-  /** \brief Cuts back ends, and drops curves, whose points are explained as well
-   * without them, by the information criterion.
+  /** \brief Cuts back ends and drops curves that the points do not need, by the
+   * information criterion.
    * \return whether anything changed */
   bool
   prune(MixtureState& mixture, const EdgePairs& pairs);

@@ -13,10 +13,10 @@ namespace linelet {
 
 namespace {
 
-// Points per edge that the density along a curve is drawn toward its mean with, as a
-// share of the mean.
+// Weight, as a share of the mean number of points per edge, with which the density
+// along a curve is pulled toward its mean.
 constexpr double density_prior = 0.5;
-// Pull of a node to where it was, so that one without points stays determined.
+// Pull of a node toward its last position, which keeps nodes without points determined.
 constexpr double anchor = 1e-4;
 
 EdgeSums
@@ -36,7 +36,7 @@ sumsOf(const MixtureState& mixture,
                           back);
 }
 
-/** \brief Adds to \a system what the points say of the nodes of a curve. */
+/** \brief Adds the pull of the points on the nodes of a curve to \a system. */
 void
 pullTowardPoints(MixtureState& mixture,
                  const MixtureCurve& state,
@@ -58,7 +58,7 @@ pullTowardPoints(MixtureState& mixture,
                                  fixed_radius,
                                  !curve.closed && e == 0,
                                  !curve.closed && e + 1 == curve.edges());
-    // Everything in units of the place's noise.
+    // Everything in units of the local noise.
     const double unit =
         mixture.noise.deviation * mixture.noise.deviation / (edge.noise * edge.noise);
     edge.share = sums.share;
@@ -179,7 +179,7 @@ maximize(MixtureState& mixture,
     for (MixtureCurve& state : mixture.curves)
       measureWidths(mixture, state, system);
   mixture.updateEdges();
-  updateWeights(mixture); // by the lengths of the edges as they are now
+  updateWeights(mixture); // by the current lengths of the edges
 }
 
 } // namespace linelet

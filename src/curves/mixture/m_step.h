@@ -9,7 +9,7 @@
 
 namespace linelet {
 
-/** \brief The M-step: moves the nodes to where their points draw them, and estimates
+/** \brief The M-step: moves the nodes to where the points pull them, and estimates
  * bending, noise and weights. */
 void
 maximize(MixtureState& mixture,

@@ -11,8 +11,9 @@
 
 namespace linelet {
 
-/** \brief Expectation maximization converges slowly where points say little about a
- * vertex: steps of vertices and noise are lengthened by this factor. */
+/** \brief Over-relaxation: expectation maximization converges slowly where points carry
+ * little information about a vertex, so steps of vertices and noise are lengthened by
+ * this factor. */
 constexpr double stride = 1.5;
 
 /** \brief An edge of a curve, a component of the mixture. */
@@ -36,8 +37,8 @@ struct MixtureCurve {
   Points bend_mean;                 ///< of the prior
   double mean_freedom = 0;          ///< effective parameters of these means
   std::vector<double> node_freedom; ///< effective parameters of each node
-  /// Per node, the logarithm of the noise relative to that of all (empty: 0), and the
-  /// variance of its change over the whole curve.
+  /// Per node, the logarithm of the noise relative to the overall one (empty: 0), and
+  /// the variance of its change over the whole curve.
   std::vector<double> width;
   double width_change = 0;
 };
@@ -46,7 +47,7 @@ struct MixtureCurve {
 struct MixtureNoise {
   double deviation = 0;         ///< standard deviation
   double fixed_radius = 0;      ///< 0: normal noise
-  double least = 0;             ///< the standard deviation never falls below this
+  double least = 0;             ///< lower bound of the standard deviation
   bool varied = false;          ///< along the curves
   double square = 0, share = 0; ///< of the distances from the curves, by shares
   double width_cost = 0;        ///< see EmFit::width_cost
@@ -66,12 +67,12 @@ struct MixtureState {
   double
   scaledLength(const MixtureCurve& state) const;
 
-  /** \brief Draws the edges anew from the nodes and the noise. */
+  /** \brief Recomputes the edges from the nodes and the noise. */
   void
   updateEdges();
 };
 
-/** \brief The logarithm of the noise of edge \a e relative to that of all. */
+/** \brief The logarithm of the noise of edge \a e relative to the overall one. */
 double
 widthAt(const MixtureCurve& state, std::size_t e);
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double parameters_per_curve = 2;
 constexpr double parameters_per_end = 1;   // where it lies along the curve
-constexpr double parameters_per_hinge = 1; // beside its coordinates: its place
-// A fit of at most this share of outliers does without them.
+constexpr double parameters_per_hinge = 1; // besides its coordinates: its place
+// A fit with at most this share of outliers counts as having none.
 constexpr double no_outliers = 1.1e-3;
 
 } // namespace

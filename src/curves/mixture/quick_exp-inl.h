@@ -24,7 +24,7 @@ quickExp(D d, V x)
 {
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::RebindToSigned<D> integers;
-  // exp(x) = 2^n exp(r), |r| <= log(2) / 2; adding 1.5 * 2^52 rounds, and leaves n in
+  // exp(x) = 2^n exp(r), |r| <= log(2) / 2; adding 1.5 * 2^52 rounds and leaves n in
   // the last bits.
   const V shift = hn::Set(d, 6755399441055744.0);
   const V shifted = hn::MulAdd(x, hn::Set(d, 1.4426950408889634), shift);

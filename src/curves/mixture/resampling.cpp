@@ -14,7 +14,7 @@ namespace {
 
 constexpr double least_points = 2;
 
-/** \brief Values at equal steps along a curve, at \a count equal steps. */
+/** \brief Interpolates values at equal steps along a curve to \a count equal steps. */
 std::vector<double>
 stretched(const std::vector<double>& values, std::size_t count, bool closed)
 {

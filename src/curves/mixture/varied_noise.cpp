@@ -11,10 +11,10 @@ namespace linelet {
 namespace {
 
 // At least this share of an edge's points counts, however many degrees of freedom the
-// curve takes.
+// curve uses up.
 constexpr double least_spare = 0.3;
 // The logarithm of the noise is a random walk. The first guess of its variance over the
-// whole length of a curve, and the steps that this guess counts for.
+// whole length of a curve, and the number of steps that this guess is worth.
 constexpr double first_change = 4;
 constexpr double change_prior = 3;
 constexpr double longest_step = 0.7; // of a logarithm, in one iteration
@@ -56,14 +56,14 @@ measureWidths(MixtureState& mixture, MixtureCurve& state, NodeSystem& system)
   const double parts = static_cast<double>(edges);
   if (!(state.width_change > 0))
     state.width_change = first_change;
-  // Of the prior: of a step between nodes, and of the level of all.
+  // Precisions of the prior: of a step between nodes, and of the common level.
   const double stiffness = parts / state.width_change;
   const double anchor = 1 / static_cast<double>(n);
   const auto after = [n](std::size_t e) { return e + 1 == n ? 0 : e + 1; };
 
   std::vector<double>& width = state.width;
   system.matrix.reset(n, state.curve.closed);
-  system.solution.assign(n, Point::Zero()); // of one coordinate
+  system.solution.assign(n, Point::Zero()); // only one coordinate is used
   for (std::size_t e = 0; e < edges; ++e) {
     const std::size_t a = e, b = after(e);
     const MixtureEdge& edge = mixture.edges[state.first_edge + e];
@@ -78,8 +78,9 @@ measureWidths(MixtureState& mixture, MixtureCurve& state, NodeSystem& system)
     const double scale =
         mixture.noise.deviation * edge.scale * std::exp(widthAt(state, e));
     const double square = edge.square / (scale * scale);
-    // The likelihood in the edge's logarithm, which is the mean of its nodes'; where
-    // the points lie far out its own curvature would leap, and where near, Fisher's.
+    // The likelihood as a function of the edge's log noise, the mean of its nodes'. The
+    // curvature is the larger of Fisher's, by which a step would overshoot where points
+    // lie far out, and the observed one, by which it would where they lie close.
     const double slope = 0.5 * (square - spare);
     const double curvature = 0.5 * std::max(spare, square);
     const double change = stiffness * (width[b] - width[a]);

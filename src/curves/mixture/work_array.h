@@ -12,11 +12,11 @@
 
 namespace linelet {
 
-/** \brief An array that grows cheaply, for values that are all written before they are
+/** \brief An array that grows cheaply, for values that are written before they are
  * read: new elements are uninitialized, and large arrays grow without being copied.
  *
  * Resizing a std::vector to an upper bound of many millions of values would touch all
- * of them, most of them needlessly. */
+ * of them, most for nothing. */
 template <class T>
 class WorkArray {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double widest_share = 0.15;
 constexpr double wide_angle = 35 * M_PI / 180;
-// Ends that turn farther from each other are joined by a straight bridge.
+// Ends that point off the gap by more than this are joined by a straight bridge.
 constexpr double facing_angle = 60 * M_PI / 180;
-// Beyond so many ends every pair is not looked at any more.
+// With more ends than this, not every pair is considered.
 constexpr std::size_t most_ends = 4000;
 
 // Ends are named 2 * curve + (0 front, 1 back).
@@ -78,7 +78,7 @@ angleOff(const Point& direction, const Point& gap, double width)
   return width > 0 ? std::acos(std::clamp(direction.dot(gap) / width, -1.0, 1.0)) : 0;
 }
 
-/** \brief The bridge between two ends, if they agree well enough for one. */
+/** \brief The bridge between two ends, if they agree well enough. */
 std::optional<Bridge>
 bridgeBetween(const FreeEnd& a, const FreeEnd& b, const Limits& limits)
 {
@@ -100,7 +100,7 @@ bridgeBetween(const FreeEnd& a, const FreeEnd& b, const Limits& limits)
       width * (1 + (at_a + at_b)), a.name, b.name, worst <= facing_angle ? 1.0 : 0.0};
 }
 
-/** \brief All bridges that are possible, the best first. */
+/** \brief All possible bridges, the best first. */
 std::vector<Bridge>
 possibleBridges(const std::vector<FreeEnd>& ends, const Limits& limits)
 {
@@ -132,8 +132,9 @@ cubic(const Point& a, const Point& da, const Point& b, const Point& db, double s
   return result;
 }
 
-/** \brief Joins the ends \a a and \a b. Of two curves that of \a a becomes both, its
- * front the far end from \a a, and that of \a b is left empty. */
+/** \brief Joins the ends \a a and \a b. If they belong to two curves, the curve of \a a
+ * becomes the joined one, with its front at the end opposite to \a a, and the curve of
+ * \a b becomes empty. */
 void
 join(ModelCurves& curves, std::size_t a, std::size_t b, double bend, double reach)
 {
@@ -160,8 +161,8 @@ join(ModelCurves& curves, std::size_t a, std::size_t b, double bend, double reac
   second.nodes.clear();
 }
 
-/** \brief One round over all ends, by the lengths before it.
- * \return \a curves is changed where this is true */
+/** \brief One round over all ends, judged by the lengths before it.
+ * \return whether \a curves was changed */
 bool
 bridgeOnce(ModelCurves& curves, const Limits& limits)
 {
@@ -170,7 +171,7 @@ bridgeOnce(ModelCurves& curves, const Limits& limits)
     return false;
   const std::vector<Bridge> bridges = possibleBridges(ends, limits);
 
-  // What each end is called now: those of joined curves become ends of the whole.
+  // The current name of each end: those of joined curves become ends of the whole.
   std::vector<std::size_t> now(2 * curves.size());
   std::iota(now.begin(), now.end(), std::size_t(0));
   for (const Bridge& bridge : bridges) {
@@ -202,7 +203,7 @@ bridgeGaps(const ModelCurves& curves,
            double reach,
            double near_angle)
 {
-  // What has grown longer reaches farther.
+  // Curves that have become longer reach farther.
   ModelCurves result = curves;
   while (bridgeOnce(result, {near, widest, reach, near_angle})) {
   }

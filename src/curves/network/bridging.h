@@ -11,13 +11,13 @@ namespace linelet {
 
 /** \brief Joins free ends of curves across gaps where both sides agree.
  *
- * Two ends (of one curve or of two) are joined when the direction of each is within 35
- * degrees of the gap and the gap is at most 15 % of the length of what is joined,
- * itself included; for gaps of up to \a near, within \a near_angle and whatever the
- * length. The narrowest gaps that agree best come first; joined curves then count with
- * their new length. A wide gap is bridged by a cubic that keeps both directions, or
- * straight where one of them is off by more than 60 degrees.
- * \param[in] widest no gap beyond this is bridged; 0: no such limit
+ * Two ends (of one curve or of two) are joined if the direction of each is within 35
+ * degrees of the gap and the gap is at most 15 % of the joined length, gap included;
+ * gaps of up to \a near are joined within \a near_angle, whatever the length. Narrow
+ * gaps with good agreement come first; joined curves then count with their new length.
+ * A wide gap is bridged by a cubic that keeps both directions, or straight where one of
+ * them is off by more than 60 degrees.
+ * \param[in] widest no wider gap is bridged; 0: no limit
  * \param[in] reach directions are taken over this length */
 ModelCurves
 bridgeGaps(const ModelCurves& curves,

@@ -60,7 +60,7 @@ bendsOf(const ModelCurve& curve, double size)
   return bends;
 }
 
-/** \brief \a curve with hinges at its bends; without any where it does not bend. */
+/** \brief \a curve with hinges at its bends; unchanged if it does not bend. */
 ModelCurve
 withHinges(const ModelCurve& curve, double size)
 {

@@ -28,11 +28,11 @@ appendBridge(ModelCurve& curve, const Points& bridge)
 void
 appendCurve(ModelCurve& first, const Points& bridge, const ModelCurve& second)
 {
-  // By the lengths, as the counts may be unknown.
+  // Weighted by length, as the counts may be unknown.
   const double a = length(first), b = length(second);
   first.noise = (a * first.noise + b * second.noise) / (a + b);
   first.evidence += second.evidence;
-  // Counts of one half are none of the whole.
+  // Counts of only one half are of no use.
   if (second.counts.empty())
     first.counts.clear();
   appendBridge(first, bridge);

@@ -11,12 +11,12 @@ namespace linelet {
 void
 turnRound(ModelCurve& curve);
 
-/** \brief Lengthens \a curve at its back by the nodes of \a bridge, which explains no
+/** \brief Extends \a curve at its back by the nodes of \a bridge, which explains no
  * points. */
 void
 appendBridge(ModelCurve& curve, const Points& bridge);
 
-/** \brief Lengthens \a first at its back by \a bridge and \a second. */
+/** \brief Extends \a first at its back by \a bridge and \a second. */
 void
 appendCurve(ModelCurve& first, const Points& bridge, const ModelCurve& second);
 

@@ -17,8 +17,8 @@ constexpr std::size_t looked_at = 200;
 constexpr std::size_t neighbors_looked_at = 2000; // of each, spread over all of them
 constexpr double least_linearity = 0.3;
 
-/** \brief Whether \a nodes lie within \a tolerance of \a path, and come in the order of
- * its own nodes. */
+/** \brief Whether \a nodes lie within \a tolerance of \a path, in the order of its own
+ * nodes. */
 bool
 follow(const Points& nodes, const Points& path, double tolerance)
 {
@@ -41,8 +41,8 @@ follow(const Points& nodes, const Points& path, double tolerance)
   return true;
 }
 
-/** \brief Whether two curves are of one course: both closed or open, of fixed radius,
- * and each point of one beside the other, in the same order. */
+/** \brief Whether two curves take the same course: both closed or both open, and every
+ * node of one lies beside the other, in the same order. */
 bool
 ofOneCourse(const ModelCurve& a, const ModelCurve& b, double tolerance)
 {

@@ -14,9 +14,9 @@ namespace linelet {
 bool
 looksLinear(const Points& points, const UniformGrid& grid, double size);
 
-/** \brief Whether each curve of \a some runs beside one of \a others all along, within
- * \a tolerance, and each of those beside one of them: whatever is fitted to either has
- * the same topology. */
+/** \brief Whether each curve of \a some runs beside one of \a others over its whole
+ * length, within \a tolerance, and vice versa: a fit that starts from either has the
+ * same topology. */
 bool
 ofOneCourse(const ModelCurves& some, const ModelCurves& others, double tolerance);
 

@@ -26,7 +26,7 @@ doubled(const ModelCurves& curves,
   ModelCurves result;
   bool any = false;
   for (const ModelCurve& curve : curves) {
-    // Offsets are seen in a frame that is carried along the curve without a twist.
+    // Offsets are measured in a frame that is carried along the curve without twist.
     Points firsts, seconds; // axes across each edge
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     double count = 0;
@@ -49,7 +49,8 @@ doubled(const ModelCurves& curves,
         count += 1;
       });
     }
-    // In two dimensions, in frames that turn with the curve: no neighborhood tensor.
+    // In two dimensions and in frames that turn with the curve, so not a neighborhood
+    // tensor.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(spread);
     const Eigen::Vector2d& values = eigen.eigenvalues();
     if (count < least_doubled || values.y() < least_spread * values.x()) {

@@ -9,7 +9,7 @@
 
 namespace linelet {
 
-/** \brief \a curves, with every one doubled whose points lie on two sides of it.
+/** \brief \a curves, with each one doubled whose points lie on two sides of it.
  *
  * This shows in the spread of their offsets across the curve: the variance in one
  * direction is at least \a least_spread times that in the other.

@@ -11,10 +11,10 @@ namespace linelet {
 /** \brief How far the open ends of a curve look for others to be joined to. */
 struct EndReach {
   double distance = 0; ///< to another curve
-  double loop = 0; ///< along its own curve: closer places are not a meeting with itself
+  double loop = 0; ///< along its own curve: closer places are no meeting with itself
 };
 
-/** \brief By curve: of its front and of its back end. */
+/** \brief For each curve, of its front and back end. */
 using EndReaches = std::vector<std::array<EndReach, 2>>;
 
 } // namespace linelet

@@ -28,7 +28,7 @@ closeLoops(CurveNetwork& network, const EndReaches& reaches)
   }
 }
 
-/** \brief The junction that \a meeting makes: at the curve that passes, else amid the
+/** \brief The junction of \a meeting: on the curve that passes, otherwise amid the
  * ends. */
 Junction
 junctionOf(const CurveNetwork& network, const Meeting& meeting)
@@ -50,7 +50,7 @@ junctionOf(const CurveNetwork& network, const Meeting& meeting)
   return result;
 }
 
-/** \brief Adds the junction of \a meeting, and marks the ends that are joined there. */
+/** \brief Adds the junction of \a meeting and marks the ends joined there. */
 void
 addJunction(CurveNetwork& network, const Meeting& meeting)
 {
@@ -62,7 +62,7 @@ addJunction(CurveNetwork& network, const Meeting& meeting)
   }
 }
 
-/** \brief Makes the junctions inside curves vertices of these. */
+/** \brief Adds the junctions inside curves as vertices. */
 void
 insertVertices(CurveNetwork& network, const std::vector<Meeting>& meetings)
 {
@@ -70,7 +70,7 @@ insertVertices(CurveNetwork& network, const std::vector<Meeting>& meetings)
   for (const Meeting& meeting : meetings)
     if (!meeting.places.empty())
       places.push_back(meeting.places.front());
-  // From the back, so that the edges before keep their numbers.
+  // From the back, so that earlier edges keep their numbers.
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
     return a.edge != b.edge ? a.edge > b.edge : a.along > b.along;
   });
@@ -83,7 +83,7 @@ insertVertices(CurveNetwork& network, const std::vector<Meeting>& meetings)
   }
 }
 
-/** \brief Turns the vertices round; front and back keep their kinds. */
+/** \brief Reverses the vertices; front and back keep their kinds. */
 void
 reverseVertices(Curve& curve)
 {
@@ -91,7 +91,7 @@ reverseVertices(Curve& curve)
   std::reverse(curve.support.begin(), curve.support.end());
 }
 
-/** \brief Takes the vertices from the back of \a curve that lie past \a position, or
+/** \brief Removes vertices from the back of \a curve that lie past \a position, or
  * beside it. */
 void
 cutBack(Curve& curve, const Point& position)
@@ -108,20 +108,20 @@ cutBack(Curve& curve, const Point& position)
   }
 }
 
-/** \brief Lets the last edge of \a curve lead to \a position, in edges of about
- * \a spacing. */
+/** \brief Leads the last edge of \a curve to \a position, in edges of about \a
+ * spacing. */
 void
 moveBackTo(Curve& curve, const Point& position, double spacing)
 {
-  // As finely as the rest, so that little more than the junction itself lies on an edge
-  // between two curves.
+  // As finely as the rest, so that little besides the junction lies on an edge between
+  // two curves.
   curve.points.pop_back();
   const Point from = curve.points.back();
   const double parts =
       spacing > 0 ? std::max(1.0, std::round((position - from).norm() / spacing)) : 1;
   for (double k = 1; k < parts; ++k)
     curve.points.emplace_back(from + k / parts * (position - from));
-  curve.points.push_back(position); // to the last bit
+  curve.points.push_back(position); // exactly
   if (!curve.support.empty())
     curve.support.insert(
         curve.support.end() - 1, static_cast<std::size_t>(parts) - 1, 0);

@@ -10,8 +10,8 @@
 namespace linelet {
 
 /** \brief Where the line from \a p along the unit vector \a d passes that from \a q
- * along the unit vector \a e: the middle of their closest points, if both are ahead and
- * not beyond \a far, and the lines are not within 10 degrees of parallel. */
+ * along the unit vector \a e: the midpoint of their closest points, if both are ahead
+ * and not beyond \a far, and the lines are not within 10 degrees of parallel. */
 inline std::optional<Point>
 meetingAhead(const Point& p, const Point& d, const Point& q, const Point& e, double far)
 {

@@ -36,8 +36,8 @@ class PlaceFinder {
 public:
   PlaceFinder(const CurveNetwork& network, const CurveEnds& ends);
 
-  /** \brief The nearest place inside a curve that \a end meets; its curve is none
-   * where there is no such place. */
+  /** \brief The nearest place inside a curve that \a end meets; its curve is none if
+   * there is no such place. */
   Place
   nearest(std::size_t end) const;
 
@@ -91,7 +91,7 @@ PlaceFinder::nearest(std::size_t end) const
     const double distance = (place.position - tip).norm();
     if (distance > best_distance || runsBeside(direction, place) || isTip(place))
       return;
-    // Its own curve is near an end anyway.
+    // An end is always close to its own curve.
     if (c == end / 2 && ends_.arcTo(end, e) < reach.loop)
       return;
     best_distance = distance;
@@ -112,7 +112,7 @@ PlaceFinder::nearestOnEdge(std::size_t c, std::size_t e, const Point& point) con
   return {c, e, t, from + t * edge};
 }
 
-/** \brief The very end of an open curve is for ends to meet. */
+/** \brief Whether \a place is the tip of an open curve, where ends meet ends. */
 bool
 PlaceFinder::isTip(const Place& place) const
 {
@@ -128,7 +128,7 @@ PlaceFinder::runsBeside(const Point& direction, const Place& place) const
   return std::abs(direction.dot(edge)) >= side_by_side * edge.norm();
 }
 
-/** \brief An end that looks for others, and the place inside a curve that it meets. */
+/** \brief An open end, and the place inside a curve that it meets. */
 struct OpenEnd {
   std::size_t name;
   Point tip;
@@ -163,7 +163,7 @@ uniteTips(Groups& groups,
     });
 }
 
-/** \brief Unites ends that meet one curve at one place. */
+/** \brief Groups ends that meet the same curve at the same place. */
 void
 unitePlaces(Groups& groups, const std::vector<OpenEnd>& open, double widest)
 {
@@ -182,8 +182,8 @@ unitePlaces(Groups& groups, const std::vector<OpenEnd>& open, double widest)
     });
 }
 
-/** \brief Drops the places on curves one of whose ends meets, too: such a curve does
- * not pass. */
+/** \brief Drops places on curves of which an end takes part as well: such a curve does
+ * not pass through. */
 void
 dropEnded(Meeting& meeting)
 {

@@ -47,7 +47,7 @@ public:
   {
     return vertex(end, 0);
   }
-  /** \brief Unit vector that leads out of the curve over the last stretch as long as
+  /** \brief Unit vector that points out of the curve, over a last stretch as long as
    * the end's distance. */
   Point
   outward(std::size_t end) const;

@@ -16,13 +16,13 @@ namespace linelet {
 
 namespace {
 
-// In bandwidths. Ends that the tracing attached to others lie where the refit has left
-// them, others within the distance at which a trace would have been attached.
+// In bandwidths. Ends that the tracing attached may have moved in the refit; others
+// attach within the distance at which a trace would have.
 constexpr double attached_distance = 2;
 constexpr double attach_distance = 0.8;
 constexpr double loop_length = 5;
 // Vertices of the result per node of the fit: an edge across a junction belongs to
-// neither curve, as its vertices show, so it should be short.
+// neither curve, so it should be short.
 constexpr std::size_t finer = 3;
 
 /** \brief Half the points of each edge to each of its vertices. */
@@ -43,7 +43,7 @@ supportOf(const ModelCurve& curve, const ModelCurve& coarse)
   return result;
 }
 
-/** \brief \a curve with every edge in so many parts. */
+/** \brief \a curve with every edge divided into \ref finer parts. */
 ModelCurve
 finely(const ModelCurve& curve)
 {

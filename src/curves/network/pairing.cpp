@@ -26,7 +26,7 @@ struct Center {
 using End = std::size_t;
 constexpr End no_end = static_cast<End>(-1);
 
-/** \brief How an end continues: over \a via to the end \a other (or nowhere). */
+/** \brief How an end continues: through \a via to the end \a other (or nowhere). */
 struct Link {
   End other = no_end;
   Points via; // from this end outwards
@@ -152,7 +152,7 @@ Joiner::cut(const ModelCurve& curve)
     addPiece(curve, -1, -1);
     return;
   }
-  // A closed curve begins inside a junction, so that no piece wraps around.
+  // A closed curve starts inside a junction, so that no piece wraps around.
   std::size_t start = 0;
   if (curve.closed)
     while (inside[start] < 0)
@@ -248,7 +248,7 @@ Joiner::chains() const
 {
   ModelCurves result;
   std::vector<char> used(pieces_.size(), 0);
-  // Chains with a beginning first; rings remain.
+  // Chains with a loose end first; what remains are rings.
   for (int rings = 0; rings < 2; ++rings)
     for (std::size_t p = 0; p < pieces_.size(); ++p)
       for (std::size_t first = 0; first < 2; ++first) {

@@ -15,13 +15,13 @@ struct PairingSettings {
   double max_turn = 50; ///< degrees; a pair of arms that turns more is not joined
 };
 
-/** \brief Cuts curves where they meet and joins the arms anew.
+/** \brief Cuts curves where they meet and joins the arms again.
  *
  * Meetings are clustered into junctions; every curve is cut back around them. The arms
  * of a junction are paired greedily, the straightest pair first. If there are only two
- * arms, they are joined whatever their angle, at the point where their lines pass each
- * other. Arms left over end at the nearest pair's connection, or at their common center
- * if there is none; \ref ModelCurve::junction tells which junction (a number >= 0). */
+ * arms, they are joined at any angle, at the point where their lines meet. Leftover
+ * arms end at the nearest pair's connection, or at their common center if there is
+ * none; \ref ModelCurve::junction is the number of the junction (>= 0). */
 ModelCurves
 pairArms(const ModelCurves& curves,
          const Points& meetings,

@@ -16,12 +16,12 @@ namespace linelet {
 
 namespace {
 
-constexpr double least_cosine = 0.5; // of a bend that is not doubted
-// Stretches of one curve pass each other where the arc between them is this much
-// longer than the gap.
+constexpr double least_cosine = 0.5; // of the sharpest bend that is not doubtful
+// Two stretches of one curve pass each other if the arc between them is this many times
+// the gap.
 constexpr double least_arc = 5;
-// In sizes: the gap that is bridged whatever the length, and the stretch over which the
-// direction of an arm is taken.
+// In sizes: the gap that is bridged whatever the length, and the stretch that gives the
+// direction of an arm.
 constexpr double near_gap = 3;
 constexpr double arm_reach = 3;
 
@@ -56,7 +56,7 @@ struct Passing {
   Point other = Point::Zero();
 };
 
-/** \brief For each node what passes it within \a distance. */
+/** \brief For each node, what passes it within \a distance. */
 std::vector<Passing>
 passingStretches(const ModelCurves& curves, double distance)
 {
@@ -82,7 +82,7 @@ passingStretches(const ModelCurves& curves, double distance)
   return result;
 }
 
-/** \brief A node of a curve, looked at with \a width nodes on either side. */
+/** \brief A node of a curve with \a width nodes on either side. */
 struct Window {
   const ModelCurve& curve;
   std::size_t node, width;
@@ -124,7 +124,7 @@ nodesOver(double distance, const ModelCurve& curve)
       std::clamp(std::round(distance / std::max(spacing, 1e-300)), 1.0, 20.0));
 }
 
-/** \brief Whether another stretch comes nearest here; of equals at the first node.
+/** \brief Whether another stretch comes closest here; in a tie, at the first node.
  * \param[in] passing of the nodes of the curve */
 bool
 isNarrowest(const Passing* passing, const Window& window)

@@ -13,12 +13,12 @@ namespace linelet {
 Points
 doubtfulPlaces(const ModelCurves& curves, double distance);
 
-/** \brief \a curves without what lies within \a radius of \a places; the new ends are
- * free. */
+/** \brief \a curves with all that lies within \a radius of \a places removed; the new
+ * ends are free. */
 ModelCurves
 cutAround(const ModelCurves& curves, const Points& places, double radius);
 
-/** \brief How the arms of a cut are joined again. */
+/** \brief How the arms of a cut are rejoined. */
 enum class Rejoining {
   Paired, ///< with the straightest other arm of the same place
   Bridged ///< with whatever lies ahead
@@ -27,7 +27,7 @@ enum class Rejoining {
 /** \brief \a curves joined in another way at \a places, where they may have been joined
  * wrongly (\ref doubtfulPlaces).
  *
- * They are cut there over \a size on either side, and the arms are joined anew.
+ * They are cut there over \a size on either side, and the arms are rejoined.
  * \return nothing if there are no such places */
 ModelCurves
 rejoined(const ModelCurves& curves,

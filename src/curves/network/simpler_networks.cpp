@@ -18,13 +18,13 @@ constexpr std::array<double, 4> gaps = {1.5, 3, 6, 12}; // in units
 // Across a narrow gap there may be a corner; ends that lie farther apart have to agree.
 constexpr double widest_corner = 2;            // in units
 constexpr double most_disagreement = M_PI / 3; // of either end with the gap
-constexpr double end_reach = 0.5; // of a gap, over which the direction of ends is taken
-// Left out are curves of less than this share of the length of all.
+constexpr double end_reach = 0.5;              // of a gap, for the direction of an end
+// Curves shorter than this share of the total length are left out.
 constexpr double short_share = 0.25;
-// The free ends of a curve keep this many times what is cut off them.
+// A curve keeps at least this many times the length that is cut off its free ends.
 constexpr double least_rest = 2;
 
-/** \brief \a curves less the last \a cut of their length at free ends. */
+/** \brief \a curves with free ends shortened by \a cut. */
 ModelCurves
 shortened(const ModelCurves& curves, double cut)
 {
@@ -54,7 +54,7 @@ freeEnds(const ModelCurves& curves)
   return count;
 }
 
-/** \brief The widest scale at a free end of \a curves. */
+/** \brief The largest scale at a free end of \a curves. */
 double
 scaleAtEnds(const ModelCurves& curves, const ScaleField& scales)
 {
@@ -93,7 +93,7 @@ simplerNetworks(const ModelCurves& curves, double scale_unit, const ScaleField* 
     if (length(curves[c]) < short_share * all) {
       result.push_back(curves);
       result.back().erase(result.back().begin() + static_cast<std::ptrdiff_t>(c));
-      // Ends that were attached to it are free.
+      // Ends that were attached to it become free.
       for (ModelCurve& curve : result.back())
         curve.junction = {-1, -1};
     }

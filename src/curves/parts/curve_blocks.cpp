@@ -15,9 +15,9 @@ namespace linelet {
 namespace {
 
 // In D: the longest side of a block, and the margin around it. The shape of a point
-// takes 17, the evidence of a curve the rest.
+// needs 17 of it, the evidence of a curve the rest.
 constexpr double longest_side = 400, margin = 50;
-// In D: across which distance curves of two blocks are one.
+// In D: curves of two blocks are the same within this distance.
 constexpr double same_curve = 0.5;
 
 } // namespace
@@ -77,7 +77,7 @@ CurveBlocks::around(const Point& p) const
   std::vector<std::size_t> blocks;
   if (!p.allFinite())
     return blocks;
-  // Blocks are wider than margins.
+  // Blocks are wider than margins, so only adjacent ones can be near.
   const std::size_t own = owner(p), column = own % numbers_[0], row = own / numbers_[0];
   const auto next = [this](std::size_t axis, std::size_t place) {
     return std::min(place + 1, numbers_[axis] - 1);

@@ -20,10 +20,10 @@ namespace linelet {
 
 namespace {
 
-// In D: how far curves are noted that were cut.
+// In D: how far past a cut the course of a curve is kept.
 constexpr double noted = 20;
 
-/** \brief Passes on that work is to end; progress is by block. */
+/** \brief Passes on cancellation; progress is reported per block. */
 class BlockMonitor : public ProgressMonitor {
 public:
   explicit BlockMonitor(const ProgressMonitor* outer) : outer_(outer) {}
@@ -38,7 +38,7 @@ private:
   const ProgressMonitor* outer_;
 };
 
-/** \brief Which points take part in every block, in their order. */
+/** \brief The points that each block uses, in input order. */
 std::vector<Indices>
 pointsByBlock(const Points& points, const CurveBlocks& blocks)
 {
@@ -58,7 +58,7 @@ curvesByBlocks(const Points& points,
 {
   const CurveBlocks blocks(settings.whole);
   std::vector<Indices> members = pointsByBlock(points, blocks);
-  std::vector<std::size_t> order(blocks.count()); // the longest work first
+  std::vector<std::size_t> order(blocks.count()); // the most work first
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return members[a].size() > members[b].size();
@@ -66,8 +66,8 @@ curvesByBlocks(const Points& points,
   if (monitor)
     monitor->begin("curves", blocks.count());
   const auto threads = static_cast<std::size_t>(threadCount(settings.threads));
-  // Within a block threads wait for each other often; fewer blocks would leave some
-  // idle.
+  // Within a block, threads often wait for each other; with fewer blocks than threads,
+  // some would be idle.
   const bool side_by_side = blocks.count() >= threads;
   BlockMonitor inner(monitor);
   ParallelFailure failure;

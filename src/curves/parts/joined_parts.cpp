@@ -30,7 +30,7 @@ firstPlaceOf(const Curve& curve)
   return std::min(curve.points.front(), curve.points.back(), isBefore);
 }
 
-/** \brief A curve that grows by piece after piece. */
+/** \brief A curve that grows piece by piece. */
 class Chain {
 public:
   /** \param[in] entry end of \a piece that comes first */
@@ -64,7 +64,7 @@ public:
     curve_.back = next.back;
   }
 
-  /** The last piece leads to the first again. */
+  /** The last piece leads back to the first. */
   void
   close(const PieceLink& link)
   {
@@ -80,7 +80,7 @@ public:
     curve_.density = points_ / length_;
     curve_.evidence = evidence_;
     for (CurveEnd* end : {&curve_.front, &curve_.back})
-      if (end->kind == EndKind::Bounds) // of its part, but it continues nowhere
+      if (end->kind == EndKind::Bounds) // of its part, but nothing continues it
         end->kind = EndKind::Support;
     if (!curve_.closed && isBefore(curve_.points.back(), curve_.points.front())) {
       std::reverse(curve_.points.begin(), curve_.points.end());
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  /** Goes the way to \a next, and takes off it what both have. */
+  /** Appends the link to \a next, and removes from it what both share. */
   void
   goTo(const PieceLink& link, Curve& next)
   {

@@ -12,7 +12,8 @@ namespace linelet {
 
 namespace {
 
-/** \brief Where the way from \a inside, which \a self owns, to \a outside leaves it. */
+/** \brief Where the segment from \a inside, which \a self owns, to \a outside leaves
+ * its region. */
 double
 leavesAt(const Point& inside,
          const Point& outside,
@@ -50,7 +51,7 @@ public:
   }
 
 private:
-  /** A closed curve that is to be cut begins, and ends, at a vertex of another part. */
+  /** Opens a closed curve at a vertex of another part, if it has to be cut. */
   static Curve
   opened(Curve curve, std::size_t self, const PartOwner& owner)
   {
@@ -73,8 +74,8 @@ private:
     return curve;
   }
 
-  /** Makes the places where the curve crosses borders vertices, so that every edge has
-   * one owner. */
+  /** Inserts vertices where the curve crosses borders, so that every edge has one
+   * owner. */
   void
   markBorders()
   {
@@ -130,7 +131,7 @@ private:
     return piece;
   }
 
-  /** The vertices of \a points from \a begin on, either \a way, within reach. */
+  /** The vertices of \a points from \a begin on, in direction \a way, within reach. */
   Points
   courseFrom(const Points& points, std::size_t begin, std::ptrdiff_t way) const
   {

@@ -21,7 +21,7 @@ struct Candidate {
   PieceLink there, back;
 };
 
-/** \brief The place of a course that is nearest to some point. */
+/** \brief The place on a course nearest to a point. */
 struct NearestPlace {
   double distance = std::numeric_limits<double>::infinity();
   Point at = Point::Zero();
@@ -29,7 +29,7 @@ struct NearestPlace {
   std::size_t next = 0; ///< the first vertex behind it
 };
 
-/** \param[in] same distance within which two places are one */
+/** \param[in] same distance within which two places count as one */
 NearestPlace
 nearestOn(const Points& course, const Point& p, double same)
 {
@@ -74,7 +74,7 @@ public:
     return cut(end).neighbor != CurvePiece::whole;
   }
 
-  /** \brief Whether it ends only because nothing continues it. */
+  /** \brief Whether the end is not cut, just not continued. */
   bool
   isOpen(std::size_t end) const
   {
@@ -104,7 +104,7 @@ public:
       candidates_.push_back({apart, a, b, linkTo(b, a, on_b), linkTo(a, b, on_a)});
   }
 
-  /** \brief An end that was cut, and one that just ends. */
+  /** \brief An end that was cut and one that just ends. */
   void
   reach(std::size_t a, std::size_t b)
   {
@@ -149,7 +149,7 @@ private:
                         : Point(points.back() - points[points.size() - 2]);
   }
 
-  /** From \a end to where \a to continues, at \a nearest of its course. */
+  /** From \a end to where \a to continues it, at \a nearest on its course. */
   PieceLink
   linkTo(std::size_t to, std::size_t end, const NearestPlace& nearest) const
   {
@@ -163,7 +163,7 @@ private:
     return link;
   }
 
-  /** How the curve comes to the cut from beyond, and goes on as far behind it. */
+  /** The course of the curve on both sides of the cut, equally far. */
   Points
   courseOf(std::size_t end) const
   {
@@ -206,7 +206,7 @@ linkEnds(const std::vector<CurvePiece>& pieces,
         ends.meet(a, b);
   }
   ends.join();
-  // At a corner, one went through a third part and the other did not.
+  // At a corner, one may have gone through a third part and the other not.
   std::vector<std::size_t> left;
   for (const auto& [parts, from] : cuts)
     std::copy_if(from.begin(), from.end(), std::back_inserter(left), [&](auto end) {

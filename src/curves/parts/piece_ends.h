@@ -16,9 +16,9 @@ struct PieceLink {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t to = none;     ///< end: 2 * piece, + 1 for its back
-  std::optional<Point> seam; ///< where one continues as the other; none: at the end
+  std::optional<Point> seam; ///< where one turns into the other; none: at the end
   Points bridge;             ///< vertices on the way
-  /// Number of vertices of the other, from that end on, that both have
+  /// Number of vertices of the other, from that end on, that both share
   std::size_t skip = 0;
 };
 

@@ -14,8 +14,8 @@ namespace linelet {
 
 namespace {
 
-// All points of a cell of this side, in link distances, are linked: a little less than
-// 1 / sqrt(3).
+// In link distances: all points of a cell with this side are linked, as it is a little
+// less than 1 / sqrt(3).
 constexpr double cell_side = 0.577;
 
 } // namespace
@@ -52,7 +52,7 @@ connectedComponents(const Points& points,
   for (std::size_t a = 0; a < cells.size(); ++a)
     grid.forEachWithin(
         first[a], distance, [&](Index b, double) { joined.unite(a, b); });
-  // All points are compared only where that may join two components still.
+  // All points are compared only where that may still join two components.
   for (std::size_t a = 0; a < cells.size(); ++a)
     grid.forEachWithin(first[a], widest[a] + 2 * distance, [&](Index b, double) {
       if (joined.root(a) != joined.root(b) && linked(a, b))
@@ -64,7 +64,7 @@ connectedComponents(const Points& points,
     for (std::size_t k = cells.begin[c]; k < cells.begin[c + 1]; ++k)
       component_of[cells.indices[k]] = joined.root(c);
   std::vector<Indices> members(cells.size()), components;
-  std::vector<std::size_t> order; // of the components by their first points
+  std::vector<std::size_t> order; // of the components, by their first points
   for (std::size_t i = 0; i < points.size(); ++i)
     if (component_of[i] < cells.size()) {
       if (members[component_of[i]].empty())

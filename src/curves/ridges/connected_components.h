@@ -12,9 +12,9 @@
 
 namespace linelet {
 
-/** \brief The points of each connected component (linked over \a distance, which grows
- * with \a scales where they are above 1), largest index sets of at least \a least
- * points, in the order of their first points. */
+/** \brief The points of each connected component with at least \a least points, in the
+ * order of their first points. Points are linked across \a distance, times \a scales
+ * where these exceed 1. */
 std::vector<Indices>
 connectedComponents(const Points& points,
                     double distance,

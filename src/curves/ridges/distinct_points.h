@@ -11,21 +11,21 @@ namespace linelet {
 Points
 pointsAt(const Points& points, const Indices& indices);
 
-/** \brief The finite ones of \a points, each place once, in the order of the input: a
- * duplicate adds no information, but would count twice and shrink the spacing.
+/** \brief The finite ones of \a points, each position once, in input order: a duplicate
+ * adds no information, but would count twice and shrink the spacing.
  * \return indices, ascending */
 Indices
 distinct(const Points& points);
 
 /** \brief At most 100 of \a points in every cubic cell of side \a size (the unit of the
- * points), spread over the order of the input. Otherwise each point of a dense crowd
- * would have the whole crowd as neighbors.
+ * points), spread over the input order. Otherwise every point of a dense cluster would
+ * have the whole cluster as neighbors.
  * \return indices, ascending */
 Indices
 thinned(const Points& points, double size);
 
-/** \brief Of each cell of side \a size, the point nearest to the mean of its points, in
- * their order. */
+/** \brief For each cell of side \a size, the point nearest to the mean of its points,
+ * in input order. */
 Points
 onePerCell(const Points& points, double size);
 

@@ -8,7 +8,7 @@
 namespace linelet {
 
 /** \brief Major eigenvector of a symmetric positive semidefinite \a matrix by repeated
- * squaring, on the side of \a like, which is returned if the matrix has no major
+ * squaring, oriented like \a like, which is returned if the matrix has no major
  * direction. */
 Point
 majorDirection(const Eigen::Matrix3d& matrix, const Point& like);

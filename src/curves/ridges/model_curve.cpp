@@ -117,7 +117,7 @@ resampled(const ModelCurve& curve,
     return piecewise(curve, [&](const ModelCurve& piece) {
       return resampled(piece, spacing, scales, 1);
     });
-  // A fine polyline first, whose edges are measured by the scale of their places.
+  // A fine polyline first, whose edges are measured relative to the local scale.
   const double fine_spacing = std::max(0.25 * spacing, length(curve) / 1e6);
   const ModelCurve fine =
       resampled(curve, std::min(fine_spacing, length(curve) / (4 * least_edges)));

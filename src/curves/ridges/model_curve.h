@@ -18,7 +18,7 @@ struct ModelCurve {
   std::array<int, 2> junction = {-1, -1}; ///< of the front and the back end; -1: free
   /// Nodes at which it may turn sharply, ascending; never ends.
   std::vector<std::size_t> hinges;
-  double scale = 0;           ///< bandwidth of the ridges that it comes from
+  double scale = 0;           ///< bandwidth of the ridges it comes from
   std::vector<double> counts; ///< points explained by each edge, or empty
   double noise = 0;    ///< standard deviation of its points about it, per coordinate
   double evidence = 0; ///< log-likelihood ratio of curve to background
@@ -72,7 +72,7 @@ resampled(const ModelCurve& curve,
           const ScaleField& scales,
           double least_edges);
 
-/** \brief Unit vector that leads out of \a curve at its front (end 0) or back (end 1),
+/** \brief Unit vector that points out of \a curve at its front (end 0) or back (end 1),
  * taken over the last \a reach of its length. */
 Point
 outwardDirection(const ModelCurve& curve, int end, double reach);

@@ -10,11 +10,10 @@
 
 namespace linelet {
 
-/** \brief Points by the cells of a cubic lattice they lie in; cells without points are
- * left out. */
+/** \brief Points grouped by the cells of a cubic lattice, without empty cells. */
 struct OccupiedCells {
   Indices indices; ///< of the points, those of a cell together, ascending
-  std::vector<std::size_t> begin; ///< of each cell in these, and the end of the last
+  std::vector<std::size_t> begin; ///< of each cell in these, then the end
 
   std::size_t
   size() const

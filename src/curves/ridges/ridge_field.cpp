@@ -14,8 +14,8 @@ namespace linelet {
 
 namespace {
 
-// Points with less support than this share of the median, or than this many points at
-// no distance, take no part.
+// Points are ignored if their support is less than this share of the median, or than
+// that of this many coincident points.
 constexpr double least_share = 0.3;
 constexpr double least_support = 1.5;
 
@@ -76,7 +76,7 @@ RidgeField::sample(const Point& x) const
   result.support = sums.weight;
   if (!(result.support > 0))
     return result;
-  // Weighted by the smoothing kernel, whose sums the vectorized kernels have made.
+  // Weighted by the smoothing kernel; the vectorized kernels have computed the sums.
   const Point first = Point(sums.first) / sums.weight;
   const auto& s = sums.second;
   result.covariance << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];

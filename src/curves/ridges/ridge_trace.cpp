@@ -23,7 +23,7 @@ constexpr double loop_length = 5;
 constexpr double explained_distance = 2;
 constexpr double least_length = 3;
 
-// A trace that turns about within 3b follows the noise around the end of its curve.
+// A trace that turns back within 3b follows the noise around the end of its curve.
 constexpr std::size_t turn_steps = 8;
 constexpr double least_cosine = -0.64;
 
@@ -32,7 +32,8 @@ constexpr double support_memory = 0.85; // of the running mean, per step
 constexpr int correctors = 3;
 constexpr std::size_t least_new_points = 5;
 
-/** \brief Nodes of the traces so far, for "which is near": chained hash of cells. */
+/** \brief Nodes of the traces so far, in a chained hash of cells for proximity
+ * queries. */
 class NodeMap {
 public:
   NodeMap(double cell, std::size_t expected) : cell_(cell)
@@ -58,8 +59,8 @@ public:
     heads_[bucket] = nodes_.size() - 1;
   }
 
-  /** \brief The nearest node within \a distance (at most a cell) that \a accept takes,
-   * or null. */
+  /** \brief The nearest node within \a distance (at most a cell) that \a accept
+   * accepts, or null. */
   template <class Accept>
   const Node*
   nearest(const Point& x, double distance, Accept&& accept) const
@@ -110,7 +111,7 @@ public:
         map_(attach_distance * field.widestBandwidth(), field.kept().size()),
         explained_(field.kept().size(), 0)
   {
-    // A trace has nothing to gain from more steps than its points can feed.
+    // No trace needs more steps than its points can support.
     most_steps_ = limits.steps > 0 ? limits.steps : 4 * field.kept().size() + 100;
     most_seeds_ = limits.seeds > 0 ? limits.seeds : field.kept().size();
   }
@@ -186,8 +187,8 @@ private:
     traces_.curves.push_back(std::move(trace));
   }
 
-  /** \brief Walks on from the one node of \a path toward \a d; \a sign is that of the
-   * arc length on this side, \a far_end the arc length of the trace's other end. */
+  /** \brief Walks from the only node of \a path toward \a d; \a sign is that of the arc
+   * length on this side, \a far_end the arc length of the trace's other end. */
   Stop
   walk(Points& path,
        Point d,
@@ -266,7 +267,7 @@ private:
     tentative.clear();
   }
 
-  /** \brief Marks the points near \a trace; how many are new. */
+  /** \brief Marks the points near \a trace. \return how many are new */
   std::size_t
   explain(const ModelCurve& trace)
   {

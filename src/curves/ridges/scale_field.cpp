@@ -19,15 +19,15 @@ namespace {
 
 constexpr std::size_t spacing_neighbors = 6;
 constexpr std::size_t smoothing_neighbors = 12;
-// Points whose neighborhood is this linear tell of the spacing along curves; so large
-// a share of all there must be.
+// Points whose neighborhood is at least this linear show the spacing along curves; they
+// must be at least this share of all points.
 constexpr double least_linearity = 0.6;
 constexpr double least_linear = 0.3;
 
 using Neighbors = std::vector<UniformGrid::Neighbor>;
 
 /** \brief Calls visit(index, neighbors) for the nearest neighbors of every point, near
- * to far, equals by index. */
+ * to far, ties by index. */
 template <class Visit>
 void
 forEachNearest(const NeighborSearch* search,
@@ -65,7 +65,7 @@ ScaleField::ScaleField(const Points& points,
   std::vector<double> logarithms(points.size());
   std::vector<Indices> near(points.size());
   forEachNearest(search, points, scale_unit, [&](Index i, const Neighbors& nearest) {
-    // The point itself, or one in its place, is the nearest of all.
+    // The nearest is the point itself, or a duplicate.
     const std::size_t sixth = std::min(spacing_neighbors, nearest.size() - 1);
     const double spacing = std::sqrt(nearest[sixth].first) / scale_unit;
     logarithms[i] = std::log(std::clamp(spacing, 1 / widest(), widest()));
@@ -98,7 +98,8 @@ ScaleField::ScaleField(const Points& points,
   values_ = std::move(values);
 }
 
-// Asked of places far from all points too, where the rows of a grid are empty for long.
+// Also called for places far from all points, where a grid search would visit many
+// empty rows.
 double
 ScaleField::at(const Point& x) const
 {

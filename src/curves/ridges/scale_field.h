@@ -15,7 +15,7 @@ namespace linelet {
  *
  * Where points lie twice as far apart, because of uneven sampling or noise that grows
  * along a curve, the field is about 2, and all lengths that a fit derives from the
- * scale unit grow by it. Without points it is 1 everywhere. */
+ * scale unit are multiplied by it. Without points it is 1 everywhere. */
 class ScaleField {
 public:
   ScaleField() = default;
@@ -23,14 +23,15 @@ public:
   /** \brief The distance of every point to its sixth neighbor, smoothed over its
    * neighborhood, relative to \a scale_unit; between 1/8 and 8.
    * \param[in] points finite points
-   * \param[in] least_spread if the \ref spread is less, the field stays without points
+   * \param[in] least_spread if the \ref spread is smaller, the field has no points and
+   * is 1 everywhere
    * \param[in] search over \a points; null: a grid of its own */
   ScaleField(const Points& points,
              double scale_unit,
              double least_spread = 1,
              const NeighborSearch* search = nullptr);
 
-  /** \brief This field for coordinates relative to \a origin; it shares memory. */
+  /** \brief This field for coordinates relative to \a origin; shares memory with it. */
   ScaleField
   from(const Point& origin) const
   {
@@ -56,8 +57,8 @@ public:
     return unit_;
   }
 
-  /** \brief The ratio of wide to narrow spacings along curves: that of the ninth to the
-   * first decile of the points whose neighborhood is linear; 1 where few are. */
+  /** \brief The ratio of wide to narrow spacings along curves: the ninth over the first
+   * decile for points with a linear neighborhood; 1 if these are few. */
   double
   spread() const
   {

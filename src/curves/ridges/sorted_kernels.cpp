@@ -97,8 +97,8 @@ nearEdge(const SortedArrays& points,
       const auto near = hn::And(hn::Le(off, most), hn::Lt(lanes, rest));
       if (hn::AllFalse(d, near))
         continue;
-      // Faster than to compress vectors: every sorted index is written, and written
-      // over where it was not near.
+      // Faster than compressing vectors: every sorted index is written, and overwritten
+      // if it was not near.
       std::uint8_t bits[8] = {};
       hn::StoreMaskBits(d, near, bits);
       const unsigned mask = bits[0] | unsigned(bits[1]) << 8;

@@ -41,7 +41,7 @@ struct FieldSums {
   double second[6]; ///< xx xy xz yy yz zz
 };
 
-/** \brief Those within a distance of an edge, one after the other. */
+/** \brief The points within some distance of an edge, consecutively. */
 struct NearEdge {
   double from[3];
   double direction[3]; ///< unit vector

@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t neighbors = 8;
 
-/** \brief The shortest tree of each connected component. */
+/** \brief The minimum spanning tree of each connected component. */
 struct SpanningTrees {
-  std::vector<Indices> joined; ///< per point those it is joined to
+  std::vector<Indices> joined; ///< per point, those it is joined to
   Indices roots;               ///< a point of each tree
 };
 
@@ -68,7 +68,7 @@ spanningCurves(const Points& points, std::size_t least_edges)
   std::vector<char> used(points.size(), 0); // by curves so far
   std::vector<Index> before(points.size()); // on the way from where a search began
 
-  // The longest way from \a start that meets no used point again, last point first.
+  // The longest path from \a start that meets no used point, last point first.
   const auto longestFrom = [&](Index start) {
     std::vector<std::pair<Index, std::size_t>> open{{start, 0}};
     before[start] = start;
@@ -91,7 +91,7 @@ spanningCurves(const Points& points, std::size_t least_edges)
   };
 
   Traces traces;
-  Indices branching; // points of curves, from which more may leave
+  Indices branching; // points of curves from which more curves may branch
   const auto keep = [&](const Indices& way) {
     if (way.size() <= least_edges)
       return false;

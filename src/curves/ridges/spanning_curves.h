@@ -9,12 +9,12 @@
 
 namespace linelet {
 
-/** \brief Curves along the minimum spanning tree of \a points: a start that needs no
- * scale, for clouds so sparse or so unevenly spaced that no ridge can be traced.
+/** \brief Curves along the minimum spanning tree of \a points: initial curves that need
+ * no scale, for clouds too sparse or too unevenly spaced to trace ridges.
  *
- * The tree uses edges to the 8 nearest neighbors only; what these do not connect stays
- * separate. Its longest path is a curve, and so is the longest path that leaves a
- * curve, as long as it has \a least_edges edges; shorter ones are noise. */
+ * The tree uses only edges to the 8 nearest neighbors; what these do not connect stays
+ * separate. Its longest path is a curve, and so is each longest path that leaves a
+ * curve, if it has at least \a least_edges edges; shorter ones are noise. */
 Traces
 spanningCurves(const Points& points, std::size_t least_edges);
 

@@ -25,15 +25,14 @@ namespace {
 // All in D.
 constexpr double link_distance = 5; // of one connected component
 constexpr double near_gap = 2.5;    // bridged whatever the length
-constexpr double end_reach = 3;     // over which the direction of an end is taken
+constexpr double end_reach = 3;     // the stretch that gives the direction of an end
 
-// The spacing of so many points is looked at, and followed where it varies by more than
-// this along the curves.
+// Only up to this many points, local spacing is measured, and followed where it varies
+// by more than this factor along the curves.
 constexpr std::size_t most_varied = 60000;
 constexpr double uneven = 2.5;
 
-/** \brief The fit of one component, made near the origin, where numbers keep their
- * digits.
+/** \brief The fit of one component, computed near the origin to keep precision.
  * \param[in] scales of all points; null: not followed */
 EmFit
 refineNearOrigin(const Points& points,
@@ -57,7 +56,7 @@ refineNearOrigin(const Points& points,
   return fit;
 }
 
-/** \brief The fits of all components, in their order whatever the number of threads. */
+/** \brief The fits of all components, in order, whatever the number of threads. */
 std::vector<EmFit>
 refineComponents(const Points& points,
                  const std::vector<Indices>& components,
@@ -79,7 +78,7 @@ refineComponents(const Points& points,
   for (std::size_t p = 0; p < components.size(); ++p) {
     if (stop())
       continue;
-    std::size_t told = 0; // to the monitor, of this component
+    std::size_t told = 0; // progress of this component reported so far
     const auto progress = [&](double share) {
       if (stop())
         throw Canceled();
@@ -105,8 +104,8 @@ refineComponents(const Points& points,
   return fits;
 }
 
-/** \brief \a curve with free ends that reach past the last points it explains by half
- * their mean distance, as far as it is on average from the last point to the end. */
+/** \brief \a curve with its free ends extended past the last explained points by half
+ * their mean distance, which is how far the end lies from the last point on average. */
 ModelCurve
 extended(const ModelCurve& curve)
 {

@@ -12,8 +12,8 @@
 
 namespace linelet {
 
-/** \brief Curves of a cloud of hardly anything else, each connected component by
- * itself.
+/** \brief The curves of a cloud that holds hardly anything else, each connected
+ * component separately.
  * \param[in] search over \a points, or null */
 ModelCurves
 componentCurves(const Points& points,

@@ -16,17 +16,17 @@ namespace linelet {
 
 namespace {
 
-// A component this large is looked at before it is worked on: where hardly any
+// A component at least this large is checked before the work: if hardly any
 // neighborhood of sampled points is linear, it is a surface or a volume.
 constexpr std::size_t large_component = 5000;
-// A curve along the shortest tree has so many edges at least. It runs through the
-// points, so its fit begins with little noise; and as it follows the noise of thick
-// clouds, it has to be better by this much than what ridges led to.
+// A curve along the minimum spanning tree has at least this many edges. It runs through
+// the points, so its fit begins with little noise; and as it follows the noise of thick
+// clouds, it has to beat the ridges by this much.
 constexpr std::size_t least_spanned = 6;
 constexpr double spanning_bandwidth = 0.35;
 constexpr double least_spanning_gain = 12;
 
-/** \brief Of all that a fit of \a start depends on. */
+/** \brief A hash of everything that a fit of \a start depends on. */
 std::size_t
 hashOf(const ModelCurves& start, const EmSettings& settings)
 {

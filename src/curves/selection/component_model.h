@@ -20,12 +20,12 @@
 
 namespace linelet {
 
-/** \brief Bandwidths of the ridges, in D: from the middle down, then up from number
+/** \brief Bandwidths of the ridges, in D: from the middle one down, then up from number
  * \ref first_upwards. */
 constexpr std::array<double, 6> bandwidths = {1, 0.7, 0.5, 1.4, 2, 2.8};
 constexpr std::size_t first_upwards = 3;
-/** \brief If spacing or noise vary, these bandwidths are tried again, varying with
- * them. */
+/** \brief If spacing or noise vary, these bandwidths are tried again, scaled
+ * accordingly. */
 constexpr std::array<std::size_t, 3> varied_bandwidths = {0, 1, 3};
 
 /** \brief A fit and its settings. */
@@ -40,7 +40,8 @@ struct Fitted {
 class ComponentModel {
 public:
   /** \param[in] points finite points; must outlive the component, as must \a user
-   * \param[in] stop asked in every iteration of a fit; true: Canceled is thrown */
+   * \param[in] stop called in every iteration of a fit; if it returns true, Canceled is
+   * thrown */
   ComponentModel(const Points& points,
                  double scale_unit,
                  const RefinedSettings& user,
@@ -51,8 +52,8 @@ public:
   {
     return best_;
   }
-  /** \brief The fits of ridges and of the minimum spanning tree, in the order in which
-   * they were made. */
+  /** \brief The fits of ridges and of the minimum spanning tree, in the order they were
+   * made. */
   const std::vector<Fitted>&
   traced() const
   {
@@ -80,7 +81,7 @@ public:
   }
 
   /** \brief The scale in D at which the component looks like curves: more than 1 if
-   * they are thick compared with the spacing of the points; 0: none. */
+   * they are thick compared with the point spacing; 0: none. */
   double
   curveSize() const;
 
@@ -97,18 +98,18 @@ public:
   take(EmFit fit, const EmSettings& settings, double gain = 0);
 
   /** \brief Fits \a start, and keeps the fit if it is better than the best by \a gain.
-   * What has been tried before with such settings is not fitted again.
+   * A start already tried with these settings is not fitted again.
    * \return whether it was better */
   bool
   improve(const ModelCurves& start, const EmSettings& settings, double gain);
 
-  /** \brief From now on, lets bandwidth, spacing and noise vary by \a scales (the same
-   * ones whenever not null), and the noise also by itself. */
+  /** \brief From now on, lets bandwidth, spacing and noise vary with \a scales (if not
+   * null, the same at every call), and with \a noise also the noise on its own. */
   void
   vary(const ScaleField* scales, bool noise);
 
   /** \brief Traces (once) and fits with bandwidth number \a k.
-   * \return the score; if there was nothing new to fit, that of the best */
+   * \return the score; the best score if there was nothing new to fit */
   double
   tryBandwidth(std::size_t k);
 
@@ -129,7 +130,7 @@ public:
     best_ = std::move(fitted);
   }
 
-  /** \brief Hands the best fit out; the component is done. */
+  /** \brief Moves the best fit out; the component is done. */
   EmFit
   release()
   {
@@ -140,7 +141,8 @@ public:
 private:
   double
   unit() const;
-  /** \brief Fits \a traces of bandwidth \a b, kept where better by \a gain.
+  /** \brief Fits \a traces of bandwidth \a b, and keeps the fit if it is better by \a
+   * gain.
    * \return as \ref tryBandwidth does */
   double
   tryTraces(const Traces& traces, double b, double gain = 0);
@@ -155,8 +157,8 @@ private:
   bool varied_noise_ = false;
   Fitted best_;
   std::vector<Fitted> traced_;
-  // Of each bandwidth, the same everywhere or varying: noise that varies is fitted
-  // along the same ridges.
+  // Of each bandwidth, uniform or varying; varying noise is fitted along the same
+  // ridges.
   std::array<std::array<std::optional<Traces>, bandwidths.size()>, 2> traces_;
   std::optional<Traces> spanning_;        // along the minimum spanning tree
   std::unordered_set<std::size_t> tried_; // starts of improve(), by their hash

@@ -24,45 +24,46 @@ namespace {
 constexpr int most_rounds = 3;
 constexpr int most_rejoinings = 2;
 constexpr int most_simplifications = 8;
-// Curves may be joined wrongly where they pass within so many standard deviations, or
+// Curves may be joined wrongly where they pass within this many standard deviations, or
 // D.
 constexpr double doubt_noise = 2;
 constexpr double doubt_unit = 0.6;
-// Up to so many places are rejoined each by itself, more of them all at once.
+// Up to this many places are rejoined one by one, more of them all at once.
 constexpr std::size_t most_single_places = 8;
-constexpr double least_gain = 1; // of the score, by which another topology is better
-// Bends within so many standard deviations, or D, may be corners.
+constexpr double least_gain = 1; // of the score, for another topology to be accepted
+// Bends within this many standard deviations, or D, may be corners.
 constexpr std::array<double, 2> bend_noise = {1, 2};
 constexpr double bend_unit = 0.5;
-constexpr int near_iterations = 8; // where the start is near
-// A curve is doubled where the variance of its points one way is this many times that
-// the other way; for fixed-radius noise it is smaller beside the distance of a pair.
+constexpr int near_iterations = 8; // if the start is close
+// A curve is doubled if the variance of its points in one direction is this many times
+// that in the other; fixed-radius noise gives a smaller ratio for the same distance of
+// a pair.
 constexpr double doubled_spread = 2;
 constexpr double doubled_fixed_radius_spread = 1.3;
-// Fixed-radius noise is tried where the noise is that much wider than the least, with
-// a width of this share of its length. The kurtosis is 2 for normal noise.
+// Fixed-radius noise is tried if the noise exceeds its lower bound by this factor, with
+// a width of this share of its radius.
 constexpr double least_fixed_radius = 1.2;
 constexpr double fixed_radius_width = 0.2;
 constexpr int fixed_radius_iterations = 10; // the start is near
-// Noise that varies is tried where the kurtosis is at least this share of that of
-// normal noise: what lies farthest out is taken for outliers, and missing in it.
+// Varying noise is tried if the kurtosis is at least this share of that of normal
+// noise: the points farthest out count as outliers and are missing from it.
 constexpr double least_tails = 0.9;
-// The curves' effective parameters across them, per curve, from which on they may be
-// thought to bend evenly: an arc has three.
+// Effective parameters per curve, across it, above which even curvature is tried: an
+// arc has three.
 constexpr double least_even_curvature = 6;
-constexpr double pair_share = 0.7; // of the noise of one curve, to begin with
-constexpr double most_kurtosis = 2.2;
+constexpr double pair_share = 0.7;    // of the noise of the single curve, initially
+constexpr double most_kurtosis = 2.2; // 2 for normal noise
 constexpr std::size_t least_rest = 8;
 
-/** \brief The kurtosis of normal noise (\ref EmFit): fourth moment over squared
- * second of the distance from a line. */
+/** \brief The kurtosis of normal noise (\ref EmFit): fourth moment over squared second
+ * moment of the distance from a line. */
 double
 normalKurtosis(int dimensions)
 {
   return dimensions == 3 ? 2 : 3;
 }
 
-/** \brief The doubtful places of \a curves (\ref doubtfulPlaces) in groups that are
+/** \brief The doubtful places of \a curves (\ref doubtfulPlaces), grouped by what is
  * rejoined together. */
 std::vector<Points>
 placesToRejoin(const ModelCurves& curves, double size)
@@ -100,9 +101,9 @@ rejoinOnce(ComponentModel& component)
   return better;
 }
 
-/** \brief The fit that \a fitted becomes when every curve is doubled whose points lie
- * to two sides of it; no curve where there is none. What falls far behind the score
- * \a rival is given up. */
+/** \brief \a fitted with every curve doubled whose points lie on two sides of it,
+ * fitted again; no curves if there are none to double. A fit that falls far behind the
+ * score \a rival is abandoned. */
 EmFit
 doubledFit(ComponentModel& component, const Fitted& fitted, double rival)
 {
@@ -125,14 +126,14 @@ EmFit
 doubleCurves(ComponentModel& component)
 {
   const EmSettings settings = component.best().settings;
-  // In space, fixed-radius noise may make another fit of it.
+  // In 3D, fixed-radius noise may still improve it.
   const double rival = component.dimensions() == 3
                            ? std::numeric_limits<double>::infinity()
                            : component.best().score;
   EmFit fit = doubledFit(component, component.best(), rival);
   const bool taken = component.take(fit, settings);
-  // One curve between two explains their points badly, and a narrower bandwidth, that
-  // leaves both in pieces, better; yet doubled it is both of them.
+  // One curve between two explains their points worse than a narrower bandwidth that
+  // leaves both in pieces; yet doubled it becomes both of them.
   ModelCurves last;
   for (const Fitted& other : component.traced()) {
     const ModelCurves& curves = other.fit.curves;
@@ -149,7 +150,7 @@ doubleCurves(ComponentModel& component)
 void
 rejoin(ComponentModel& component)
 {
-  // What is joined in one place may show what is wrong in another.
+  // Rejoining one place may reveal what is wrong in another.
   for (int round = 0; round < most_rejoinings && rejoinOnce(component); ++round) {
   }
 }
@@ -243,7 +244,7 @@ fitFixedRadius(ComponentModel& component, const EmFit& other)
     trial.iterations = fixed_radius_iterations;
     component.take(component.fit(start->curves, trial, component.best().score), trial);
   }
-  // What normal noise hides: a curve whose points lie beside it rather than around it.
+  // Normal noise hides curves whose points lie at a distance rather than around them.
   const EmFit& best = component.best().fit;
   const double noise = best.deviation();
   const ModelCurves pairs = doubled(best.curves,
@@ -266,7 +267,7 @@ evenCurvature(ComponentModel& component)
   const EmFit& best = component.best().fit;
   EmSettings settings = component.best().settings;
   const double curves = static_cast<double>(best.curves.size());
-  // Without noise the points say all of the shape.
+  // Without noise the points fully determine the shape.
   if (best.noise <= settings.least_noise ||
       best.freedom <= least_even_curvature * (component.dimensions() - 1) * curves)
     return;

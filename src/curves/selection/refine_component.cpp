@@ -17,28 +17,27 @@ namespace linelet {
 
 namespace {
 
-// Where a bandwidth does that much worse than the best so far, those beyond it are not
+// If a bandwidth scores this much worse than the best so far, those beyond it are not
 // tried.
 constexpr double hopeless_score = 60;
-// The bandwidth of a component this large is chosen by a few samples of neighboring
-// points.
+// The bandwidth of a component at least this large is chosen on a few samples of
+// neighboring points.
 constexpr std::size_t sampled_component = 60000;
 constexpr std::size_t sample_size = 8000;
 constexpr std::size_t samples = 3;
-// In such a component, unexplained points whose scale unit is more than this, in D, are
-// left: a fit of all points would begin with noise so wide that each is near
-// everything.
+// In such a component, unexplained points with a scale unit above this, in D, are left
+// alone: their fit would begin with noise so wide that every point is near every curve.
 constexpr double widest_rest = 15;
-// Two fits are revised in components up to this size, the second one where its score is
-// behind by no more than this.
+// In components up to this size, two fits are revised: also the second best, if its
+// score is behind by no more than this.
 constexpr std::size_t revised_component = 5000;
 constexpr double most_behind = 50;
-// Networks with fewer ends or curves are tried in components up to this size.
+// In components up to this size, networks with fewer ends or curves are tried.
 constexpr std::size_t simplified_component = 5000;
-// Points so few may be too sparse for ridges, however even their spacing.
+// With fewer points than this, ridges may fail however even the spacing.
 constexpr std::size_t spanned_component = 200;
 
-/** \brief The bandwidth (its number) that fits best around a few points. */
+/** \brief The number of the bandwidth that fits best around a few points. */
 std::size_t
 bandwidthOfSamples(const Points& points,
                    const UniformGrid& grid,
@@ -53,7 +52,7 @@ bandwidthOfSamples(const Points& points,
       sample.push_back(points[i]);
     const double unit = scaleUnit(sample, 1024, 1, 1);
     for (std::size_t k = 0; unit > 0 && k < bandwidths.size(); ++k) {
-      // Each by itself, so that all have a score of their own.
+      // Each on its own, so that each gets its own score.
       ComponentModel component(sample, unit, user, stop);
       component.tryBandwidth(k);
       scores[k] += component.best().score;
@@ -79,7 +78,7 @@ tryBandwidths(ComponentModel& component, const std::function<void(double)>& prog
   }
 }
 
-/** \brief Lets the best fit try other topologies.
+/** \brief Tries other topologies for the best fit.
  * \return the fit that \ref doubleCurves rejected */
 EmFit
 revise(ComponentModel& component, const ScaleField* scales)
@@ -99,7 +98,7 @@ revise(ComponentModel& component, const ScaleField* scales)
   return rejected;
 }
 
-/** \brief Lets the best fit try fixed-radius noise, and corners. */
+/** \brief Tries fixed-radius noise and corners for the best fit. */
 void
 finish(ComponentModel& component, const EmFit& rejected)
 {
@@ -107,8 +106,8 @@ finish(ComponentModel& component, const EmFit& rejected)
   sharpen(component);
 }
 
-/** \brief Revises the runner-up of the bandwidths as well as the best fit: what is
- * behind at first is often ahead of it in the end. */
+/** \brief Revises the runner-up of the bandwidths as well as the best fit, since it
+ * often wins in the end. */
 void
 reviseBoth(ComponentModel& component, const ScaleField* scales)
 {
@@ -123,8 +122,8 @@ reviseBoth(ComponentModel& component, const ScaleField* scales)
     component.goOnFrom(best);
 }
 
-/** \brief Fits a share of \a points whose curves are thick beside their spacing; the
- * counts are those of all points. */
+/** \brief Fits a share of \a points whose curves are thick compared with their spacing;
+ * the counts are scaled to all points. */
 EmFit
 refineThinned(const Points& points,
               double size,
@@ -160,7 +159,7 @@ refineComponent(const Points& points,
   if (size == 0)
     return {};
 
-  // What costs many fits, or integrals of every pair, is too slow for millions.
+  // Many fits, or an integral for every pair, are too slow for millions of points.
   const bool sampled = points.size() > sampled_component;
   if (sampled) {
     const std::size_t chosen = bandwidthOfSamples(points, component.grid(), user, stop);

@@ -12,17 +12,18 @@
 
 namespace linelet {
 
-/** \brief Points of a component: fewer are taken for no curve. */
+/** \brief A component with fewer points holds no curve. */
 inline constexpr std::size_t least_component = 5;
 
-/** \brief Fits one connected component of a cloud: ridges at six bandwidths, each
- * refitted, the lowest score wins.
+/** \brief Fits one connected component of a cloud: ridges at six bandwidths are
+ * refitted, and the lowest score wins.
  *
- * For a large component a few samples of it choose the bandwidth.
+ * For a large component, a few samples of it choose the bandwidth.
  * \param[in] points finite points
  * \param[in] scales how the spacing of the points varies; null: hardly at all
- * \param[in] stop asked in every iteration of a fit; true: Canceled is thrown
- * \param[in] progress told the share of the work that is done
+ * \param[in] stop called in every iteration of a fit; if it returns true, Canceled is
+ * thrown
+ * \param[in] progress called with the share of the work done
  * \return no curve if none explains the points better than uniform scatter does */
 EmFit
 refineComponent(const Points& points,

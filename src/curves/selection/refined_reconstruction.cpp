@@ -29,17 +29,18 @@ namespace linelet {
 
 namespace {
 
-// A cloud that is linear around this share of its points, or small, may be one of
-// curves noisy beside their extent; it is if curves explain this share.
+// A cloud that is small, or linear around this share of its points, may consist of
+// curves that are noisy for their extent; it does if curves explain this share.
 constexpr double least_explained = 0.5;
-// Curves that lie nearer to their points than this, in mean distances along them, blur
-// nothing. Thinner ones by this factor, with this many times the evidence needed, do
-// not come about by chance.
+// Curves closer to their points than this, in mean distances along them, blur nothing.
+// Curves thinner by this factor, with this many times the evidence needed, do not arise
+// by chance.
 constexpr double sharp = 0.1, blurred = 10, certain = 5;
-// Nor is a cloud of so many D a shape, whose noise may vary along it, but a scene.
+// A cloud that extends over more than this many D is a scene, not a shape whose noise
+// may vary.
 constexpr double scene_extent = 150;
 
-/** \brief Points that \a curves explain. */
+/** \brief Number of points that \a curves explain. */
 double
 explainedBy(const ModelCurves& curves)
 {
@@ -49,8 +50,8 @@ explainedBy(const ModelCurves& curves)
   return sum;
 }
 
-/** \brief How far the points of \a curves lie from them, in mean distances of the
- * points along them; mean over the points. */
+/** \brief Mean distance of the points of \a curves from them, in mean distances of the
+ * points along them. */
 double
 thicknessOf(const ModelCurves& curves)
 {
@@ -64,8 +65,8 @@ thicknessOf(const ModelCurves& curves)
   return points > 0 ? sum / points : 0;
 }
 
-/** \brief Whether \a mixed, a few thin curves, tell more of a cloud than \a alone,
- * which explain all of it: some are sure beyond any chance, and \a alone blur them. */
+/** \brief Whether \a mixed, a few thin curves, describe a cloud better than \a alone,
+ * which explain all of it: some are certain, and \a alone blur them. */
 bool
 standOut(const ModelCurves& mixed, const ModelCurves& alone, double points)
 {
@@ -77,7 +78,8 @@ standOut(const ModelCurves& mixed, const ModelCurves& alone, double points)
   return !sure.empty() && blurred * thicknessOf(sure) < thicknessOf(alone);
 }
 
-/** \brief \a known if it is; else the traits of \a points, all distinct. */
+/** \brief \a known if these are set; otherwise the traits of \a points, all
+ * distinct. */
 CloudTraits
 traitsOf(const Points& points,
          const NeighborSearch* search,
@@ -133,7 +135,7 @@ reconstruct(const Points& all,
   }
   else if (!alone_first)
     curves = mixedCurves(points, scale_unit, settings, monitor);
-  // Curves too noisy to be followed may be most of a cloud still.
+  // Curves too noisy to be followed may still make up most of a cloud.
   if (alone_first || (curves.empty() && traits.linear_share >= least_explained)) {
     const Indices kept = thinned(points, scale_unit);
     std::optional<SubsetSearch> thin;

@@ -13,8 +13,8 @@ struct ThinnedComponent {
   double share = 1; ///< of all
 };
 
-/** \brief A subset of \a points whose spacing is about \a size times as wide, for
- * curves that are thick compared with the spacing. */
+/** \brief A subset of \a points with about \a size times the spacing, for curves that
+ * are thick compared with the spacing. */
 ThinnedComponent
 thinnedComponent(const Points& points, double size);
 

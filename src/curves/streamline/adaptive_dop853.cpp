@@ -12,7 +12,7 @@ namespace linelet {
 
 namespace {
 
-constexpr std::size_t stages = 12; // of the scheme; one more is the end of the step
+constexpr std::size_t stages = 12; // of the scheme, plus one at the end of the step
 
 // clang-format off
 // Rows 13 to 15 of the scheme, for the dense output.
@@ -31,8 +31,8 @@ constexpr double dense[4][16] = {
 };
 // clang-format on
 
-// As is usual: the next step is a little shorter than the error allows, and neither
-// much shorter nor much longer than the last.
+// The usual step control: the next step is a little shorter than the error allows, and
+// neither much shorter nor much longer than the last.
 constexpr double safety = 0.9, most_shrink = 0.2, most_growth = 5;
 
 template <std::size_t count>
@@ -110,7 +110,7 @@ AdaptiveDop853::advance(double length, const Field& field)
   }
   if (!(length_ > 0))
     return to_;
-  // Powers of s and 1 - s in turn.
+  // Alternating powers of s and 1 - s.
   const double s = used_ / length_;
   Point sum = Point::Zero();
   for (std::size_t i = dense_.size(); i-- > 0;)

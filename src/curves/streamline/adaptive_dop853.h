@@ -14,7 +14,7 @@ namespace linelet {
 /** \brief How long the steps of \ref AdaptiveDop853 are, in the unit of the points. */
 struct StepControl {
   double tolerance = 0; ///< of the error of a step
-  double first = 0;     ///< step that is tried first
+  double first = 0;     ///< the first step to try
   double least = 0;     ///< taken whatever the error, where a field is rough
   double most = 0;
 };
@@ -25,7 +25,7 @@ struct StepControl {
  * streamline can be evaluated at any length, whatever the steps. */
 class AdaptiveDop853 {
 public:
-  /** \brief A direction at a place; it does not change in time. */
+  /** \brief The direction at a place; does not depend on time. */
   using Field = std::function<Point(const Point&)>;
 
   AdaptiveDop853(const Point& begin, const StepControl& control)
@@ -35,7 +35,7 @@ public:
   }
 
   /** \brief Advances by \a length along \a field.
-   * \return the place that is reached */
+   * \return the place reached */
   Point
   advance(double length, const Field& field);
 
@@ -54,7 +54,7 @@ private:
   double next_;       // step to be tried
   Point from_, to_;   // of the last step
   double length_ = 0; // of it
-  double used_ = 0;   // of that, how much has been gone
+  double used_ = 0;   // how much of it has been used
   std::size_t evaluations_ = 0;
   std::array<Point, 7> dense_; // coefficients of the interpolation over it
 };

@@ -56,8 +56,8 @@ public:
     return found.size();
   }
 
-  /** \brief The nearest point within \a most, or \ref none; among equally near ones the
-   * lowest index. */
+  /** \brief The nearest point within \a most, or \ref none; ties go to the lowest
+   * index. */
   Index
   nearest(const Point& query, double most) const
   {

@@ -14,10 +14,10 @@ namespace linelet {
 
 namespace {
 
-// Directions whose weights sum to less say nothing: all points lie behind the end.
+// Directions whose weights sum to less are meaningless: all points lie behind the end.
 constexpr double least_weight = 1e-3;
 
-/** \brief \a v of length 1, or zero where it is too short to have a direction. */
+/** \brief \a v of length 1, or zero if it is too short to have a direction. */
 Point
 unit(const Point& v, double least = 1e-12)
 {
@@ -31,7 +31,7 @@ toward(const Point& direction, const Point& last)
   return direction.dot(last) < 0 ? Point(-direction) : direction;
 }
 
-/** \brief The tensor that the features of the points are made with. */
+/** \brief The tensor that the features of the points are based on. */
 TensorSettings
 tensorSettings(const StreamlineSettings& settings)
 {
@@ -64,7 +64,7 @@ optimalTensors(const Points& points,
   return result;
 }
 
-/** \brief Of trace 1, so that points with large neighborhoods do not outvote the
+/** \brief \a t with trace 1, so that points with large neighborhoods do not outvote the
  * others. */
 SymmetricTensor
 normalized(SymmetricTensor t)

@@ -20,7 +20,7 @@ namespace linelet {
 struct LocalScale {
   double radius = 0;                    ///< of the neighborhood
   double blend = 0;                     ///< mu: share of the eigenvector
-  double optimal_radius = 0;            ///< of the nearest point; 0: not known
+  double optimal_radius = 0;            ///< of the nearest point; 0: unknown
   Index nearest = CloudNeighbors::none; ///< that point
 };
 
@@ -31,8 +31,8 @@ public:
   /** \param[in] points with finite coordinates; kept by reference, like \a neighbors
    * \param[in] shapes their multi-scale features
    * \param[in] neighbors among the same points
-   * \param[in] tensors of the points where they are given; empty: as these modes need
-   * them, those at the optimal scales */
+   * \param[in] tensors of the points, if given; empty: those at the optimal scales, for
+   * the modes that need them */
   DirectionField(const Points& points,
                  const MultiScaleShapes& shapes,
                  const CloudNeighbors& neighbors,
@@ -45,11 +45,11 @@ public:
   scaleAt(const Point& position, const LocalScale& last) const;
 
   /** \brief The unit direction at \a position of a curve that arrives along \a last (a
-   * unit vector); \a last itself if no point determines another. */
+   * unit vector); \a last itself if no point gives a direction. */
   Point
   at(const Point& position, const Point& last, const LocalScale& scale) const;
 
-  /** \brief The optimal eigenvector e3 of point \a i; NaN where it has none. */
+  /** \brief The optimal eigenvector e3 of point \a i; NaN if it has none. */
   Point
   eigenvector(Index i) const
   {
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  /** \brief e3 of the place itself at one radius; zero where it has none. */
+  /** \brief e3 of the place itself at one radius; zero if it has none. */
   Point
   computedEigenvector(const Point& position, const Point& last, double radius) const;
 

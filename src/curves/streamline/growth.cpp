@@ -19,7 +19,7 @@ namespace linelet {
 namespace {
 
 // In h. Noise makes the field rough, where small steps would gain nothing; a step must
-// not outrun the points that its direction was taken from.
+// not outrun the points that gave its direction.
 constexpr double least_adaptive_step = 1. / 16, most_adaptive_step = 5;
 
 struct GrowingEnd {
@@ -29,7 +29,7 @@ struct GrowingEnd {
   std::optional<AdaptiveDop853>
       adaptive; // its own streamline, where steps are not constant
 
-  // The step that it is about to take.
+  // The step it is about to take.
   Point position = Point::Zero();
   bool near_points = false;
 };
@@ -68,7 +68,7 @@ bool
 advance(const GrowingEnd& growing, LineLets& lets, GrowthLimits& limits)
 {
   LineLetEnd& end = lets.lines[growing.line].ends[growing.side];
-  if (!end.growing) // met by another end of this round
+  if (!end.growing) // another end met it in this round
     return false;
   const Point step = growing.position - lets.vertices[end.vertex].position;
   const double step_length = step.norm();

@@ -23,14 +23,14 @@ struct GrowthLimits {
   Point low = Point::Zero(), high = Point::Zero(); ///< bounds that may not be left
 };
 
-/** \brief Grows every growing end of \a lets until none is left.
+/** \brief Grows all ends of \a lets that are growing until none is left.
  *
- * Breadth first: in each round every end makes one step. The steps of a round are
+ * Breadth first: in each round every end takes one step. The steps of a round are
  * computed from the state before it, then taken in the order of the line-lets, so that
- * the result does not depend on the number of \a threads. An end stops open where it is
- * farther than the cutoff from every point, leaves the bounds or has made its steps;
- * closed where it meets a line-let (see \ref meet) or turns too sharply, where a new
- * line-let branches off.
+ * the result does not depend on the number of \a threads. An end stops open if it is
+ * farther than the cutoff from every point, leaves the bounds or has taken all its
+ * steps; it stops closed if it meets a line-let (see \ref meet) or turns too sharply,
+ * in which case a new line-let branches off.
  * \throws Canceled */
 void
 grow(LineLets& lets,

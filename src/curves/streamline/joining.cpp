@@ -12,7 +12,7 @@ namespace linelet {
 
 namespace {
 
-/** \brief Which vertices are one, by a forest of parents. */
+/** \brief Which vertices are the same, as a disjoint-set forest. */
 class Unions {
 public:
   explicit Unions(std::size_t count) : parent_(count)
@@ -40,7 +40,7 @@ private:
   std::vector<Index> parent_;
 };
 
-/** \brief The graph of vertices and edges that the line-lets make. */
+/** \brief The graph of the line-lets' vertices and edges. */
 class LineLetGraph {
 public:
   explicit LineLetGraph(const LineLets& lets)
@@ -71,7 +71,8 @@ public:
           free_kind_[unions.find(end.vertex)] = end.kind;
   }
 
-  /** \brief A run of vertices between two that are no pass-through, or a closed one. */
+  /** \brief A run of vertices between two that are not pass-through, or a closed
+   * one. */
   struct Path {
     Indices vertices; ///< a closed one does not repeat its first
     bool closed = false;
@@ -98,7 +99,7 @@ public:
     return result;
   }
 
-  /** \brief Takes out every path with a free end that is shorter than \a length.
+  /** \brief Removes every path with a free end that is shorter than \a length.
    * \return whether there was one */
   bool
   dropStumps(double length)
@@ -188,7 +189,7 @@ join(const LineLets& lets, double stump_length)
     end.kind = EndKind::Junction;
     end.junction = junction_of[v];
     auto& curves = network.junctions[static_cast<std::size_t>(end.junction)].curves;
-    if (curves.empty() || curves.back() != curve) // a loop comes back to its junction
+    if (curves.empty() || curves.back() != curve) // a loop returns to its junction
       curves.push_back(curve);
     return end;
   };

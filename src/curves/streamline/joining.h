@@ -9,8 +9,8 @@
 
 namespace linelet {
 
-/** \brief Joins line-lets at what they share: polylines between free ends and
- * junctions, closed curves. Polylines with a free end that are shorter than \a
+/** \brief Joins line-lets at shared vertices: polylines between free ends and
+ * junctions, and closed curves. Polylines with a free end that are shorter than \a
  * stump_length are dropped. */
 CurveNetwork
 join(const LineLets& lets, double stump_length);

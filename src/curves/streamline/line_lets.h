@@ -31,9 +31,9 @@ struct LineLetVertex {
 /** \brief One end of a line-let. */
 struct LineLetEnd {
   Index vertex = LineLetVertex::none; ///< the last vertex on this side
-  Point direction = Point::Zero();    ///< unit vector of the last step, outwards
+  Point direction = Point::Zero();    ///< unit vector of the last step, outward
   bool growing = true;
-  bool closed = false;                ///< joined to a line-let; else open
+  bool closed = false;                ///< joined to a line-let; otherwise open
   EndKind kind = EndKind::Iterations; ///< why an open end stopped
   unsigned steps = 0;
 };
@@ -41,8 +41,8 @@ struct LineLetEnd {
 /** \brief Back and front of a line-let. */
 enum LineLetSide { back_side = 0, front_side = 1 };
 
-/** \brief A curve piece that grows from its start both ways, or from a branch one way.
- */
+/** \brief A piece of a curve that grows from its start in both directions, or from a
+ * branch in one. */
 struct LineLet {
   std::array<LineLetEnd, 2> ends;          ///< by LineLetSide
   Index origin_line = LineLetVertex::none; ///< the line-let that it branches from
@@ -52,8 +52,7 @@ struct LineLet {
 /** \brief The line-lets of a reconstruction while they grow: a graph of vertices. */
 class LineLets {
 public:
-  /** \param[in] cell size of the cells in which vertices are sought, about the distance
-   * of a search */
+  /** \param[in] cell size of the search cells, about the search distance */
   explicit LineLets(double cell) : hash_(cell) {}
 
   /** \brief A new line-let at \a position whose front looks along \a direction. */
@@ -65,7 +64,7 @@ public:
   Index
   branch(Index from, const Point& direction);
 
-  /** \brief Adds a vertex beyond an end, which it becomes. */
+  /** \brief Adds a vertex beyond an end; it becomes the new end. */
   Index
   append(Index line, LineLetSide side, const Point& position);
 
@@ -76,7 +75,7 @@ public:
   void
   move(Index vertex, const Point& position);
 
-  /** \brief Declares two vertices to be one. */
+  /** \brief Declares two vertices to be the same. */
   void
   unite(Index a, Index b)
   {
@@ -96,7 +95,7 @@ public:
   stepsBetween(Index line, LineLetSide side, Index vertex) const;
 
   /** \brief Calls visit(vertex, squared distance) for every vertex within \a radius of
-   * \a query; the order depends on the history alone. */
+   * \a query; the order depends only on the history of insertions. */
   template <class Visit>
   void
   forEachNear(const Point& query, double radius, Visit&& visit) const

@@ -37,7 +37,7 @@ Index
 crossingVertex(LineLets& lets, Index nearest, const Point& at, const Point& direction)
 {
   const LineLetVertex middle = lets.vertices[nearest];
-  Index best_before = none; // the segment from here to the next vertex is crossed
+  Index best_before = none; // start of the crossed segment
   double best_parameter = 0, best_gap = std::numeric_limits<double>::infinity();
   for (const Index before : {middle.previous, nearest}) {
     if (before == none || lets.vertices[before].next == none)
@@ -58,7 +58,7 @@ crossingVertex(LineLets& lets, Index nearest, const Point& at, const Point& dire
     const Point a = lets.vertices[best_before].position;
     const Index after = lets.vertices[best_before].next;
     const Point b = lets.vertices[after].position;
-    // A vertex at the very end of a segment is there already.
+    // There already is a vertex at the very end of a segment.
     if (best_parameter < 0.01)
       return best_before;
     if (best_parameter > 0.99)

@@ -20,13 +20,13 @@ struct SkewLines {
 SkewLines
 closestOnSkewLines(const Point& a, const Point& u, const Point& b, const Point& v);
 
-/** \brief Closes the end of line-let \a line on \a side where it has come within
- * \a distance of another line-let, or of its own far part.
+/** \brief Closes the end of line-let \a line on \a side if it has come within \a
+ * distance of another line-let, or of a distant part of its own.
  *
- * An open end close by: both ends move to their mean and become one. Else a segment:
- * the line of the last step and those of the two segments at the nearest vertex are
- * compared as skew lines; a closest point within a segment becomes a vertex of it, else
- * the nearest of the three vertices is used; the end is linked to it.
+ * If an open end is close by, both ends move to their mean and become one. Otherwise
+ * the end is linked to a segment: the line of the last step and those of the two
+ * segments at the nearest vertex are compared as skew lines; a closest point within a
+ * segment becomes a vertex of it, else the nearest of the three vertices is used.
  * \return whether the end was closed */
 bool
 meet(LineLets& lets, Index line, LineLetSide side, double distance);

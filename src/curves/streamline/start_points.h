@@ -18,9 +18,9 @@ class StartPoints {
 public:
   /** \param[in] points kept by reference
    * \param[in] shapes features of \a points
-   * \param[in] min_neighbors N1 that a start point needs; where no point has it, 2
+   * \param[in] min_neighbors N1 that a start point needs; 2 if no point has that many
    * \param[in] neighbor_exponent a, as published 0.01
-   * \param[in] among the only points that are considered */
+   * \param[in] among the points to consider */
   StartPoints(const Points& points,
               const std::vector<MultiScaleShape>& shapes,
               unsigned min_neighbors,
@@ -33,9 +33,9 @@ public:
               unsigned min_neighbors,
               double neighbor_exponent = 0.01);
 
-  /** \brief The point of the best score, taken: the next score includes the distance to
-   * it. With the first, d is 1. No point is taken twice.
-   * \param[in] least the score must be greater
+  /** \brief Takes the point with the best score; later scores include the distance to
+   * it. For the first, d is 1. No point is taken twice.
+   * \param[in] least the score must exceed this
    * \return its index, or none (see \ref none) if no candidate is left */
   Index
   next(double least = 0);
@@ -48,7 +48,7 @@ public:
   }
 
   /** \brief Up to \a count candidates for which \a wanted holds, best score without d
-   * first, no two nearer to each other than \a spacing. They are taken. */
+   * first, no two closer than \a spacing. They are taken. */
   Indices
   spread(std::size_t count, double spacing, const std::function<bool(Index)>& wanted);
 

@@ -16,7 +16,7 @@ namespace linelet {
 
 namespace {
 
-/** \brief \a chosen without those that lie upon others, by place. */
+/** \brief \a chosen without duplicates, sorted by position. */
 Indices
 withoutRepetition(const Points& points, Indices chosen)
 {
@@ -51,7 +51,7 @@ StreamlinePoints::StreamlinePoints(const Points& all,
     shift.threads = settings.threads;
     points = search_ != nullptr ? shiftToCentroids(*search_, points, shift)
                                 : shiftToCentroids(points, shift);
-    search_ = nullptr; // it knows nothing of the moved points
+    search_ = nullptr; // it does not know the moved points
   }
   neighbors.emplace(points, 2.5 * scale_unit, search_);
 }

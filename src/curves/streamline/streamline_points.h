@@ -13,7 +13,7 @@
 
 namespace linelet {
 
-/** \brief The points that line-lets follow, how they are found, and their scale. */
+/** \brief The points that line-lets follow, their neighbor search, and their scale. */
 class StreamlinePoints {
 public:
   /** \brief The finite points of \a all; without duplicates if more than half of them
@@ -26,12 +26,12 @@ public:
   StreamlinePoints&
   operator=(const StreamlinePoints&) = delete;
 
-  /** \brief The place among \ref points of the one that has \a index among all.
-   * \throws std::invalid_argument if it is none of them */
+  /** \brief The index among \ref points of the point with \a index among all.
+   * \throws std::invalid_argument if it is not one of them */
   Index
   placeOf(Index index, std::size_t all) const;
 
-  /** \brief The places among all points of \ref points. */
+  /** \brief The indices among all points of \ref points. */
   const Indices&
   chosen() const
   {
@@ -39,7 +39,7 @@ public:
   }
 
   Points points;
-  double scale_unit = 0; ///< D; where it is not positive, there are no neighbors
+  double scale_unit = 0; ///< D; if it is not positive, there are no neighbors
   std::optional<CloudNeighbors> neighbors;
 
 private:

@@ -30,11 +30,11 @@ namespace linelet {
 
 namespace {
 
-constexpr unsigned cover_rounds = 20; // of further ones
+constexpr unsigned cover_rounds = 20; // of additional line-lets
 constexpr double most_pairs = 3e8;    // point and neighbor, in the features
 
-/** \brief The radius up to \a wanted, not below a few \a scale_unit, whose
- * neighborhoods are small enough that the features of all points stay affordable. */
+/** \brief The largest radius up to \a wanted, but at least a few \a scale_unit, for
+ * which computing the features of all points stays affordable. */
 double
 affordableRadius(const Points& points,
                  const CloudNeighbors& neighbors,
@@ -68,7 +68,7 @@ limitsOf(const Points& points, double scale_unit, const StreamlineSettings& sett
     limits.high = limits.high.cwiseMax(p);
   }
   const double diagonal = (limits.high - limits.low).norm();
-  // A flat cloud has no room for rounding in its bounds.
+  // The bounds of a flat cloud leave no room for rounding.
   limits.low.array() -= limits.step;
   limits.high.array() += limits.step;
   const double points_count = static_cast<double>(points.size());
@@ -80,7 +80,7 @@ limitsOf(const Points& points, double scale_unit, const StreamlineSettings& sett
   return limits;
 }
 
-/** \brief Marks the points that have a vertex within \a distance. */
+/** \brief Marks the points with a vertex within \a distance. */
 void
 coverPoints(std::vector<bool>& covered,
             const Points& points,
@@ -96,8 +96,8 @@ coverPoints(std::vector<bool>& covered,
       covered[i] = grid.nearest(points[i], distance) != UniformGrid::none;
 }
 
-/** \brief The features of the points; with those of another centroid, where start
- * points are scored by it. */
+/** \brief The features of the points, and those for another centroid if it scores the
+ * start points. */
 class StreamlineShapes {
 public:
   StreamlineShapes(const StreamlinePoints& cloud,
@@ -140,7 +140,7 @@ public:
   MultiScaleShapes features;
   std::vector<SymmetricTensor> tensors; ///< of the points, where they are given
 
-  /** \brief Those by which start points are scored. */
+  /** \brief The features that score start points. */
   const std::vector<MultiScaleShape>&
   forStarts() const
   {
@@ -151,7 +151,8 @@ private:
   MultiScaleShapes for_starts_;
 };
 
-/** \brief Begins line-lets where the user says, or at the points of the best score. */
+/** \brief Starts line-lets where the user asked, or at the points with the best
+ * scores. */
 template <class Begin>
 void
 beginLineLets(const StreamlinePoints& cloud,
@@ -177,7 +178,7 @@ beginLineLets(const StreamlinePoints& cloud,
   }
 }
 
-/** \brief Begins line-lets far from all others and grows them, until the points are
+/** \brief Starts line-lets far from all others and grows them, until the points are
  * covered. */
 template <class Begin>
 void

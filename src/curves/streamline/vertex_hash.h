@@ -13,7 +13,7 @@
 
 namespace linelet {
 
-/** \brief Moving points by the cell of an endless cubic grid they lie in. */
+/** \brief Moving points by cell of an unbounded cubic grid. */
 class VertexHash {
 public:
   /** \param[in] cell edge of a cell, positive */
@@ -25,7 +25,7 @@ public:
     cells_[key(cellOf(position))].push_back(vertex);
   }
 
-  /** \brief Takes out \a vertex, which was inserted at \a position. */
+  /** \brief Removes \a vertex, which was inserted at \a position. */
   void
   erase(Index vertex, const Point& position)
   {
@@ -33,8 +33,8 @@ public:
     content.erase(std::find(content.begin(), content.end(), vertex));
   }
 
-  /** \brief Calls visit(vertex) for every vertex in the cells that a ball touches, and
-   * maybe for some others, once each. */
+  /** \brief Calls visit(vertex) once for every vertex in the cells that a ball touches,
+   * and possibly for some others. */
   template <class Visit>
   void
   forEachNear(const Point& query, double radius, Visit&& visit) const

@@ -78,7 +78,7 @@ radiiFor(const NeighborSearch* search,
   checkWeightings(settings.centroid, settings.weighting, settings.centroid_weighting);
   if (!std::isfinite(settings.stop_change) || settings.stop_change < 0)
     throw std::invalid_argument("stop change " + textOf(settings.stop_change) +
-                                " is not a finite number from 0 on");
+                                " is negative or not finite");
   if (settings.stop_change > 0 && settings.centroid != Centroid::Mean &&
       settings.centroid != Centroid::Median)
     throw std::invalid_argument("the stop rule needs centroid mean or median: with " +
@@ -86,7 +86,7 @@ radiiFor(const NeighborSearch* search,
                                 " the shape factors do not converge");
   if (!std::isfinite(settings.scale_unit) || settings.scale_unit < 0)
     throw std::invalid_argument("scale unit " + textOf(settings.scale_unit) +
-                                " is not a finite number from 0 on");
+                                " is negative or not finite");
 
   MultiScaleShapes result;
   if (settings.scale_unit > 0)

@@ -51,7 +51,7 @@ CopcIndex::readPage(std::string_view file, Page page, std::vector<Page>& pages)
                      std::to_string(page.at) + ", is outside of the file");
   const char* entries = file.data() + page.at;
   for (std::size_t i = 0; i < page.bytes / entry_size; ++i) {
-    // A page that refers to itself would never end.
+    // Stops at pages that refer to themselves.
     if (++entries_ > file.size() / entry_size)
       throw laz::Error(
           "its COPC hierarchy has more entries than the file has room for");

@@ -14,7 +14,7 @@
 namespace linelet::io {
 
 /** \brief The octree over the chunks of a COPC file (cloud optimized point cloud 1.0,
- * copc.io): each node is a chunk, and those of deeper levels add to the density. */
+ * copc.io): each node is a chunk, and deeper levels add density. */
 class CopcIndex {
 public:
   /** \brief Reads it. \param[in] info data of the record "copc" 1
@@ -44,7 +44,7 @@ private:
     std::uint64_t at, bytes;
   };
 
-  /** Takes the nodes of \a page, and appends the pages it leads to to \a pages. */
+  /** Adds the nodes of \a page, and appends the pages it refers to to \a pages. */
   void
   readPage(std::string_view file, Page page, std::vector<Page>& pages);
 

@@ -13,8 +13,8 @@ namespace linelet::io::hdf5 {
 
 /** \brief Checks the chunks of a dataset before the library reads them.
  *
- * HDF5 1.10 trusts that a chunk holds its rows: one that is stored shorter, or
- * decompresses to less, is read beyond its end. */
+ * HDF5 1.10 trusts that a chunk holds its rows, and reads past the end of one that is
+ * stored shorter or decompresses to less. */
 class ChunkCheck {
 public:
   ChunkCheck() = default;

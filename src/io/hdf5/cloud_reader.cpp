@@ -38,7 +38,7 @@ public:
         !exists(file_, points_grid + "/Points") || !exists(file_, chartOf(points_grid)))
       throw Error(std::string("cannot find points in it: there is no group ") +
                   chartOf(points_grid) +
-                  ", in which linelet and others that follow the fibre bundle layout "
+                  ", in which linelet and others that follow the fiber bundle layout "
                   "keep them; convert it with the program that wrote it");
     group_ = openGroup(file_, chartOf(points_grid));
     places_.emplace(group_, positions);
@@ -83,7 +83,7 @@ public:
     }
     for (const Hdf5Fragment& part : result)
       if (part.first > count() || part.count > count() - part.first)
-        throw Error("cannot read Fragments: they name points that are not there");
+        throw Error("cannot read Fragments: they name points that do not exist");
     return result;
   }
 
@@ -91,7 +91,7 @@ public:
   read(std::size_t first, std::size_t number)
   {
     Cloud cloud;
-    cloud.format = "HDF5, fibre bundle";
+    cloud.format = "HDF5, fiber bundle";
     cloud.wkt = textAttribute(group_, "wkt");
     cloud.shift = Point(numbersAttribute(group_, "shift", 3).data());
     if (!cloud.shift.allFinite())

@@ -7,7 +7,7 @@
 
 namespace linelet::io {
 
-/** \brief The points of a fibre bundle in HDF5.
+/** \brief The points of a fiber bundle in HDF5.
  *
  * \throws FileError, Canceled */
 Cloud

@@ -249,7 +249,7 @@ readCurveGrid(const Handle& file, std::string* wkt)
   for (std::size_t i = 0; i < number; ++i) {
     if (!isWithin(first[i], count[i], vertices.size()) ||
         (all += static_cast<std::size_t>(count[i])) > vertices.size())
-      throw Error("its lines name vertices that are not there");
+      throw Error("its lines name vertices that do not exist");
     Curve curve;
     const auto begin = vertices.begin() + first[i];
     curve.points.assign(begin, begin + count[i]);

@@ -113,8 +113,8 @@ Column1D::append(const void* values, std::size_t count)
 
 namespace {
 
-/** \brief Refuses a record whose fields overlap or reach beyond it: HDF5 1.10 trusts
- * them where it converts, and reads and writes outside of its buffers. */
+/** \brief Rejects a record whose fields overlap or exceed it: HDF5 1.10 trusts them
+ * when it converts, and reads and writes outside its buffers. */
 void
 checkRecord(hid_t type, const std::string& name)
 {
@@ -156,7 +156,7 @@ StoredColumn::StoredColumn(const Handle& group, const std::string& name) : name_
   const double stored = static_cast<double>(H5Dget_storage_size(dataset_.id()));
   if (bytes > most_inflation * stored + 4096)
     throw Error("cannot read " + name + ": it claims " + std::to_string(extent[0]) +
-                " rows, more than the bytes that are there can hold");
+                " rows, more than its bytes can hold");
   const Handle create(H5Dget_create_plist(dataset_.id()), H5Pclose, what);
   if (H5Pget_layout(create.id()) == H5D_COMPACT && stored < bytes)
     throw Error("cannot read " + name + ": it is damaged");

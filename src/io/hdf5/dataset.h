@@ -67,15 +67,15 @@ class StoredColumn {
 public:
   StoredColumn(const Handle& group, const std::string& name);
 
-  /** \brief Number of rows; 0 if it is not a row of values or its rows cannot be in the
-   * file: a damaged count must not allocate memory. */
+  /** \brief Number of rows; 0 if it has no rows of values, or more than the file can
+   * hold: a damaged count must not allocate memory. */
   std::size_t
   rows() const
   {
     return rows_;
   }
 
-  /** \brief Values in a row, of a dataset with two dimensions. */
+  /** \brief Values per row of a two-dimensional dataset. */
   std::size_t
   width() const
   {

@@ -78,7 +78,7 @@ Handle
 openFile(const std::string& path)
 {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "open it");
-  // Locks fail on network disks, and files are never written where others read.
+  // Locks fail on network disks, and are not needed: files are never written in place.
   H5Pset_file_locking(access.id(), false, true);
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()),
           H5Fclose,
@@ -90,7 +90,7 @@ openImage(const void* bytes, std::size_t size)
 {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "open it");
   check(H5Pset_fapl_core(access.id(), 1 << 20, false), "open it");
-  // The library copies the bytes and leaves these as they are.
+  // The library copies the bytes and does not change these.
   check(H5Pset_file_image(access.id(), const_cast<void*>(bytes), size), "open it");
   return {H5Fopen("image", H5F_ACC_RDONLY, access.id()),
           H5Fclose,
@@ -102,7 +102,7 @@ createFile(const std::string& path)
 {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make it");
   H5Pset_file_locking(access.id(), false, true);
-  // The format of 1.8, which all current readers know.
+  // The format of 1.8, which all current readers support.
   check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18),
         "make it");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()),
@@ -253,7 +253,7 @@ textAttribute(const Handle& object, const char* name, const std::string& otherwi
   if (H5Tget_class(type.id()) != H5T_STRING ||
       H5Sget_simple_extent_npoints(space.id()) != 1)
     return otherwise;
-  if (H5Tis_variable_str(type.id()) > 0) { // as h5py writes texts
+  if (H5Tis_variable_str(type.id()) > 0) { // as h5py writes strings
     char* text = nullptr;
     check(H5Aread(attribute.id(), type.id(), &text), what);
     std::string result = text == nullptr ? "" : text;

@@ -22,7 +22,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief An identifier of the HDF5 library, closed at the end. */
+/** \brief An identifier of the HDF5 library, closed on destruction. */
 class Handle {
 public:
   using Close = herr_t (*)(hid_t);
@@ -55,7 +55,7 @@ public:
     return id_;
   }
 
-  /** \brief Closes it and returns whether that worked. */
+  /** \brief Closes it. \return whether that succeeded */
   bool
   reset()
   {
@@ -75,8 +75,8 @@ check(herr_t status, const std::string& what)
     throw Error("cannot " + what);
 }
 
-/** \brief Locks the library for one thread and silences its messages on stderr: as
- * Debian builds it, it is not thread-safe. */
+/** \brief Locks the library, which is not thread-safe as built by Debian, for one
+ * thread, and silences its messages on stderr. */
 class Session {
 public:
   Session();
@@ -86,11 +86,11 @@ public:
   operator=(const Session&) = delete;
 };
 
-/** \brief The file \a path, to read. */
+/** \brief The file \a path, for reading. */
 Handle
 openFile(const std::string& path);
 
-/** \brief The bytes of a file, to read; they are copied. */
+/** \brief A file in memory, for reading; the bytes are copied. */
 Handle
 openImage(const void* bytes, std::size_t size);
 
@@ -118,9 +118,9 @@ fileType(ValueType type);
 hid_t
 memoryType(ValueType type);
 
-/** \brief The type of values that \a stored is, in either byte order; none if it is not
- * a plain number. Types of other sizes, offsets or precisions are not ours, and damaged
- * ones lead HDF5 1.10 out of its buffers. */
+/** \brief The type of value stored as \a stored, in either byte order; none if it is
+ * not a plain number. linelet writes no types of other sizes, offsets or precisions,
+ * and damaged ones make HDF5 1.10 leave its buffers. */
 std::optional<ValueType>
 valueType(hid_t stored);
 

@@ -41,7 +41,7 @@ writeIntegers(const Handle& group,
   writeValues(group, name, ValueType::Int64, values);
 }
 
-/** \brief Records one behind the other, and the lengths of heads and data. */
+/** \brief The concatenated records, and the lengths of their heads and data. */
 void
 writeRecords(const Handle& group,
              const std::string& name,
@@ -113,7 +113,7 @@ writeExtras(const Handle& group, const std::vector<LasExtra>& extras)
       scales.push_back(extra.offset[c]);
     }
     for (const std::string& name : extra.columns)
-      names += name + '\n'; // names are clean: no line ends in them
+      names += name + '\n'; // names contain no line ends
   }
   writeBytes(group, "extra_descriptors", descriptors);
   writeBytes(group, "extra_names", names);

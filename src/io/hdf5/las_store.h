@@ -17,7 +17,7 @@ namespace linelet::io::hdf5 {
 void
 writeLasOrigin(const Handle& group, const LasOrigin& origin);
 
-/** \brief Reads it back, checked as far as a writer of LAS relies on it.
+/** \brief Reads it back, after checking all that the LAS writer relies on.
  * \param[in] cloud with its columns, to which the extra bytes must fit
  * \throws Error if it is damaged */
 std::shared_ptr<LasOrigin>

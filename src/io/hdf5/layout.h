@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 6> tensor_entries = {
 inline const std::string points_grid = std::string(time_slice) + "/points";
 inline const std::string curves_grid = std::string(time_slice) + "/curves";
 
-/** \brief The vertices of a grid in the chart of all. */
+/** \brief The vertices of a grid in the common chart. */
 inline std::string
 chartOf(const std::string& grid)
 {

@@ -21,10 +21,11 @@ namespace linelet::io {
  * fragments they come in. */
 class PointGrid {
 public:
-  /** \param[in] like has the attributes, reference and LAS header of all blocks */
+  /** \param[in] like the attributes, reference system and LAS header that all blocks
+   * share */
   PointGrid(const hdf5::Handle& file, const Cloud& like);
 
-  /** \brief Whether \a cloud has the attributes of the others. */
+  /** \brief Whether \a cloud has the same attributes as the others. */
   bool
   fits(const Cloud& cloud) const;
 

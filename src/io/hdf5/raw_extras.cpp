@@ -13,7 +13,7 @@ namespace linelet::io {
 
 namespace {
 
-/** \brief Stands for bytes that the columns hold. */
+/** \brief Fills in for bytes that the columns hold. */
 void
 appendZeros(hdf5::Column1D& data, std::size_t count)
 {

@@ -13,15 +13,15 @@
 
 namespace linelet::io {
 
-/** \brief The extra bytes that columns cannot represent, in the file from the first
- * block on that has any. */
+/** \brief The extra bytes that columns cannot represent, written from the first block
+ * that has any. */
 class RawExtras {
 public:
   /** \brief Those of \a like. */
   explicit RawExtras(const LasOrigin& like);
 
   /** \brief Adds those of \a count points of \a cloud from \a first on to \a group,
-   * in which \a written points are. */
+   * which already holds \a written points. */
   void
   append(const hdf5::Handle& group,
          const Cloud& cloud,

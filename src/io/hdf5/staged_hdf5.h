@@ -12,7 +12,7 @@
 
 namespace linelet::io::hdf5 {
 
-/** \brief An HDF5 file to write, which appears complete or not at all. */
+/** \brief An HDF5 file being written, which appears complete or not at all. */
 class StagedHdf5 {
 public:
   /** \throws FileError, Error */
@@ -47,7 +47,7 @@ writing(const std::string& path, Work&& work)
   }
   catch (const Error& error) {
     throw FileError(path + ": " + error.what() +
-                    "; check that the folder exists, may be written and has room");
+                    "; check that the folder exists, is writable and has free space");
   }
 }
 

@@ -21,10 +21,10 @@ using namespace hdf5;
 namespace {
 
 constexpr const char* type_name = "UnstructuredGrid";
-constexpr std::uint8_t poly_vertex = 2; ///< VTK's number of that kind of cell
+constexpr std::uint8_t poly_vertex = 2; ///< VTK's cell type
 
-/** \brief Says what the file is, in the only form that VTK 9.1 takes: ASCII without an
- * end. */
+/** \brief Declares the type of the file in the only form that VTK 9.1 accepts: ASCII
+ * without a terminator. */
 void
 setType(const Handle& group)
 {

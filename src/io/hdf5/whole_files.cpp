@@ -18,8 +18,8 @@ using namespace hdf5;
 
 namespace {
 
-/// Points of a fragment of a cloud that is in memory as a whole: few enough to be
-/// skipped by their box, many enough to compress well.
+/// Points per fragment for a cloud that is in memory as a whole: few enough that boxes
+/// help to skip, many enough to compress well.
 constexpr std::size_t fragment_points = 1 << 18;
 
 void

@@ -9,7 +9,7 @@
 
 namespace linelet::io {
 
-/** \brief The points as a fibre bundle.
+/** \brief The points as a fiber bundle.
  *
  * \throws FileError, Canceled */
 void

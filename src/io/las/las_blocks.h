@@ -33,18 +33,18 @@ struct RecordBlock {
  * file, or decompressed chunk by chunk. */
 class LasBlocks {
 public:
-  /** Finds the blocks; \a header says how many points there are, and is updated to how
-   * many are complete. */
+  /** Finds the blocks; \a header holds the number of points, and is updated to the
+   * number of complete ones. */
   LasBlocks(const Source& source, const LasOrigin& origin, LasHeader& header);
 
-  /** \brief The same for chosen chunks, for example by an index. */
+  /** \brief The same for chosen chunks, for example those that an index selects. */
   LasBlocks(const Source& source,
             const LasOrigin& origin,
             const LasHeader& header,
             std::vector<laz::Chunk> chunks);
 
-  /** \brief Leaves out the blocks that begin before point \a first, or not before
-   * \a behind. */
+  /** \brief Keeps only the blocks that begin at point \a first or later, and before \a
+   * behind. */
   void
   keep(std::size_t first, std::size_t behind);
 
@@ -67,8 +67,9 @@ public:
   firstRecord() const;
 
   /** \brief Calls \a use for every block, in several threads at once and in any order;
-   * with \a worth, only for those for which it returns true. \a worth gets blocks that
-   * may hold only coordinates; \a use gets coordinates and the layers \a wanted. */
+   * with \a worth, only for those where it returns true. \a worth gets blocks in which
+   * only the coordinates may be decoded; \a use gets coordinates and the layers \a
+   * wanted. */
   void
   forEach(laz::Fields wanted,
           const std::function<void(std::size_t number, const RecordBlock& block)>& use,

@@ -18,12 +18,12 @@
 
 namespace linelet::io {
 
-/** \brief Reads what records hold besides coordinates: the fields of their format and
- * their extra bytes, into columns of a cloud. */
+/** \brief Reads everything in records except the coordinates, the fields of their
+ * format and their extra bytes, into columns of a cloud. */
 class LasColumns {
 public:
-  /** \brief Makes a column in \a cloud for every attribute that is wanted, and names it
-   * in \a origin. */
+  /** \brief Creates a column in \a cloud for every wanted attribute, and records its
+   * name in \a origin. */
   LasColumns(const Source& source,
              const LasHeader& header,
              LasOrigin& origin,
@@ -40,7 +40,7 @@ public:
   void
   makeRoom();
 
-  /** \brief Reads a block; several threads may read different ones. */
+  /** \brief Reads a block; threads may read different blocks concurrently. */
   void
   read(const RecordBlock& block);
 
@@ -52,7 +52,7 @@ private:
   void
   findExtras();
 
-  /** Whether the column \a name is read. In compatibility mode, attributes are made
+  /** Whether the column \a name is read. In compatibility mode, attributes are composed
    * from columns of other names. */
   bool
   reads(std::string_view name) const;
@@ -60,8 +60,8 @@ private:
   void
   makeColumns();
 
-  /** Finds the extra bytes that are kept as they are, where these are read whole: the
-   * columns may not represent all of them. */
+  /** Finds the extra bytes to keep raw, if they are read as a whole, since the columns
+   * may not represent all of them. */
   void
   findRaw();
 

@@ -27,14 +27,14 @@ constexpr std::array<std::string_view, 5> entries = {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/** Whether \a record says that a file is in this mode. */
+/** Whether \a record marks a file as being in this mode. */
 bool
 isMark(const LasRecord& record)
 {
   return record.is("lascompatible", 22204);
 }
 
-/** The bytes of the column \a name, or null where it has other values. */
+/** The bytes of the column \a name, or null if its values are not bytes. */
 Bytes*
 bytesOf(Cloud& cloud, std::string_view name)
 {
@@ -42,7 +42,7 @@ bytesOf(Cloud& cloud, std::string_view name)
   return column != nullptr ? std::get_if<Bytes>(&column->values) : nullptr;
 }
 
-/** The format that a cloud of format 0 to 5 stands for. */
+/** The format that a cloud in format 0 to 5 stands for. */
 int
 formatOf(const Cloud& cloud, bool waveform)
 {
@@ -53,7 +53,7 @@ formatOf(const Cloud& cloud, bool waveform)
   return cloud.find(infrared) != nullptr ? 8 : 7;
 }
 
-/** Whole degrees, and the steps that are left, as steps of 0.006 degrees. */
+/** Whole degrees and the remaining steps, combined into steps of 0.006 degrees. */
 std::vector<float>
 angles(const std::vector<std::int8_t>& degrees, const Column& rest)
 {

@@ -13,10 +13,11 @@ namespace linelet::io {
 bool
 isCompatible(const LasOrigin& origin);
 
-/** \brief Point formats 6 to 10 in the compatibility mode of LASzip are stored as 1 to
- * 5 of LAS 1.2 or 1.3, with what these cannot hold in extra bytes: turns the columns of
- * such a file into those of the format it stands for, and drops its extra entries.
- * \return that format; 0, without changes, for any other file */
+/** \brief Restores files in the compatibility mode of LASzip, which stores point
+ * formats 6 to 10 as formats 1 to 5 of LAS 1.2 or 1.3, with extra bytes for what these
+ * cannot hold: turns their columns into those of the original format, and drops the
+ * extra entries.
+ * \return that format; 0 for any other file, which is not changed */
 int
 restoreCompatible(Cloud& cloud, LasOrigin& origin);
 

@@ -52,7 +52,7 @@ writeLasField(const LasField& field,
 {
   char* at = block.records + field.byte;
   if (column == nullptr) {
-    // By default a return is the first of one.
+    // By default, a return is the only one.
     if (field.name == "return_number" || field.name == "number_of_returns")
       for (std::size_t i = 0; i < block.count; ++i, at += block.stride)
         *at = static_cast<char>(*at | (1 << field.shift));
@@ -197,8 +197,8 @@ LasSteps::choose(const Cloud& cloud)
   for (int axis = 0; axis < 3; ++axis) {
     grid_.offset[axis] = std::ceil(shift_[axis] + (low[axis] + high[axis]) / 2);
     const double extent = high[axis] - low[axis] + 1;
-    // At least millimeters, finer as far as the coordinates tell and the integers
-    // reach.
+    // Millimeters or finer, as far as the coordinates have decimals and the integers
+    // suffice.
     double divisor = 1e3;
     for (int finer = 3; finer < (decimals < 0 ? 9 : decimals); ++finer)
       if (extent * divisor * 10 < reach)

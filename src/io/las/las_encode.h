@@ -25,9 +25,8 @@ writeLasField(const LasField& field,
               double factor,
               const LasBlock& block);
 
-/** \brief Fills the extra entry at byte \a at of each record from the columns of
- * \a cloud, or from the raw bytes of the entry where the columns still agree with them.
- */
+/** \brief Fills the extra entry at byte \a at of each record from the columns of \a
+ * cloud, or from the raw bytes of the entry if the columns still agree with them. */
 void
 writeLasExtra(const LasExtra& extra,
               std::size_t at,
@@ -37,7 +36,7 @@ writeLasExtra(const LasExtra& extra,
 /** \brief Grid steps of point \a i of \a cloud. */
 class LasSteps {
 public:
-  /** The grid the cloud came from if it fits, else one that fits.
+  /** The grid that the cloud came with if it fits, otherwise one that fits.
    * \param[in] threads 0: all */
   explicit LasSteps(const Cloud& cloud, unsigned threads = 0);
 

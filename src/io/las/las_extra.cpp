@@ -12,7 +12,7 @@ namespace linelet::io {
 
 namespace {
 
-// The LAS number of each type is its place here, plus one.
+// The LAS number of each type is its index here plus one.
 constexpr std::array<ValueType, 10> las_types = {ValueType::UInt8,
                                                  ValueType::Int8,
                                                  ValueType::UInt16,
@@ -44,7 +44,7 @@ parse(std::string_view descriptor)
   const auto type = static_cast<unsigned char>(descriptor[type_at]);
   const auto options = static_cast<unsigned char>(descriptor[options_at]);
   if (type == 0 || type > 30) {
-    // Undocumented bytes; their number stands in place of the options.
+    // Undocumented bytes; the options field holds their number.
     extra.bytes = type == 0 ? options : 0;
     return extra;
   }
@@ -86,7 +86,7 @@ parseLasExtras(std::string_view text, std::size_t bytes, bool& complete)
   for (; text.size() >= las_descriptor_size; text.remove_prefix(las_descriptor_size)) {
     LasExtra extra = parse(text.substr(0, las_descriptor_size));
     if (extra.bytes == 0 || extra.bytes > bytes) {
-      complete = false; // without its length, nothing behind it can be placed either
+      complete = false; // without its length, whatever follows cannot be located
       break;
     }
     bytes -= extra.bytes;

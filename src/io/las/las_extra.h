@@ -29,8 +29,8 @@ struct LasExtra {
   std::string raw; ///< what the columns cannot represent, `bytes` per point, or empty
 };
 
-/** \brief Entries for \a bytes extra bytes by the descriptors in \a text; bytes that
- * they do not describe become opaque. \a complete tells whether all descriptors were
+/** \brief Entries for \a bytes extra bytes according to the descriptors in \a text;
+ * bytes they do not describe become opaque. \a complete: whether all descriptors were
  * used. */
 std::vector<LasExtra>
 parseLasExtras(std::string_view text, std::size_t bytes, bool& complete);

@@ -47,7 +47,8 @@ lasRecordLength(int format);
 const std::vector<LasField>&
 lasFields(int format);
 
-/** \brief Whether \a name is an attribute of some point format, waveform apart. */
+/** \brief Whether \a name is an attribute of some point format, except those of
+ * waveforms. */
 bool
 isLasName(std::string_view name);
 

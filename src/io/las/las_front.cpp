@@ -39,8 +39,8 @@ LasFront::LasFront(const FileWork& target, const Cloud& cloud, bool compress)
                     " bytes per point are more than the 65535 of a LAS record; write "
                     "fewer attributes");
   if (steps_.replaced())
-    target.warn("the points have left the integer grid of the file they came from; "
-                "new scale and offset are chosen");
+    target.warn("the points do not fit the integer grid of the file they came from; "
+                "a new scale and offset are chosen");
   if (cloud.las != nullptr && !layout_.as_origin)
     target.warn("point format " + std::to_string(cloud.las->format) +
                 " cannot hold the attributes; written as LAS 1.4 point format " +
@@ -79,7 +79,7 @@ LasFront::sameReference() const
 bool
 LasFront::keeps(const LasRecord& record) const
 {
-  // Spatial indices of the input, which do not hold for this file.
+  // Spatial indices of the input are not valid for this file.
   if (record.user() == "copc" || record.is("LAStools", 30))
     return false;
   if (record.is("LASF_Spec", 4))
@@ -193,7 +193,7 @@ LasFront::placeParts(std::uint64_t bytes)
   put(las_at::extended_count, static_cast<std::uint32_t>(extended_.size()));
 }
 
-/** Moves the place of the waveform packets along with the record that holds them. */
+/** Updates the offset of the waveform packets to the new place of their record. */
 void
 LasFront::placeWaveform(std::uint64_t end)
 {
@@ -267,7 +267,7 @@ LasFront::putTotals(const LasTotals& totals)
   const bool large = header_[las_at::minor] >= 4;
   if (!large && totals.points > 0xFFFFFFFFU)
     throw FileError(target_.name + ": too many points for LAS before 1.4");
-  // The legacy fields (before 1.4) are zero where the counts do not fit.
+  // The legacy fields (before 1.4) are zero if the counts do not fit.
   const bool old = layout_.format < 6 && totals.points <= 0xFFFFFFFFU;
   put(las_at::count, static_cast<std::uint32_t>(old ? totals.points : 0));
   for (std::size_t i = 0; i < 5; ++i)

@@ -16,7 +16,7 @@
 
 namespace linelet::io {
 
-/** \brief What a header says about all points together. */
+/** \brief What a header states about all points together. */
 struct LasTotals {
   std::uint64_t points = 0;
   std::array<std::uint64_t, 15> returns{};
@@ -42,12 +42,12 @@ public:
   void
   count(LasTotals& totals) const;
 
-  /** \brief Header, records and gap: all before the points, of which there are
-   * \a totals, \a bytes in the file. \throws FileError */
+  /** \brief Everything before the points: header, records and gap. The points have \a
+   * totals and take \a bytes in the file. \throws FileError */
   std::string
   before(const LasTotals& totals, std::uint64_t bytes);
 
-  /** \brief What comes after them. */
+  /** \brief Everything after the points. */
   std::string
   behind() const;
 
@@ -61,14 +61,14 @@ public:
     return layout_.record_length;
   }
 
-  /** \brief How the points are compressed; nothing: uncompressed. */
+  /** \brief How the points are compressed; empty: not at all. */
   const std::optional<laz::Layout>&
   compression() const
   {
     return compression_;
   }
 
-  /** \brief Whether records of both can be in one file. */
+  /** \brief Whether records of both fit into one file. */
   bool
   agreesWith(const LasFront& other) const;
 

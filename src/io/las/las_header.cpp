@@ -18,8 +18,8 @@ at(std::uint64_t place)
   return " at byte " + std::to_string(place);
 }
 
-/** Reads records of the given head size from \a place, as far as \a end; returns the
- * place behind the last whole one. */
+/** Reads records of the given head size from \a place up to \a end; returns the end of
+ * the last complete one. */
 std::uint64_t
 readRecords(const Source& source,
             std::uint64_t place,
@@ -62,7 +62,7 @@ checkScale(const Source& source, LasGrid& grid)
   }
 }
 
-/** Size of the header, after all checks that need no more than it. */
+/** Size of the header, after all checks that need nothing else. */
 std::size_t
 checkFront(const Source& source, LasHeader& header, LasOrigin& origin)
 {
@@ -84,7 +84,7 @@ checkFront(const Source& source, LasHeader& header, LasOrigin& origin)
     source.warn(
         "LAS version 1.5 is read as 1.4; its additions are kept but not interpreted");
 
-  // The upper two bits tell that the points are compressed.
+  // The upper two bits mark compressed points.
   const unsigned format = static_cast<unsigned char>(bytes[las_at::format]) & 0x3FU;
   if (format > 10)
     source.fail("point format " +
@@ -125,7 +125,7 @@ statedCount(const Source& source, const LasHeader& header)
     return legacy;
   const auto count = load<std::uint64_t>(source.bytes.data() + las_at::count64);
   if (count == 0)
-    return legacy; // some writers of 1.4 fill in the old count only
+    return legacy; // some writers of 1.4 fill in only the old count
   if (legacy != 0 && legacy != count)
     source.warn("the point counts at bytes 107 (" + std::to_string(legacy) +
                 ") and 247 (" + std::to_string(count) +
@@ -163,7 +163,7 @@ readExtendedRecords(const Source& source, const LasHeader& header, LasOrigin& or
   }
   else if (header.minor == 3 && hasWaveform(origin.format)) {
     place = load<std::uint64_t>(bytes + las_at::waveform);
-    stated = place != 0 ? 1 : 0; // 0: the waveforms are in a file of their own
+    stated = place != 0 ? 1 : 0; // 0: the waveforms are in a separate file
   }
   if (stated == 0)
     return;
@@ -178,7 +178,7 @@ readExtendedRecords(const Source& source, const LasHeader& header, LasOrigin& or
                      at(place));
 }
 
-/** Counts the whole records of a file that is not compressed. */
+/** Counts the complete records of an uncompressed file. */
 void
 countRecords(const Source& source, std::uint64_t stated, LasHeader& header)
 {
@@ -198,8 +198,7 @@ countRecords(const Source& source, std::uint64_t stated, LasHeader& header)
                      std::to_string(header.record_length) + " bytes each)");
 }
 
-/** Removes the LASzip record, which must not be copied into a file that is written
- * anew. */
+/** Removes the LASzip record, which must not be copied into a new file. */
 void
 takeCompression(const Source& source, const LasHeader& header, LasOrigin& origin)
 {

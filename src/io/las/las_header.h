@@ -23,7 +23,7 @@ constexpr std::size_t global_encoding = 6, minor = 25, software = 58, header_siz
 constexpr std::size_t las_header_10 = 227, las_header_13 = 235, las_header_14 = 375;
 constexpr unsigned las_wkt_bit = 16; ///< in the global encoding
 
-/** \brief What the front matter of a LAS file says about its points, checked. */
+/** \brief What the front matter of a LAS file states about its points, checked. */
 struct LasHeader {
   int minor = 0; ///< version 1.minor
   std::size_t points_at = 0;
@@ -31,15 +31,16 @@ struct LasHeader {
   std::size_t count = 0; ///< complete points; in a compressed file, the stated number
 };
 
-/** \brief The least and greatest coordinates stated in the header, unchecked. */
+/** \brief The smallest and largest coordinates stated in the header, unchecked. */
 std::pair<double, double>
 lasBounds(const LasOrigin& origin, int axis);
 
-/** \brief What a file is, in words: "LAZ 1.4, point format 7". */
+/** \brief The format as text: "LAZ 1.4, point format 7". */
 std::string
 formatName(const LasHeader& header, const LasOrigin& origin);
 
-/** \brief Reads header, records and what follows the points into \a origin. */
+/** \brief Reads the header, the records and whatever follows the points into \a
+ * origin. */
 LasHeader
 readLasHeader(const Source& source, LasOrigin& origin);
 

@@ -8,8 +8,8 @@
 
 namespace linelet::io {
 
-/** \brief The layers of a LAZ file that the attribute \a field of a point of formats 6
- * to 10 is in; none of those that are always decoded. */
+/** \brief The LAZ layers that hold the attribute \a field in point formats 6 to 10,
+ * without those that are always decoded. */
 laz::Fields
 layersOf(const LasField& field);
 

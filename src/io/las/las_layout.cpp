@@ -20,7 +20,7 @@ fieldOf(int format, std::string_view name)
   return nullptr;
 }
 
-/** Whether \a column is meant for a field of the point record. */
+/** Whether \a column corresponds to a field of the point record. */
 bool
 isNative(const Cloud& cloud, const Column& column)
 {
@@ -68,7 +68,8 @@ isByte(const Column* column)
   return column != nullptr && typeOf(*column) == ValueType::UInt8;
 }
 
-/** The columns that \a format has no place for, or not for their values. */
+/** The columns that the format has no field for, or whose values the field cannot
+ * hold. */
 std::vector<const Column*>
 chooseFields(const Cloud& cloud, LasLayout& layout)
 {
@@ -86,14 +87,14 @@ chooseFields(const Cloud& cloud, LasLayout& layout)
     if (!fits)
       rest.push_back(&column);
   }
-  // LAS colors have 16 bits: those of 8 bits go into the upper half.
+  // LAS colors have 16 bits; 8-bit ones go into the upper half.
   if (isByte(cloud.find("red")) && isByte(cloud.find("green")) &&
       isByte(cloud.find("blue")))
     layout.color_factor = 256;
   return rest;
 }
 
-/** Keeps the entries of the origin whose columns are still there. */
+/** Keeps the entries of the origin whose columns still exist. */
 void
 keepExtras(const Cloud& cloud, LasLayout& layout, std::vector<const Column*>& rest)
 {

@@ -10,7 +10,8 @@
 
 namespace linelet::io {
 
-/** \brief What a LAS file for a cloud looks like before its points are written. */
+/** \brief The layout of a LAS file for a cloud, chosen before its points are
+ * written. */
 struct LasLayout {
   int format = 0;
   bool as_origin = false; ///< same point format and version as the file it came from
@@ -23,9 +24,9 @@ struct LasLayout {
   std::size_t record_length = 0;
 };
 
-/** \brief Chooses the format that holds most of the attributes of \a cloud unchanged:
- * that of its origin, else the smallest. Every attribute that is not part of LAS, or
- * that its field cannot hold, becomes an extra entry. */
+/** \brief Chooses the format that holds most attributes of \a cloud unchanged: that of
+ * its origin, otherwise the smallest. Every attribute that is not part of LAS, or that
+ * its field cannot hold, becomes an extra entry. */
 LasLayout
 chooseLasLayout(const Cloud& cloud);
 

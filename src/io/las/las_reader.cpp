@@ -156,9 +156,9 @@ private:
     columns_.read(block);
   }
 
-  /** Puts the shift near the box of the points, so that a part of a cloud can have that
-   * of the whole; near the first point where the header has no box; or near the one
-   * asked for. */
+  /** Chooses the shift near the box of the points, so that a part of a cloud can have
+   * the same as the whole; near the first point if the header has no box; or near the
+   * requested one. */
   void
   chooseCorner()
   {

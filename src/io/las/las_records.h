@@ -10,10 +10,11 @@
 
 namespace linelet::io {
 
-/** \brief Makes the records of all points of a cloud, in several threads at once, and
- * hands them on in their order.
+/** \brief Makes the records of all points of a cloud in several threads, and passes
+ * them on in order.
  * \param[in] count number of points of the cloud of \a front
- * \param[in] put called in one thread at a time, while others make the next records */
+ * \param[in] put called from one thread at a time, while others make the next
+ * records */
 void
 forEachRecords(const LasFront& front,
                std::size_t count,

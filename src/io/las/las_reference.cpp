@@ -22,7 +22,7 @@ findRecord(const LasOrigin& origin, std::string_view user, unsigned number)
   return nullptr;
 }
 
-/** The WKT of a record, or nothing where it cannot be understood. */
+/** The WKT of a record, or empty if it cannot be understood. */
 std::string
 wktIn(const LasRecord* record)
 {
@@ -33,7 +33,7 @@ wktIn(const LasRecord* record)
   return systems == nullptr || systems->isUnderstood(wkt) ? wkt : std::string();
 }
 
-/** GeoTIFF keys with their value in place: key -> number. */
+/** GeoTIFF keys with inline values: key -> number. */
 std::map<unsigned, unsigned>
 geoKeys(const std::string& data)
 {
@@ -63,7 +63,7 @@ codesIn(const LasRecord& record)
   };
   ReferenceCodes codes;
   codes.plan = codeOf(projected);
-  // A user-defined projection is based on a geographic system, but is not one.
+  // A user-defined projection names its geographic base, which is not its system.
   if (codes.plan == 0 && codeOf(model) != 1)
     codes.plan = codeOf(geographic);
   codes.height = codeOf(vertical);
@@ -91,7 +91,7 @@ lasReferenceSystem(const LasOrigin& origin, std::string& problem)
   if (text.empty())
     text = wktIn(wkt);
   if (text.empty())
-    text = wktIn(findRecord(origin, "liblas", 2112)); // before LAS had one of its own
+    text = wktIn(findRecord(origin, "liblas", 2112)); // from before LAS defined one
   if (!text.empty())
     return text;
   if (codes.plan != 0 && systems == nullptr)
@@ -106,7 +106,7 @@ lasReferenceSystem(const LasOrigin& origin, std::string& problem)
   else if (wkt != nullptr)
     problem = "the WKT record cannot be understood";
   if (!problem.empty())
-    problem += "; the reference system counts as unknown";
+    problem += "; the reference system is treated as unknown";
   return systems != nullptr ? systems->wktOfUnit(codes.plan_unit) : std::string();
 }
 

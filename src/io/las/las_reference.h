@@ -9,8 +9,8 @@
 
 namespace linelet::io {
 
-/** \brief The reference system that the records of \a origin state, as WKT; empty if
- * there is none. \a problem says why one cannot be used. */
+/** \brief The reference system stated in the records of \a origin, as WKT; empty if
+ * there is none. \a problem: why a stated one cannot be used. */
 std::string
 lasReferenceSystem(const LasOrigin& origin, std::string& problem);
 

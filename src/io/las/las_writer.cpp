@@ -45,7 +45,7 @@ write(const Target& target, const Cloud& cloud, bool compress)
   file.commit();
 }
 
-/** The points that have coordinates: LAS has no value for missing ones. */
+/** The points with coordinates: LAS cannot express missing ones. */
 Cloud
 withoutHoles(const Cloud& cloud)
 {

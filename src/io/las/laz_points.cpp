@@ -70,7 +70,7 @@ LazPoints::size() const
 void
 LazPoints::write(OutputFile& file, std::uint64_t place) const
 {
-  std::string begin(8, '\0'); // where the table is
+  std::string begin(8, '\0'); // place of the chunk table
   store<std::uint64_t>(begin.data(), place + size() - table_.size());
   file.write(begin);
   for (const auto& chunk : chunks_)

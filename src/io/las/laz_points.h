@@ -16,8 +16,8 @@
 
 namespace linelet::io {
 
-/** \brief The chunks of \a count points, compressed in several threads at once;
- * \a records makes the records of some of them from the first on.
+/** \brief The chunks of \a count points, compressed in several threads; \a records
+ * makes the records of a given range of them.
  * \param[in] threads 0: all */
 std::vector<std::vector<std::uint8_t>>
 encodeChunks(
@@ -35,8 +35,8 @@ public:
   {
   }
 
-  /** \brief Compresses \a count points, in several threads at once; \a records makes
-   * the records of some of them from the first on. */
+  /** \brief Compresses \a count points in several threads; \a records makes the records
+   * of a given range of them. */
   void
   encode(
       std::size_t count,
@@ -46,7 +46,7 @@ public:
   std::uint64_t
   size() const;
 
-  /** \brief Writes them to \a file, where they begin at byte \a place. */
+  /** \brief Writes them to \a file, where they start at byte \a place. */
   void
   write(OutputFile& file, std::uint64_t place) const;
 

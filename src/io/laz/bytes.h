@@ -9,7 +9,7 @@
 
 namespace linelet::laz {
 
-/** \brief The first of \a bytes as a number. */
+/** \brief Pointer to the first of \a bytes. */
 inline const std::uint8_t*
 beginOf(std::string_view bytes)
 {

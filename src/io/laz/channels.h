@@ -20,7 +20,7 @@ channelOf(const std::uint8_t* record)
   return record[flags_at] >> 4U & 3U;
 }
 
-/** \brief What the first layer of a chunk says about a point besides its record. */
+/** \brief What the first layer of a chunk states about a point besides its record. */
 struct Note {
   enum Bit : std::uint8_t {
     time_bit = 1,
@@ -28,14 +28,14 @@ struct Note {
     source_bit = 4,
     switch_bit = 8
   };
-  std::uint8_t changed = 0; ///< which values do, and whether the channel does
-  std::uint8_t height = 0;  ///< situation of the height
+  std::uint8_t changed = 0; ///< which values change, and whether the channel does
+  std::uint8_t height = 0;  ///< context of the height
 };
 
-/** \brief The state of a layer, which has one for each scanner channel. A channel that
- * comes up for the first time begins with the last values of the one before.
+/** \brief The states of a layer, one per scanner channel. A channel that appears for
+ * the first time starts with the last values of the previous one.
  *
- * State has a member Last last and a constructor from it. */
+ * State has a member `Last last` and a constructor from it. */
 template <class State>
 class Channels {
 public:
@@ -68,7 +68,7 @@ public:
     return states_[channel] != nullptr;
   }
 
-  /** \brief State of a channel that is known. */
+  /** \brief State of a known channel. */
   const State&
   peek(unsigned channel) const
   {
@@ -86,8 +86,8 @@ private:
   unsigned current_;
 };
 
-/** \brief The channels of the layers after those of the point itself: version 4 works
- * like \ref Channels, version 3 the same but for two flaws that are part of the format.
+/** \brief The channels of the layers after those of the point itself. Version 4 works
+ * like \ref Channels, version 3 too except for two flaws that are part of the format.
  */
 template <class State>
 class ItemChannels {
@@ -100,19 +100,19 @@ public:
 
   struct Place {
     State& models;
-    decltype(State::last)& last; ///< values to predict from, and to keep
+    decltype(State::last)& last; ///< values to predict from and to update
   };
 
   /** \brief State for the point of \a record and \a note. */
   Place
   enter(const std::uint8_t* record, const Note& note)
   {
-    // Version 3 learns of a channel only where it is switched, and has 0 elsewhere.
+    // Version 3 notices a channel only when it switches, and assumes 0 otherwise.
     const bool told = version4_ || (note.changed & Note::switch_bit) != 0;
     const unsigned channel = told ? channelOf(record) : 0;
     if (channel == channels_.number())
       return {channels_.current(), channels_.current().last};
-    // Where the new channel is known already, version 3 still predicts from the old.
+    // If the new channel is already known, version 3 still predicts from the old one.
     State& before = channels_.current();
     const bool stale = !version4_ && channels_.knows(channel);
     State& now = channels_.enter(channel);

@@ -75,7 +75,7 @@ readSizes(std::string_view bytes, std::size_t record_length, std::size_t layers)
   return out;
 }
 
-/** Whether \a decoder of layer \a number ended where its bytes do, or why not. */
+/** Throws unless \a decoder of layer \a number ended where its bytes do. */
 void
 checkEnd(const Decoder& decoder, const std::uint8_t* end, std::size_t number)
 {
@@ -115,7 +115,7 @@ readLayers(const Layout& layout,
     at = end;
   }
   for (std::size_t i = 1; i < records.count && !plan_coder.overrun(); ++i) {
-    // A layer that is empty has the value of the first point everywhere.
+    // An empty layer has the value of the first point everywhere.
     if (records.stride != 0)
       std::copy_n(records.first, records.stride, records.at(i));
     const Note note = plan.code(plan_coder, records.at(i));

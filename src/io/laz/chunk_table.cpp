@@ -19,8 +19,8 @@ namespace {
 // whose counts add up to 2^15, are a 300th of a bit each.
 constexpr std::uint64_t most_points_per_byte = 2048;
 
-// Scans take several bytes per point. A file that claims more points than this must
-// prove it before anything is allocated for them.
+// Scans take several bytes per point. If a file claims more points than this, they are
+// decoded once before anything is allocated for them.
 constexpr std::uint64_t credible_points_per_byte = 16;
 
 /** Offset of the table as stated by the file; 0: none was written. */
@@ -57,8 +57,7 @@ isPossible(std::uint64_t points, std::size_t bytes, std::size_t record_length)
                          points <= most_points_per_byte * std::uint64_t{bytes});
 }
 
-/** The chunks listed in the table at \a place; \a problem says why it is not a
- * table. */
+/** The chunks listed in the table at \a place; \a problem: why it is not a table. */
 ChunkTable
 readTable(std::string_view file,
           std::size_t begin,
@@ -69,7 +68,7 @@ readTable(std::string_view file,
   ChunkTable table;
   const std::uint8_t* at = beginOf(file) + place;
   const std::size_t entries = load<std::uint32_t>(at + 4);
-  // Every chunk has a whole record.
+  // Every chunk holds at least one raw record.
   if (load<std::uint32_t>(at) != 0 ||
       entries > (place - begin) / layout.recordLength()) {
     table.problem = "its chunk table is damaged";
@@ -99,8 +98,8 @@ readTable(std::string_view file,
   return table;
 }
 
-/** The chunks, found one after another: layered chunks state their size, the others
- * must be decoded. */
+/** The chunks, found one by one: layered chunks state their size, others must be
+ * decoded. */
 ChunkTable
 findChunks(std::string_view file,
            std::size_t begin,
@@ -132,7 +131,7 @@ findChunks(std::string_view file,
   return table;
 }
 
-/** Whether a chunk has so many points, where they may be too many to believe. */
+/** Checks by decoding that a chunk holds its points, if there are implausibly many. */
 void
 prove(std::string_view file, const Chunk& chunk, const Layout& layout)
 {

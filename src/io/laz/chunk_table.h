@@ -13,7 +13,7 @@
 
 namespace linelet::laz {
 
-/** \brief A part of the points that is coded independently. */
+/** \brief A range of points that is coded independently. */
 struct Chunk {
   std::size_t at;           ///< byte of the file
   std::size_t bytes;        ///< upper bound of its size
@@ -25,7 +25,8 @@ struct Chunk {
 struct ChunkTable {
   std::vector<Chunk> chunks;
   std::size_t points = 0; ///< in all chunks
-  std::string problem; ///< why there may be fewer points than the header says, or empty
+  std::string
+      problem; ///< why there may be fewer points than the header states, or empty
 };
 
 /** \brief Finds the chunks that hold the first \a count points of \a file, whose points

@@ -42,7 +42,7 @@ writeItems(const Layout& layout, const Records& records)
   return encoder.finish();
 }
 
-/** Whether the field of \a layer differs among the points. */
+/** Whether the field of \a layer varies among the points. */
 bool
 varies(const Layer<Encoder>& layer, const Records& records)
 {

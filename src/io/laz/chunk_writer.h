@@ -11,9 +11,9 @@
 
 namespace linelet::laz {
 
-/** \brief The data of a chunk of \a count point records, which follow one another.
+/** \brief The data of a chunk of \a count contiguous point records.
  * \param[in] layout of \ref layoutFor
- * \param[in,out] records written to, but not changed */
+ * \param[in,out] records used as scratch space, but unchanged afterward */
 std::vector<std::uint8_t>
 writeChunk(const Layout& layout, std::uint8_t* records, std::size_t count);
 

@@ -11,8 +11,8 @@
 
 namespace linelet::laz {
 
-/** \brief Codes red, green and blue byte by byte: which bytes differ from those before,
- * and by how much; green and blue are expected to differ as red does. */
+/** \brief Codes red, green and blue byte by byte: which bytes differ from the previous
+ * ones, and by how much; green and blue are predicted to change like red. */
 class ColorModel {
 public:
   using Color = std::array<std::uint16_t, 3>;
@@ -72,7 +72,7 @@ private:
     return used;
   }
 
-  /** Codes byte \a which, low or high of red, green or blue in turn. */
+  /** Codes byte \a which: the low and high bytes of red, green and blue in turn. */
   template <class Coder>
   unsigned
   codeByte(Coder& coder, unsigned which, int prediction, std::uint16_t value)

@@ -14,7 +14,7 @@ namespace linelet::laz {
 /** \brief Arithmetic decoder of a stream in memory.
  *
  * It has the interface of \ref Encoder, so that one description serves both directions:
- * it returns the values that the encoder is given. Bytes after the end read as zeros;
+ * it returns the values that the encoder was given. Bytes past the end read as zeros;
  * see \ref overrun. */
 class Decoder {
 public:
@@ -24,7 +24,7 @@ public:
   {
     for (int i = 0; i < 4; ++i)
       value_ = value_ << 8U | byte();
-    value_ = std::min(value_, length_ - 1); // no encoder writes more
+    value_ = std::min(value_, length_ - 1); // only damaged data exceeds it
   }
 
   template <unsigned N>
@@ -55,7 +55,7 @@ public:
     return found;
   }
 
-  /** \brief \a count bits that no model knows, at most 32. */
+  /** \brief \a count bits without a model, at most 32. */
   std::uint32_t
   bits(unsigned count, std::uint32_t /*value*/ = 0)
   {
@@ -69,7 +69,7 @@ public:
     return found;
   }
 
-  /** \brief 32 bits that no model knows. */
+  /** \brief 32 bits without a model. */
   std::uint32_t
   word(std::uint32_t /*value*/ = 0)
   {
@@ -77,14 +77,14 @@ public:
     return bits(16) << 16U | low;
   }
 
-  /** \brief The bytes behind those that were read. */
+  /** \brief The first byte not read yet. */
   const std::uint8_t*
   next() const
   {
     return next_;
   }
 
-  /** \brief Whether more was decoded than the data holds. */
+  /** \brief Whether decoding ran past the end of the data. */
   bool
   overrun() const
   {
@@ -101,7 +101,7 @@ private:
     return 0;
   }
 
-  /** Shifts whole bytes in until the length has its upper byte again. */
+  /** Shifts in whole bytes until the upper byte of the length is nonzero again. */
   void
   normalize()
   {

@@ -12,8 +12,8 @@
 
 namespace linelet::laz {
 
-/** \brief Arithmetic encoder into memory. Calls return the value that they were given,
- * see \ref Decoder. */
+/** \brief Arithmetic encoder into memory. Calls return the value they were given; see
+ * \ref Decoder. */
 class Encoder {
 public:
   static constexpr bool encodes = true;
@@ -64,7 +64,7 @@ public:
     return value;
   }
 
-  /** \brief Ends the stream, so that a decoder has read exactly its bytes after the
+  /** \brief Ends the stream such that a decoder has read exactly its bytes after the
    * last value, and returns it. */
   std::vector<std::uint8_t>
   finish()
@@ -81,7 +81,7 @@ public:
 private:
   static constexpr std::uint32_t least_length = 1U << 24U;
 
-  /** The interval becomes the part of it from \a low on that is \a length long. */
+  /** Narrows the interval to its part of length \a length that starts at \a low. */
   void
   narrow(std::uint32_t low, std::uint32_t length)
   {

@@ -7,7 +7,7 @@
 
 namespace linelet::laz {
 
-/** \brief Invalid compressed data. what() is half a sentence, to follow the name of the
+/** \brief Invalid compressed data. what() is a clause to follow the name of the
  * file. */
 class Error : public std::runtime_error {
 public:

@@ -7,7 +7,7 @@
 
 namespace linelet::laz {
 
-/** \brief The layers of point formats 6 to 10 that a reader wants beside x, y, returns
+/** \brief The layers of point formats 6 to 10 that a reader wants besides x, y, returns
  * and scanner channel; the fields of others keep the values of the first point of the
  * chunk. */
 using Fields = std::uint32_t;

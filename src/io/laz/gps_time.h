@@ -11,9 +11,9 @@
 
 namespace linelet::laz {
 
-/** \brief Codes GPS times, as the bits of doubles, by up to four sequences of steps
- * that are nearly even. \a Repeats: "the same as before" has a symbol of its own
- * (version 2); else it is coded elsewhere (versions 3 and 4). */
+/** \brief Codes GPS times, as the bits of doubles, by up to four sequences of nearly
+ * even steps. \a Repeats: whether "same as before" has its own symbol (version 2) or is
+ * coded elsewhere (versions 3 and 4). */
 template <bool Repeats>
 class GpsTimeModel {
 public:
@@ -23,8 +23,8 @@ public:
   std::uint64_t
   code(Coder& coder, std::uint64_t value = 0)
   {
-    // A switch of the sequence leads to another symbol; the end of the data, which
-    // reads as zeros, never is one.
+    // A switch of the sequence is followed by another symbol. The loop ends even past
+    // the end of the data: it reads as zeros, which never decode as a switch.
     for (;;) {
       Sequence& s = sequences_[current_];
       const bool still = s.step == 0;
@@ -53,7 +53,7 @@ private:
   struct Sequence {
     std::uint64_t time = 0;
     std::int32_t step = 0;
-    unsigned extremes = 0; ///< steps in a row that are no multiple of \a step
+    unsigned extremes = 0; ///< consecutive steps that are not a multiple of \a step
   };
 
   static constexpr int most = 500, least = -10; // multiples of the step
@@ -67,7 +67,7 @@ private:
     return number == static_cast<std::int32_t>(number);
   }
 
-  /** A sequence that \a value is near to, or else that a new one begins. */
+  /** A sequence that \a value is close to; otherwise starts a new one. */
   unsigned
   chooseOther(std::uint64_t value, unsigned full) const
   {

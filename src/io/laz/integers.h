@@ -16,9 +16,9 @@ namespace linelet::laz {
 
 /** \brief Codes integers of \a Bits bits as differences from a prediction.
  *
- * Of the difference, the number k of its bits is a symbol of the model for \a Contexts
- * situations (0: as many as the constructor says); its place among those of k bits is a
- * symbol as far as the upper 8 bits go, and raw below. */
+ * The number k of bits of the difference is a symbol of a model with \a Contexts
+ * contexts (0: as many as passed to the constructor); its rank among the differences of
+ * k bits is a symbol for the upper 8 bits, and raw below. */
 template <unsigned Bits, unsigned Contexts = 1>
 class IntegerModel {
 public:
@@ -56,7 +56,7 @@ public:
 private:
   static constexpr std::uint32_t mask = Bits == 32 ? ~0U : (1U << (Bits % 32)) - 1U;
 
-  /** The number of the least size that is \a value modulo 2^Bits. */
+  /** The number of smallest magnitude that equals \a value modulo 2^Bits. */
   static std::int32_t
   extended(std::uint32_t value)
   {
@@ -83,7 +83,7 @@ private:
           coder.bit(bit_, static_cast<unsigned>(difference)));
     if (k == 32)
       return INT32_MIN;
-    // Places count from the lower end of both ranges.
+    // Ranks count from the lower end of both ranges.
     std::uint32_t place = static_cast<std::uint32_t>(difference) +
                           (difference < 0 ? (1U << k) - 1U : ~0U);
     if (k <= 8)

@@ -7,14 +7,15 @@
 
 namespace linelet::laz {
 
-/** \brief Codes one item of one point after the other, in a stream that it shares with
- * the other items (point formats 0 to 5). */
+/** \brief Codes one item of the points in turn, in a stream shared with the other items
+ * (point formats 0 to 5). */
 template <class Coder>
 class ItemCoder {
 public:
   virtual ~ItemCoder() = default;
 
-  /** \brief Codes the bytes at \a at: reads them to encode, writes them to decode. */
+  /** \brief Codes the bytes at \a at: reads them when encoding, writes them when
+   * decoding. */
   virtual void
   code(Coder& coder, std::uint8_t* at) = 0;
 };

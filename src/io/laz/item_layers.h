@@ -15,7 +15,7 @@
 
 namespace linelet::laz {
 
-/** \brief Where the field of an item layer lies, and in what version it is. */
+/** \brief Where the field of an item layer lies, and its version. */
 struct ItemPlace {
   std::size_t at; ///< byte of the record
   bool version4;

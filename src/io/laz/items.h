@@ -88,7 +88,7 @@ private:
   IntegerModel<8, 6> bytes_;
 };
 
-/** \brief Waveform places, of which there is one version only. */
+/** \brief Waveform packets, of which there is only one version. */
 template <class Coder>
 class WavePacket13 : public ItemCoder<Coder> {
 public:

@@ -17,15 +17,15 @@
 
 namespace linelet::laz {
 
-/** \brief Codes a layer with a stream of its own. All layers are coded point by point,
- * in parallel: a single stream would wait for one division after the other. */
+/** \brief Codes a layer in its own stream. All layers are coded point by point,
+ * interleaved: a single stream would have to wait for every division. */
 template <class Coder>
 class LayerCoder {
 public:
   explicit LayerCoder(Coder coder) : coder(std::move(coder)) {}
   virtual ~LayerCoder() = default;
 
-  /** \brief Codes the field of the record \a at of a point with \a note. */
+  /** \brief Codes the field of the record at \a at of a point with \a note. */
   virtual void
   code(std::uint8_t* at, Note note) = 0;
 
@@ -81,7 +81,7 @@ ofItem(Coder coder, const std::uint8_t* first, ItemPlace place)
 
 } // namespace detail
 
-/** \brief The layers of \a layout behind the plan layer, in the order of the file. */
+/** \brief The layers of \a layout after the plan layer, in file order. */
 template <class Coder>
 std::vector<Layer<Coder>>
 layersOf(const Layout& layout)

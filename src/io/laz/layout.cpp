@@ -66,7 +66,7 @@ isKnown(Item::Type type, unsigned version)
     return version == 1 || version == 2;
   case Item::WavePacket14:
     return version == 3 || version == 4;
-  default: // 2 is what a prototype called 3
+  default: // a prototype wrote 2 for what became 3
     return version >= 2 && version <= 4;
   }
 }
@@ -155,11 +155,11 @@ textOf(const Layout& layout)
   std::string data(front_size + layout.items.size() * item_size, '\0');
   auto* at = reinterpret_cast<std::uint8_t*>(data.data());
   store<std::uint16_t>(at, layout.compressor);
-  at[4] = layout.layered() ? 3 : 2; // the version of LASzip that first wrote the like
+  at[4] = layout.layered() ? 3 : 2; // the version of LASzip that introduced it
   at[5] = 2;
   store<std::uint32_t>(at + 12, layout.chunk_size);
-  store<std::int64_t>(at + 16, -1); // no special extended records: their number,
-  store<std::int64_t>(at + 24, -1); // and their place
+  store<std::int64_t>(at + 16, -1); // no special extended records: neither number
+  store<std::int64_t>(at + 24, -1); // nor offset
   store(at + 32, static_cast<std::uint16_t>(layout.items.size()));
   for (std::size_t i = 0; i < layout.items.size(); ++i) {
     std::uint8_t* place = at + front_size + i * item_size;

@@ -13,7 +13,7 @@
 
 namespace linelet::laz {
 
-/** \brief One of the parts that a point record is coded in. */
+/** \brief One of the parts into which a point record is split for coding. */
 struct Item {
   enum Type : unsigned {
     Byte = 0,
@@ -35,7 +35,8 @@ struct Item {
 constexpr std::string_view record_user = "laszip encoded";
 constexpr unsigned record_number = 22204;
 
-/** \brief How the points of a file are coded: what its record "laszip encoded" says. */
+/** \brief How the points of a file are coded, according to its record "laszip
+ * encoded". */
 struct Layout {
   enum Compressor : unsigned { Pointwise = 1, Chunked = 2, Layered = 3 };
   static constexpr std::uint32_t variable = 0xFFFFFFFFU; ///< chunks of any size
@@ -51,13 +52,13 @@ struct Layout {
     return compressor == Layered;
   }
 
-  /** \brief Of a point as it stands in a LAS file. */
+  /** \brief Length of a point record in a LAS file. */
   std::size_t
   recordLength() const;
 };
 
-/** \brief The layout that \a data, of the record, states, after checking that it is one
- * of point format \a format with \a record_length bytes. \throws Error */
+/** \brief The layout stated in the record's \a data, after checking that it fits point
+ * format \a format with \a record_length bytes. \throws Error */
 Layout
 parseLayout(std::string_view data, int format, std::size_t record_length);
 

@@ -13,7 +13,7 @@
 
 namespace linelet::laz {
 
-/** \brief A decoder of \a item that knows its bytes \a first in the first point. */
+/** \brief A decoder of \a item, initialized with its bytes in the \a first point. */
 std::unique_ptr<ItemCoder<Decoder>>
 makeItemDecoder(const Item& item, const std::uint8_t* first);
 

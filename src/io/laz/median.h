@@ -8,8 +8,8 @@
 
 namespace linelet::laz {
 
-/** \brief About the median of the last differences: five of them in order, from which
- * each new one drives out the largest or the smallest. */
+/** \brief An approximate median of the last differences: five of them in order, where
+ * each new one replaces the largest or the smallest. */
 class RunningMedian {
 public:
   std::int32_t

@@ -10,12 +10,12 @@
 
 namespace linelet::laz {
 
-// Adaptive models of the arithmetic coder (A. Said, FastAC, 2004), as LAZ fixes them.
+// Adaptive models of the arithmetic coder (A. Said, FastAC, 2004), as defined by LAZ.
 
-constexpr unsigned symbol_bits = 15; ///< probabilities of symbols count in 2^-15
-constexpr unsigned bit_bits = 13;    ///< those of bits in 2^-13
+constexpr unsigned symbol_bits = 15; ///< probabilities of symbols are in units of 2^-15
+constexpr unsigned bit_bits = 13;    ///< those of bits in units of 2^-13
 
-/** \brief How probable a bit is to be 0. */
+/** \brief The probability that a bit is 0. */
 class BitModel {
 public:
   std::uint32_t
@@ -51,7 +51,7 @@ private:
   std::uint32_t cycle_ = 4, until_ = 4;
 };
 
-/** \brief How probable each of at most \a N symbols is. */
+/** \brief The probabilities of at most \a N symbols. */
 template <unsigned N>
 class SymbolModel {
 public:
@@ -80,7 +80,7 @@ public:
     }
   }
 
-  /** \brief Begin of the interval of \a symbol, in 2^-15. */
+  /** \brief Start of the interval of \a symbol, in units of 2^-15. */
   std::uint32_t
   low(unsigned symbol) const
   {
@@ -127,7 +127,7 @@ private:
   }
 
   alignas(16) std::int16_t coarse_[groups_room]; ///< every 16th of low_
-  alignas(16) std::int16_t low_[room];           ///< begins of the intervals
+  alignas(16) std::int16_t low_[room];           ///< starts of the intervals
   std::uint16_t counts_[room];
   unsigned last_;
   std::uint32_t total_ = 0, cycle_ = 0, until_ = 0;

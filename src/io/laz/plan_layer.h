@@ -73,7 +73,7 @@ private:
     std::uint32_t x, y;
     unsigned r, n; ///< return r of n
     bool new_time = false;
-    // What the encoder compares with:
+    // Previous values for the encoder to compare with:
     std::uint64_t time;
     std::uint16_t angle, source;
 
@@ -102,8 +102,8 @@ private:
     std::array<RunningMedian, 12> steps_x, steps_y;
   };
 
-  // Bits of a symbol that says what changes; the two lowest are the step of the return:
-  // none, one up, one down, another.
+  // Bits of the symbol for what changes; the two lowest are the step of the return:
+  // none, one up, one down, other.
   enum Bit : unsigned {
     n_bit = 4,
     angle_bit = 8,
@@ -154,7 +154,7 @@ private:
     }
   }
 
-  /** Codes x and y; returns the situation that the height is in. */
+  /** Codes x and y; returns the context of the height. */
   template <class Coder>
   static std::uint8_t
   codePlace(Coder& coder, State& state, bool new_time, const Last& value)

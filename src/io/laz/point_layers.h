@@ -15,8 +15,8 @@
 
 namespace linelet::laz {
 
-// The other layers of a point of formats 6 to 10, of one field each. Their code() gets
-// the record of a point of which the plan layer has coded channel and returns before.
+// The other layers of point formats 6 to 10, one field each. Their code() gets the
+// record of a point whose channel and returns the plan layer has already coded.
 
 /** \brief First (2) and last (1) return, or both, or neither. */
 inline unsigned
@@ -56,8 +56,8 @@ private:
   Channels<State> channels_;
 };
 
-/** \brief A layer of one byte, or some of its bits, that a bank of \a Situations models
- * codes. Field says how the byte is got, put and expected. */
+/** \brief A layer of one byte, or some of its bits, coded with a bank of \a Situations
+ * models. Field defines how the byte is read, written and predicted. */
 template <class Field, unsigned Situations, unsigned Symbols>
 class ByteLayer {
 public:
@@ -177,8 +177,8 @@ private:
   Channels<State> channels_;
 };
 
-/** \brief A number of 16 bits at byte \a Place that is coded where \a Bit of the note
- * says that it changes; with \a Timed, in two situations. */
+/** \brief A 16-bit number at byte \a Place, coded if \a Bit of the note marks a change;
+ * with \a Timed, in two contexts. */
 template <std::size_t Place, Note::Bit Bit, bool Timed>
 class WordLayer {
 public:

@@ -9,7 +9,7 @@
 namespace linelet::laz {
 
 /** \brief Point records of a chunk, one every \a stride bytes; 0: each overwrites the
- * one before, when only the end of the chunk is needed. */
+ * previous one, if only the end of the chunk is needed. */
 struct Records {
   std::uint8_t* first;
   std::size_t stride, count;

@@ -8,8 +8,7 @@
 
 namespace linelet::laz {
 
-/** \brief Situation of return r of n, at [n][r], in point formats 0 to 5.
- */
+/** \brief Context of return r of n, at [n][r], in point formats 0 to 5. */
 constexpr std::array<std::array<std::uint8_t, 8>, 8> return_map = {
     {{15, 14, 13, 12, 11, 10, 9, 8},
      {14, 0, 1, 3, 6, 10, 10, 9},

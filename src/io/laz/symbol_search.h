@@ -11,7 +11,7 @@
 
 namespace linelet::laz {
 
-/** \brief Bit i says whether values[i] > limit, for 16 values. */
+/** \brief Bit i is set if values[i] > limit, for 16 values. */
 inline std::uint32_t
 greaterThan(const std::int16_t* values, std::int16_t limit)
 {
@@ -30,8 +30,8 @@ greaterThan(const std::int16_t* values, std::int16_t limit)
 #endif
 }
 
-/** \brief Place of the last of \a Count ascending values that is at most \a limit; the
- * first one always is. \a values has room for whole groups of 16, and Count <= 64. */
+/** \brief Index of the last of \a Count ascending values that is at most \a limit; the
+ * first one always is. \a values has room for full groups of 16, and Count <= 64. */
 template <unsigned Count>
 unsigned
 lastAtMost(const std::int16_t* values, std::int16_t limit)
@@ -40,7 +40,7 @@ lastAtMost(const std::int16_t* values, std::int16_t limit)
   std::uint64_t greater = 0;
   for (unsigned group = 0; group < (Count + 15) / 16; ++group)
     greater |= std::uint64_t{greaterThan(values + 16 * group, limit)} << (16 * group);
-  // Without branches, for which symbols are too random.
+  // Branch-free, since symbols are too random for branch prediction.
   return static_cast<unsigned>(
       __builtin_ctzll((greater >> 1U) | (std::uint64_t{1} << (Count - 1U))));
 }

@@ -14,7 +14,7 @@ namespace linelet::laz {
 
 constexpr std::size_t wave_packet_size = 29;
 
-/** \brief The fields of a point that say where its waveform lies, as in the file. */
+/** \brief The fields of a point that locate its waveform, as stored in the file. */
 using WavePacket = std::array<std::uint8_t, wave_packet_size>;
 
 class WavePacketModel {

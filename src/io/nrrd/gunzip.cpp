@@ -16,7 +16,7 @@ namespace linelet::io {
 std::string
 gunzip(const Source& source, std::string_view packed, std::size_t size)
 {
-  // Deflate makes at most 1032 bytes of one.
+  // One byte of deflate expands to at most 1032.
   if (size / 1032 > packed.size())
     source.fail("the header claims more numbers than " + std::to_string(packed.size()) +
                 " packed bytes can hold");

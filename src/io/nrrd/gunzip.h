@@ -11,9 +11,9 @@
 
 namespace linelet::io {
 
-/** \brief The first \a size bytes that \a packed holds by gzip, fewer if there are no
- * more. Fails if so few packed bytes cannot hold them all, if they are damaged, and in
- * a build without zlib. */
+/** \brief The first \a size bytes of the gzip data \a packed, or fewer if it holds
+ * fewer. Fails if \a packed is too short to hold that many, if it is damaged, and in a
+ * build without zlib. */
 std::string
 gunzip(const Source& source, std::string_view packed, std::size_t size);
 

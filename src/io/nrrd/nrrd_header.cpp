@@ -84,7 +84,7 @@ public:
     readLines();
     result_.type = type();
     result_.encoding = field("encoding");
-    // Text and bytes have no order.
+    // Text and single bytes have no byte order.
     const bool ordered = sizeOf(result_.type) > 1 && result_.encoding != "ascii" &&
                          result_.encoding != "text" && result_.encoding != "txt";
     result_.big_endian = field("endian", ordered ? "" : "little") == "big";
@@ -116,7 +116,7 @@ private:
     }
   }
 
-  /** \brief The value of a field; \a fallback where it is not there, if not empty. */
+  /** \brief The value of a field; if it is missing, a nonempty \a fallback. */
   std::string_view
   field(std::string_view name, std::string_view fallback = {}) const
   {
@@ -177,8 +177,7 @@ private:
     return result;
   }
 
-  /** \brief The tensors that an axis of this kind (empty: none stated) and size
-   * holds. */
+  /** \brief The kind of tensor on an axis of this kind (empty: not stated) and size. */
   SampleKind
   kindOf(std::string_view kind, std::size_t size) const
   {

@@ -17,7 +17,7 @@
 
 namespace linelet::io {
 
-/** \brief What the samples of a volume are. */
+/** \brief The kind of samples in a volume. */
 enum class SampleKind {
   Number,
   Symmetric,       ///< xx xy xz yy yz zz
@@ -32,8 +32,8 @@ struct NrrdHeader {
   std::string encoding;
   SampleKind kind = SampleKind::Number;
   std::size_t components = 1, component_step = 1; ///< of a sample, in numbers
-  std::array<std::size_t, 3> sizes{};             ///< samples along the axes of space
-  std::array<std::size_t, 3> steps{};             ///< between these, in numbers
+  std::array<std::size_t, 3> sizes{};             ///< samples along the spatial axes
+  std::array<std::size_t, 3> steps{};             ///< between samples, in numbers
   Point origin = Point::Zero();                   ///< of the first sample
   Eigen::Matrix3d directions =
       Eigen::Matrix3d::Identity();                     ///< columns: a step in space
@@ -47,8 +47,8 @@ struct NrrdHeader {
   }
 };
 
-/** \brief Reads the header. The product of its sizes fits into memory addresses; the
- * reader of the data checks it against the file. */
+/** \brief Reads the header. The product of its sizes fits into a size_t; the reader of
+ * the data checks it against the file. */
 NrrdHeader
 readNrrdHeader(const Source& source);
 

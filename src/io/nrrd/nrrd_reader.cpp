@@ -15,7 +15,7 @@ namespace linelet::io {
 
 namespace {
 
-/** \brief The numbers of a volume, in the order of the file. */
+/** \brief The numbers of a volume, in file order. */
 std::vector<double>
 numbersOf(const Source& source, const NrrdHeader& header)
 {

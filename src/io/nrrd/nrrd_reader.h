@@ -7,13 +7,13 @@
 
 namespace linelet::io {
 
-/** \brief The samples of a volume as points, those of tensors with the attributes xx,
- * xy, xz, yy, yz, zz (teem's NRRD, attached header, encoded raw, as text, or by gzip).
+/** \brief The samples of a volume as points, tensors as the attributes xx, xy, xz, yy,
+ * yz, zz (teem's NRRD with attached header, encoded raw, as text, or by gzip).
  *
  * Tensors have an axis of their own: 3D-symmetric-matrix, 3D-masked-symmetric-matrix
- * (samples whose mask is below 0.5 are left out, as teem leaves them out) or 3D-matrix,
- * whose symmetric part is taken. They are turned from the measurement frame into the
- * space of the points. A volume of numbers has the attribute value. */
+ * (samples with a mask below 0.5 are left out, as in teem) or 3D-matrix, whose
+ * symmetric part is used. They are rotated from the measurement frame into the space of
+ * the points. A volume of numbers gives the attribute `value`. */
 Cloud
 readNrrd(const Source& source);
 

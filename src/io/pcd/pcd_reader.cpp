@@ -51,7 +51,7 @@ public:
     else
       source_.fail("DATA '" + cleanName(data_) +
                    "' is not known; PCD has ascii, binary and binary_compressed");
-    // Fields called _ fill gaps in memory.
+    // Fields called _ are padding.
     columns_.erase(
         std::remove_if(columns_.begin(),
                        columns_.end(),
@@ -181,7 +181,7 @@ private:
              {}});
   }
 
-  /** Number of points the file holds, at most that of its header. */
+  /** Number of complete points in the file, at most that of its header. */
   std::size_t
   wholePoints(std::size_t there) const
   {
@@ -203,7 +203,7 @@ private:
       at += readColumn(column, data.data() + at, row_bytes_);
   }
 
-  /** Compressed points lie field by field: all x, then all y, ... */
+  /** Compressed points are stored field by field: all x, then all y, ... */
   void
   readCompressed()
   {
@@ -223,7 +223,7 @@ private:
                    " bytes, which is not what " + std::to_string(*points_) +
                    " points of " + std::to_string(row_bytes_) + " bytes need");
     std::string plain(size, '\0');
-    // liblzf returns 0 for an error, and reads a first byte even where there is none.
+    // liblzf returns 0 on error, and reads a first byte even if there is none.
     const bool whole = packed == 0 || size == 0
                            ? packed == size
                            : lzf_decompress(data.data() + 8,
@@ -262,7 +262,7 @@ private:
   readAscii()
   {
     makeColumns(0);
-    // Every value takes at least one character and a gap.
+    // Every value takes at least one character and a separator.
     const std::size_t most = lines_.rest().size() / (2 * columns_.size()) + 1;
     for (Column& column : columns_)
       std::visit([&](auto& values) { values.reserve(std::min(*points_, most)); },

@@ -12,7 +12,7 @@ writePcd(const Target& target, const Cloud& cloud)
 {
   std::vector<FileColumn> outputs = coordinateColumns(target, cloud, true);
   WordNames names;
-  // PCL reads colors as the bits of a float called rgb.
+  // PCL reads colors from the bits of a float called rgb.
   const std::vector<Column> colors = colorColumns(cloud);
   Column packed{"rgb", std::vector<std::uint32_t>(), {}};
   if (!colors.empty()) {

@@ -19,7 +19,7 @@ using boost::endian::order;
 struct Property {
   std::string name;
   ValueType type = ValueType::Float32;
-  std::optional<ValueType> length; ///< type of the count where this is a list
+  std::optional<ValueType> length; ///< type of the count, if this is a list
 };
 
 struct Element {
@@ -261,7 +261,8 @@ private:
   readVertices(const Element& vertex)
   {
     const bool ascii = format_ == "ascii";
-    // A value takes at least a byte, in text two with its separator, which bounds rows.
+    // A value takes at least one byte, two in text with its separator, which bounds the
+    // number of rows.
     std::size_t least = 0;
     for (const Property& property : vertex.properties)
       least += ascii             ? 2
@@ -336,7 +337,7 @@ private:
     return true;
   }
 
-  /** False at the end of the text ("truncated"); else an error. */
+  /** False at the end of a truncated text; otherwise throws. */
   bool
   failOrEnd(std::string_view word, const Property& property) const
   {

@@ -14,7 +14,7 @@ namespace linelet::io {
 
 namespace {
 
-/** A column of numbers: whole ones until the first that is not. */
+/** A column of numbers: integers until the first that is not. */
 class Numbers {
 public:
   bool
@@ -46,7 +46,7 @@ public:
       reals_.resize(count);
   }
 
-  /** The values in the smallest type that is usual for \a name and holds them. */
+  /** The values in the smallest type that is customary for \a name and holds them. */
   Values
   take(const std::string& name)
   {
@@ -102,7 +102,7 @@ isNumber(std::string_view word)
   return parseNumber(word, value);
 }
 
-/** Whether \a word is a number but for its decimal comma. */
+/** Whether \a word would be a number with a decimal point instead of its comma. */
 bool
 hasDecimalComma(std::string_view word)
 {
@@ -114,7 +114,7 @@ hasDecimalComma(std::string_view word)
   return isNumber(with_point);
 }
 
-/** The text behind the mark of a comment; null where \a line is none. */
+/** The text of a comment; null if \a line is not one. */
 const char*
 commentOf(std::string_view line)
 {
@@ -187,7 +187,7 @@ private:
     }
   }
 
-  /** Drops the empty word behind a trailing separator. */
+  /** Drops the empty word after a trailing separator. */
   void
   dropEnd(std::size_t columns)
   {
@@ -309,7 +309,7 @@ private:
     for (std::size_t i = 0; i < names_.size(); ++i)
       if (!dropped_[i])
         columns.push_back({names_[i], numbers_[i].take(names_[i]), {}});
-    if (names_ == std::vector<std::string>{"x", "y"}) // a drawing in the plane
+    if (names_ == std::vector<std::string>{"x", "y"}) // a planar drawing
       columns.push_back({"z", std::vector<double>(rows_, 0.0), {}});
     Cloud cloud = cloudFromColumns(source_, std::move(columns));
     cloud.format = "text";

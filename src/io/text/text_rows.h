@@ -27,8 +27,8 @@ appendPlace(std::string& text,
   }
 }
 
-/** \brief Writes a file of \a header and a line for each point, to which \a append_row
- * gives its words. */
+/** \brief Writes \a header and a line per point, whose words come from \a
+ * append_row. */
 template <class AppendRow>
 void
 writeRows(const Target& target,

@@ -9,7 +9,7 @@
 
 namespace linelet::io {
 
-/** \brief Collects GDAL's error messages for our own. */
+/** \brief Collects GDAL's error messages for use in ours. */
 class Complaints {
 public:
   Complaints() { CPLPushErrorHandlerEx(hear, this); }

@@ -9,8 +9,8 @@
 
 namespace linelet::io {
 
-/** \brief The curve through \a vertices: closed, with the last left out, where that is
- * the first. */
+/** \brief The curve through \a vertices: closed, without the repeated vertex, if the
+ * last equals the first. */
 inline Curve
 curveThrough(Points vertices)
 {

@@ -14,12 +14,12 @@
 namespace linelet::io {
 
 /** \brief Opens the vector file \a path with the driver of its ending.
- * \throws FileError with what GDAL complained of */
+ * \throws FileError with GDAL's message */
 std::unique_ptr<GDALDataset>
 openDataset(const std::string& path, const Complaints& complaints);
 
-/** \brief WKT of the reference system of \a layer; empty if it has none, or one of
- * linelet's local ones, which GDAL takes for systems. */
+/** \brief WKT of the reference system of \a layer; empty if it has none, or a local one
+ * that linelet wrote for an unknown system. */
 std::string
 referenceOf(OGRLayer& layer);
 

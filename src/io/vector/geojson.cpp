@@ -52,7 +52,7 @@ urnPart(const OGRSpatialReference& system, const char* part)
   return std::string("crs:") + authority + "::" + code;
 }
 
-/** The name that GDAL, and QGIS with it, understands; "" for an unknown system. */
+/** The name that GDAL, and hence QGIS, understands; "" for an unknown system. */
 std::string
 systemName(const std::string& wkt)
 {

@@ -11,8 +11,8 @@
 namespace linelet::io {
 
 /** \brief A feature collection of all features, each with a property `layer`, in the
- * reference system \a wkt, which its `crs` member names, null where it is unknown: as
- * before RFC 7946, and not by GDAL, which names no compound systems there. */
+ * reference system \a wkt, named in the `crs` member (null if unknown) as before RFC
+ * 7946. Not by GDAL, which does not name compound systems there. */
 std::string
 layersAsGeoJson(const std::vector<VectorLayer>& layers,
                 const std::string& wkt,

@@ -9,8 +9,8 @@
 
 namespace linelet::io {
 
-/** \brief The text of a CSV file (RFC 4180, lines end with LF) that holds \a layer: a
- * row of names, then a row per feature. */
+/** \brief \a layer as the text of a CSV file (RFC 4180 with LF): a row of names, then a
+ * row per feature. */
 std::string
 layerAsCsv(const VectorLayer& layer);
 

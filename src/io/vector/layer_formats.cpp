@@ -17,7 +17,7 @@ std::string
 findLayerDriver(const std::string& path)
 {
   const std::string ending = endingOf(path);
-  // .json and .txt may be anything, and a shapefile is several files.
+  // .json and .txt are ambiguous, and a shapefile consists of several files.
   for (const char* other : {"", ".json", ".txt", ".csv", ".shp"})
     if (ending == other)
       return {};

@@ -12,12 +12,12 @@ namespace linelet::io {
 std::string
 findLayerDriver(const std::string& path);
 
-/** \brief The same. \throws FileError where there is none */
+/** \brief The same. \throws FileError if there is none */
 std::string
 layerDriver(const std::string& path);
 
-/** \brief The driver that reads layers from \a path: those that write, and that of
- * shapefiles. Empty where there is none. */
+/** \brief The driver that reads layers from \a path: one that writes them, or that of
+ * shapefiles. Empty if there is none. */
 std::string
 findReadLayerDriver(const std::string& path);
 

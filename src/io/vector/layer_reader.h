@@ -11,9 +11,9 @@
 
 namespace linelet::io {
 
-/** \brief The lines of all layers of a file that GDAL reads, outlines of areas among
- * them; points are left out.
- * \param[out] wkt its reference system, empty if it has no CRS; null: not wanted
+/** \brief The lines of all layers of a file that GDAL reads, including outlines of
+ * areas; points are left out.
+ * \param[out] wkt its reference system, empty if it has no CRS; may be null
  * \throws FileError */
 CurveNetwork
 curvesFromLayers(const Source& source, std::string* wkt);

@@ -31,7 +31,7 @@ LayerWriter::makeLayer(const std::string& name,
                        const char* const* options)
 {
   OGRLayer* layer = dataset_->CreateLayer(
-      name.c_str(), system, type, const_cast<char**>(options)); // read alone
+      name.c_str(), system, type, const_cast<char**>(options)); // only read
   if (layer == nullptr)
     fail();
   return layer;
@@ -122,7 +122,7 @@ LayerWriter::fail() const
   const std::string& reason = complaints_.first();
   throw FileError(path_ + ": cannot be written (" +
                   (reason.empty() ? "GDAL gives no reason" : reason) +
-                  "); check that the folder exists, may be written and has room");
+                  "); check that the folder exists, is writable and has free space");
 }
 
 } // namespace linelet::io

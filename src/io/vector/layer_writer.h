@@ -15,12 +15,12 @@
 
 namespace linelet::io {
 
-/** \brief Makes layers in a dataset of one driver of GDAL; what that complains about
- * becomes a FileError. */
+/** \brief Creates layers in a dataset of a GDAL driver, whose errors become
+ * FileErrors. */
 class LayerWriter {
 public:
   /** \param[in] path for messages
-   * \param[in] staged where the file is made */
+   * \param[in] staged where the file is written */
   LayerWriter(const std::string& path,
               const std::string& staged,
               const char* driver_name);
@@ -31,7 +31,7 @@ public:
             OGRSpatialReference* system,
             const char* const* options = nullptr);
 
-  /** \brief The columns of \a content, but for those that are there. */
+  /** \brief Adds the columns of \a content that do not exist yet. */
   void
   makeFields(OGRLayer& layer, const VectorLayer& content);
 
@@ -47,7 +47,7 @@ public:
   void
   add(OGRLayer& layer, OGRFeature& feature);
 
-  /** \brief Flushes everything; disk errors show here at the latest. */
+  /** \brief Flushes everything; disk errors appear here at the latest. */
   void
   close();
 

@@ -43,8 +43,7 @@ private:
   const char* name_;
 };
 
-/** What GeoPackage calls a plane of which nothing is known. Without a system GDAL takes
- * coordinates for degrees. */
+/** GeoPackage's undefined Cartesian system. Without a system, GDAL assumes degrees. */
 Reference
 unknownPlane()
 {
@@ -103,7 +102,7 @@ labelStyle(const std::string& text, double height)
          "g,p:5)";
 }
 
-/** DXF knows no attributes, but layers and texts. */
+/** DXF has layers and texts instead of attributes. */
 void
 writeDxf(const std::string& path,
          const std::string& staged,
@@ -134,7 +133,7 @@ writeDxf(const std::string& path,
   writer.close();
 }
 
-/** One layer of a driver that knows nothing of ours. */
+/** Writes layers with a driver that needs no special treatment. */
 void
 writeByDriver(const std::string& path,
               const std::string& staged,
@@ -157,7 +156,7 @@ writeByDriver(const std::string& path,
       for (int field = 0; field < out->GetFieldCount(); ++field)
         if (out->GetFieldDefnRef(field)->GetType() == OFTReal &&
             std::isnan(out->GetFieldAsDouble(field)))
-          out->SetFieldNull(field); // few formats know NaN
+          out->SetFieldNull(field); // few formats have NaN
       writer.add(*layer, *out);
     }
   }
@@ -205,7 +204,7 @@ isEmpty(const std::vector<VectorLayer>& layers)
   });
 }
 
-/** Where coordinates are to go: the system asked for, or that of \a wkt. */
+/** The system to write in: the requested one, or that of \a wkt. */
 std::string
 targetOf(const std::string& path, const std::string& wkt, const VectorOptions& options)
 {

@@ -29,7 +29,7 @@ ReleaseReference::operator()(OGRSpatialReference* reference) const
 
 namespace {
 
-/** GDAL prints errors to stderr unless told not to; ours are said by exceptions. */
+/** GDAL prints errors to stderr unless told not to; we throw exceptions instead. */
 class Quiet {
 public:
   Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
@@ -61,7 +61,7 @@ struct LengthUnit {
 constexpr LengthUnit length_units[] = {{9001, "metre", 1},
                                        {9002, "foot", 0.3048},
                                        {9003, "US survey foot", 1200.0 / 3937}};
-constexpr double exactly = 1e-9; // as units in WKT are rounded
+constexpr double exactly = 1e-9; // units in WKT are rounded
 
 const LengthUnit*
 unitOfCode(int code)
@@ -72,7 +72,7 @@ unitOfCode(int code)
   return nullptr;
 }
 
-/** The horizontal part; false where nothing is known of it. */
+/** The horizontal part; false if it is unknown. */
 bool
 makePlan(OGRSpatialReference& plan, const ReferenceCodes& codes)
 {
@@ -85,7 +85,7 @@ makePlan(OGRSpatialReference& plan, const ReferenceCodes& codes)
   return true;
 }
 
-/** The vertical part; false where nothing is known of it. */
+/** The vertical part; false if it is unknown. */
 bool
 makeHeight(OGRSpatialReference& height, const ReferenceCodes& codes)
 {
@@ -266,7 +266,7 @@ degreesIn(const Cloud& cloud)
            units.plan_name;
   if (!cloud.wkt.empty() || cloud.points.size() < 2)
     return {};
-  // Hardly any extent in plan suggests degrees.
+  // Coordinates in degrees have hardly any extent in plan.
   Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Point& p : cloud.points)
     if (p.allFinite()) {

@@ -23,12 +23,12 @@ using Reference = std::unique_ptr<OGRSpatialReference, ReleaseReference>;
 Reference
 parseReference(const std::string& wkt);
 
-/** \brief Turns x and y of \a points, of the system \a wkt, into longitude and latitude
- * (WGS 84); false if that is impossible. */
+/** \brief Converts x and y of \a points from the system \a wkt to longitude and
+ * latitude (WGS 84); false if that is impossible. */
 bool
 toLongitudeLatitude(Points& points, const std::string& wkt);
 
-/** \brief \a wkt in the form of 2019. */
+/** \brief \a wkt as WKT 2 (2019). */
 std::string
 wkt2Of(const std::string& wkt);
 

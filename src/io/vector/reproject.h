@@ -10,12 +10,12 @@
 
 namespace linelet::io {
 
-/** \brief Whether \a wkt is a reference system tied to the Earth. */
+/** \brief Whether \a wkt is a reference system that is tied to the Earth. */
 bool
 isSystem(const std::string& wkt);
 
-/** \brief \a layers of the system \a from in the system \a to. Heights are unchanged,
- * but in meters if \a to is in degrees.
+/** \brief \a layers, reprojected from the system \a from to \a to. Heights are
+ * unchanged, except that they are in meters if \a to is in degrees.
  * \param[in] path for messages
  * \throws FileError if PROJ knows no transformation */
 std::vector<VectorLayer>

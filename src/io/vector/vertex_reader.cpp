@@ -22,7 +22,7 @@ struct Vertices {
   std::vector<double> x, y, z;
   std::vector<std::int32_t> line; ///< of every vertex, from 0
   std::map<std::string, std::vector<double>> numbers;
-  std::set<std::string> texts; ///< attributes that are none
+  std::set<std::string> texts; ///< attributes that are not numbers
   std::int32_t lines = 0;
   std::size_t without_geometry = 0; ///< features
 

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/** Ring of corners, longitude and latitude, of the plan of \a file. */
+/** Ring of corners of the extent of \a file in plan, in longitude and latitude. */
 ordered_json
 ringOf(const FileSummary& file, std::array<double, 4>& box)
 {
@@ -64,8 +64,8 @@ featureOf(const FileSummary& file,
   if (!ring.is_null())
     feature["bbox"] = {box[0], box[1], file.low.z(), box[2], box[3], file.high.z()};
   else if (warnings != nullptr)
-    warnings->push_back(file.path + ": its reference system is not known, nor where on "
-                                    "Earth it is; it gets no geometry");
+    warnings->push_back(file.path + ": its reference system and place on Earth are "
+                                    "unknown; it gets no geometry");
   ordered_json& properties = feature["properties"];
   properties["datetime"] = "1970-01-01T00:00:00Z"; // required by STAC, but unknown
   properties["pc:count"] = file.points;

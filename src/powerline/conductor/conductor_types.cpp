@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 namespace {
 
-/** The number that a key of a file stands for; null: no such key. */
+/** The member that a key of a file sets; null: no such key. */
 double*
 member(Conductor& conductor, const std::string& key)
 {

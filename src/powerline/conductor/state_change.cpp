@@ -27,8 +27,7 @@ read(const std::string& text, const std::string& unit, double& value)
   return end != text.c_str() && unit == end && std::isfinite(value);
 }
 
-/** Length that the spans would have without tension, less what the tension does not
- * change. */
+/** Total length of the spans without tension. */
 double
 unstretched(const std::vector<SpanShape>& spans,
             double tension,
@@ -69,7 +68,7 @@ parseState(const std::string& text)
   if (!good)
     throw std::invalid_argument(
         "the state '" + text +
-        "' is none; write a temperature of the conductor, then ice and wind if there "
+        "' is invalid; write a conductor temperature, then ice and wind if there "
         "are: 75C, or 0C,ice=10mm,wind=400Pa");
   return state;
 }
@@ -121,7 +120,7 @@ tensionAfter(const std::vector<SpanShape>& before,
                                 "be above 0 for another state");
   const double wanted = unstretched(before, tension, load, stiffness) *
                         (1 + conductor.expansion * 1e-6 * warming);
-  // The unstretched length falls as the tension rises: bisect the logarithm of the
+  // The unstretched length falls as the tension rises, so bisect the logarithm of the
   // tension, from a sag of half a span to the strain of the conductor's full modulus.
   double longest = 0;
   for (const SpanShape& span : after)

@@ -12,9 +12,9 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double shared = 1; // meters, ends of wires on one insulator or its two
+constexpr double shared = 1; // meters between ends of wires at one support
 
-/** A wire on its way along a section, which may be against its own direction. */
+/** A wire of a section, which may run against the wire's own direction. */
 struct Link {
   const Wire* wire;
   bool turned;
@@ -44,7 +44,7 @@ turnBetween(const Link& a, const Link& b)
   return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v))) * 180 / M_PI;
 }
 
-/** Standard deviation of a catenary constant: the sag is as good as the points. */
+/** Standard deviation of a catenary constant, from that of the sag. */
 double
 deviation(const Wire& wire)
 {
@@ -112,7 +112,7 @@ chainsOf(const std::vector<Wire>& wires, const StateSettings& settings)
   return chains;
 }
 
-/** The span of a wire in the plane that its load pulls it into. */
+/** The span of a wire in the plane of its load. */
 SpanShape
 shapeOf(const Wire& wire, double swing)
 {
@@ -131,7 +131,7 @@ catenaryBetween(const Point& front, const Point& back, double a, double swing)
   const double phi = swing * M_PI / 180;
   const Point chord = back - front;
   const double plan = chord.head<2>().norm();
-  // The chord lies in the swung plane: what its rise is aside turns the axis.
+  // The chord lies in the swung plane: the sideways part of its rise turns the axis.
   const double aside = chord.z() * std::tan(phi);
   const double along = std::sqrt(std::max(0.0, plan * plan - aside * aside));
   const double rise = chord.z() / std::cos(phi);

@@ -39,8 +39,8 @@ constexpr double plan_cell = 2;      // meters
 constexpr double longest_arm = 45;    // meters, both sides of a pylon
 constexpr double arm_reach = 4;       // meters, of a wire's end from the crossarm
 constexpr double most_parallel = 0.5; // cosine of crossarm and wire
-constexpr double arm_part = 0.4;      // of its length, that the ends spread over
-constexpr int carried = 2;            // wires that a crossarm holds, at least
+constexpr double arm_part = 0.4;      // of its length, over which the ends spread
+constexpr int carried = 2;            // wires that a crossarm holds at least
 
 constexpr double ledge_from = 0.25; // meters beside a railing, where the roof ...
 constexpr double ledge_to = 1.8;    // ... that it stands on ...
@@ -64,8 +64,8 @@ cellOf(double x, double y)
   return part(x) << 32 | part(y);
 }
 
-// Which wires are the top of a fence: below them, down to the ground, something stands
-// nearly everywhere, and not so beside.
+// Which wires are the top of a fence: the space below them is filled nearly everywhere
+// down to the ground, unlike beside them.
 std::vector<char>
 findFences(const std::vector<WireWithEnds>& wires,
            const Points& points,
@@ -126,7 +126,7 @@ findFences(const std::vector<WireWithEnds>& wires,
 }
 
 // Whether a piece is the railing or edge of a roof: a plane begins beside it, at about
-// its height, all along.
+// its height, over its whole length.
 bool
 isLedge(const Growth& growth, const Piece& piece)
 {
@@ -210,7 +210,7 @@ isCrossarm(const std::vector<WireWithEnds>& wires, std::size_t candidate)
   return held >= carried && high - low >= arm_part * m.length();
 }
 
-// Whether a wire leads into the ground at one end, as guys do.
+// Whether a wire runs into the ground at one end, as guys do.
 bool
 isGuy(const WireWithEnds& wire, const Ground& ground, double lowest)
 {
@@ -244,7 +244,7 @@ dropFalsePositives(std::vector<WireWithEnds>& wires,
                (piece.model.length() >= straight_length &&
                 bendOf(piece, growth.candidates().points).rulesOut(flattest));
   }
-  // What runs along with such a thing, and is not clearly bent, is part of it.
+  // What runs along such a thing, and is not clearly bent, is part of it.
   const std::vector<char> alone = wrong;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     const SpanModel& m = wires[w].model();

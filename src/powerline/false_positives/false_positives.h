@@ -12,7 +12,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Drops long, thin things that are not wires: those too straight even for a
+/** \brief Drops long, thin objects that are not wires: those too straight even for a
  * taut one (jibs, ridges, pipes), fences, edges and railings of roofs, crossarms, guys.
  * Their points become free. \a points is the whole cloud, of which nothing below \a
  * min_height above the ground is a candidate. */

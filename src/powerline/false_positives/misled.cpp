@@ -14,7 +14,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double farthest_off = 1.5; // meters of an attachment point from the wire
+constexpr double farthest_off = 1.5; // meters, attachment point to wire
 
 bool
 isMisled(const WireWithEnds& wire)

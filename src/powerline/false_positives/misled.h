@@ -11,7 +11,7 @@
 namespace linelet::powerline {
 
 /** \brief Drops wires whose attachment points do not fit their points: too close
- * together, or off the wire. Remnants of a span beyond a pole look like that.
+ * together, or off the wire. Remnants of a span beyond a pole look like this.
  * \return whether there were any */
 bool
 dropMisled(std::vector<WireWithEnds>& wires, Growth& growth);

@@ -10,7 +10,7 @@ namespace linelet::powerline {
 /** \brief How far the points of single wires scatter in a scan.
  *
  * The scatter comes from the sensor and is about the same for all wires. What scatters
- * much wider than they do is more likely a row of other things. */
+ * much more widely is more likely a row of other objects. */
 class ScanScatter {
 public:
   struct Sample {
@@ -18,11 +18,11 @@ public:
     double points = 0;
   };
 
-  /** \param[in] wires most of whose points are those of real, single wires */
+  /** \param[in] wires most of whose points belong to real, single wires */
   explicit ScanScatter(const std::vector<Sample>& wires);
 
-  /** \brief By how many standard deviations \a wire scatters wider than is usual; 0
-   * where it does not. */
+  /** \brief By how many standard deviations \a wire scatters more widely than usual; 0
+   * if it does not. */
   double
   excess(const Sample& wire) const;
 
@@ -31,9 +31,9 @@ private:
   double spread_ = 0;
 };
 
-/** \brief Logarithm of the prior of a wire whose scatter has such an \a excess,
- * relative to one that is usual: of a Student distribution with 3 degrees of freedom,
- * as some are bundles that are not resolved. */
+/** \brief Logarithm of the prior of a wire whose scatter has this \a excess, relative
+ * to the usual scatter: a Student distribution with 3 degrees of freedom, as some are
+ * unresolved bundles. */
 double
 logPriorOfScatter(double excess);
 

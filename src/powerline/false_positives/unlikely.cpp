@@ -28,7 +28,7 @@ namespace {
 
 constexpr double company_part = 0.35; // of the length of the longer
 
-constexpr double stray_length = 40; // meters of a thinly covered wire that meets none
+constexpr double stray_length = 40; // meters of a sparse wire that meets no other
 
 double
 chainLength(const std::vector<WireWithEnds>& wires, std::size_t start)
@@ -67,7 +67,7 @@ gatherFamilies(const std::vector<WireWithEnds>& wires)
   return families;
 }
 
-/** What happens at the ends of a wire. */
+/** What lies at the ends of a wire. */
 struct Surroundings {
   bool joined = false; ///< another wire continues there
   bool border = false; ///< the data end there
@@ -91,8 +91,7 @@ struct LineWire {
   std::size_t family;
 };
 
-// Whether \a wire leaves a line of another family at one end, as what leads to a house
-// does.
+// Whether \a wire leaves a line of another family at one end, as drops to houses do.
 bool
 leaves(const WireWithEnds& wire,
        int side,
@@ -120,7 +119,7 @@ leaves(const WireWithEnds& wire,
   });
 }
 
-// Weighs a wire as if its points were not yet its own.
+// Weighs a wire as if its points were still free.
 Evidence
 weighAnew(Growth& growth, const Piece& piece, const PowerLineSettings& settings)
 {
@@ -177,8 +176,8 @@ scatterOf(const std::vector<WireWithEnds>& wires, const std::vector<Evidence>& e
   return ScanScatter(samples);
 }
 
-// Drops wires that are hardly seen where one beside them is: scattered points of that
-// one. \param[in] seen share of the length of every wire
+// Drops wires that are hardly seen where one beside them is: they are its scatter.
+// \param[in] seen share of the length of every wire
 void
 dropScatter(const std::vector<WireWithEnds>& wires,
             const std::vector<double>& seen,
@@ -229,7 +228,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   Groups family_of = gatherFamilies(wires);
   std::vector<Family> families(wires.size());
   std::vector<char> keep(wires.size(), 1);
-  PowerLineSettings any_length = settings; // the border of the data leaves short ones
+  PowerLineSettings any_length = settings; // the border of the data cuts wires short
   any_length.min_length = 0;
   std::vector<LineWire> lines;
   std::vector<double> seen(wires.size(), 1);
@@ -267,7 +266,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     const Evidence& evidence = evidence_of[w];
     if (evidence.bins > 0)
       seen[w] = static_cast<double>(evidence.occupied) / evidence.bins;
-    // A line predicts how its wires scatter, too.
+    // A line also predicts how its wires scatter.
     const double excess = wires[w].strand.piece.thickness > 0
                               ? 0
                               : scatter.excess(scatterOf(wires[w], evidence));
@@ -282,11 +281,11 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
       continue;
     family.drop = family.drop || drop;
     addEvidence(family, m, evidence, underside);
-    // Unlikely whatever its family says.
+    // Unlikely, whatever its family.
     keep[w] = drop || (!isRope(m, beyond) && !isStray(m, evidence, beyond));
   }
   for (std::size_t w = 0; w < wires.size(); ++w)
-    // Rows and edges of roofs do not become wires by running beside some.
+    // Rows and edges of roofs do not become wires by running beside wires.
     keep[w] = keep[w] != 0 && plausible(families[family_of.root(w)], terrain) &&
               (!terrain || isOpenBelow(wires[w].model(), underside));
   dropScatter(wires, seen, keep);

@@ -16,7 +16,7 @@ namespace linelet::powerline {
 /** \brief Drops what only looks like a wire. A wire ends at a support or at the border
  * of the data; short families of wires inside the data with neither, or without sag,
  * are chords of booms and crossarms, and straight steep loose pieces are ropes. Their
- * points become free. Ends must be matched before.
+ * points become free. Ends must already be matched.
  * \param[in] terrain whether the cloud shows terrain: lines then hang clear of it */
 void
 dropUnlikely(std::vector<WireWithEnds>& wires,

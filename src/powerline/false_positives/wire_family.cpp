@@ -27,7 +27,7 @@ constexpr double lone_length = 18;    // meters of a lone wire in the clear
 constexpr double lone_clean = 0.8;    // of its bins
 constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
 
-// A wire that ends at nothing but a hidden part shows most of its span.
+// A wire that is visible except for a hidden end shows most of its span.
 double
 largestSpan(const WireWithEnds& wire, const Underside& underside)
 {
@@ -39,15 +39,15 @@ largestSpan(const WireWithEnds& wire, const Underside& underside)
              : priors.longer * m.length();
 }
 
-// Slope of a wire from \a side on to its other end.
+// Slope of a wire from \a side to its other end.
 double
 slopeFrom(const SpanModel& m, int side)
 {
   return (side == 0 ? 1 : -1) * m.rise((m.begin + m.end) / 2);
 }
 
-// How much better a straight thing, as a pipe is, explains the bend of \a family and
-// how its wires meet than wires do, whose bends scatter; nats.
+// How much better a straight object such as a pipe explains the bend of \a family, and
+// how its wires meet, than wires do, whose bends scatter; nats.
 double
 straightOverWires(const Family& family)
 {
@@ -59,7 +59,7 @@ straightOverWires(const Family& family)
          family.unbroken;
 }
 
-// Slope of a wire at one end, on to its other.
+// Slope of a wire at one end, toward its other.
 double
 slopeAt(const SpanModel& m, int side)
 {
@@ -80,8 +80,8 @@ bool
 plausible(const Family& family, bool terrain)
 {
   const double bend = family.bend / family.weight;
-  // Too short to be seen to bend, what falls off to both sides of a support hangs
-  // there: 4 sag / span at the end of a span.
+  // Wires too short to show a bend hang if they slope down on both sides of a support:
+  // 4 sag / span at the end of a span.
   const bool hangs =
       family.stubs > 0 && family.descent >= 2 * 4 * priors.least_sag * family.stubs;
   if ((!hangs &&
@@ -93,12 +93,12 @@ plausible(const Family& family, bool terrain)
   const bool straight = straightOverWires(family) >= rather_straight;
   if (family.longest >= long_line)
     return ((family.joined || family.border) && !straight) || bend >= least_bend;
-  // What the border of the data cuts off may be short, but hardly straight.
+  // A line cut off by the border of the data may be short, but not straight.
   if (family.border)
     return !straight &&
            (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= priors.short_line);
-  // Alone, it must be seen to hang.
+  // A lone wire must visibly hang.
   return family.bends > priors.spread * std::sqrt(family.precision) &&
          (family.clear || (family.single >= priors.short_line && bend >= clear_bend &&
                            family.occupied >= lone_cover * family.bins &&
@@ -113,7 +113,7 @@ addBend(Family& family,
 {
   const SpanModel& m = wire.model();
   const double weight = std::pow(m.length(), 3);
-  // What the points say, not what the prior of the fit does.
+  // From the points, not the prior of the fit.
   const double vague = 2 * m.sigma * std::sqrt(m.covariance(2, 2));
   family.bend += weight * (m.z[2] - vague);
   family.weight += weight;

@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 constexpr double steep = 0.12;      ///< slope between the ends
 constexpr double clear_bend = 2e-4; ///< z2 of a line so short that it hangs from poles
-constexpr double long_line = 60;    ///< meters, from which a line is evidence enough
+constexpr double long_line = 60;    ///< meters from which a line is sufficient evidence
 constexpr std::size_t many = 4;     ///< wires of a family that prove each other
 constexpr double lone_cover = 0.5;  ///< of the bins of a line inside the data
 
@@ -32,7 +32,7 @@ struct Family {
   double clean = 0, occupied = 0, bins = 0; ///< sums of the evidence of short chains
   bool drop = false;                        ///< a wire leaves another line
   bool border = false;                      ///< a wire leaves the data
-  bool clear = false;  ///< a wire hangs by itself with the view free to the ground
+  bool clear = false;  ///< a wire hangs alone with a free view to the ground
   bool joined = false; ///< some wires meet
   double stubs = 0;    ///< pairs that meet at a support, cut off by the data's border
   double descent = 0;  ///< sum of their slopes away from it

@@ -13,7 +13,7 @@ namespace linelet::powerline {
 
 namespace {
 
-/** Where a point lies beside a polyline. */
+/** The foot of a point on a polyline. */
 struct Foot {
   double along = 0; ///< from its first vertex
   double distance = std::numeric_limits<double>::infinity();
@@ -50,7 +50,8 @@ lengthOf(const Points& course)
   return length;
 }
 
-// Weighted line through points by their places along the course, at one place.
+// The weighted least-squares line through points near a place along the course,
+// evaluated there.
 Point
 middleAt(double place,
          const Points& points,

@@ -17,7 +17,7 @@ namespace linelet::powerline {
 
 namespace {
 
-// Whether points of its wires follow each other so closely that bodies hang together.
+// Whether points on its wires are dense enough for bodies to be connected.
 bool
 isDense(const SupportSite& site,
         const PowerLineNetwork& network,
@@ -39,15 +39,15 @@ isDense(const SupportSite& site,
   const auto middle =
       densities.begin() + static_cast<std::ptrdiff_t>(densities.size() / 2);
   std::nth_element(densities.begin(), middle, densities.end());
-  // Gaps of Poisson points exceed the link with exp(-density * link).
+  // Gaps of Poisson points exceed the link with probability exp(-density * link).
   return *middle * priors.link() >= -std::log(priors.unseen);
 }
 
 void
 collect(SupportSite& site, const Candidates& candidates, const FittingPriors& priors)
 {
-  // As far down as a string and a jumper may hang from the lowest wire, and the pylon's
-  // body that tells what is earthed.
+  // Down to where a string and a jumper may hang below the lowest wire, and to the
+  // pylon's body, which shows what is earthed.
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const WireEnd& end : site.ends) {
     low = std::min(low, end.at(0).z());

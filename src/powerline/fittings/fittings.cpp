@@ -64,8 +64,8 @@ private:
   const SupportSite& site_;
 };
 
-// Wires keep their points as far as these hang, and give the others to the structure.
-// Where no string is seen, their fittings are small and remain as they are.
+// Wires keep the points that hang, and give the others to the structure. Where no
+// string is seen, the fittings are small and stay as they are.
 void
 labelWires(const SupportSite& site,
            const std::vector<SeenString>& strings,
@@ -90,8 +90,8 @@ labelWires(const SupportSite& site,
   }
 }
 
-// What hangs from a wire beyond the place where a string may hold it is under voltage:
-// parts of a jumper whose way is not seen as a whole.
+// What hangs from a wire beyond where a string may hold it is live: parts of a jumper
+// that is not visible as a whole.
 void
 labelRests(const SupportSite& site,
            const std::vector<SeenJumper>& jumpers,

@@ -14,8 +14,8 @@ namespace linelet::powerline {
 
 namespace {
 
-// A string hangs steeper than its wire: their kink may have been taken for a support of
-// which nothing is seen.
+// A string hangs more steeply than its wire, so their kink may have been taken for a
+// support without points.
 void
 nameEnds(SupportSite& site, const PowerLineNetwork& network)
 {

@@ -9,7 +9,7 @@
 
 namespace linelet::powerline {
 
-/** \brief A string at a site, and the points of it there. */
+/** \brief A string at a site, and its points there. */
 struct SeenString {
   InsulatorString string;
   int end = -1;    ///< of a wire that it holds

@@ -24,7 +24,7 @@ struct Contact {
   double along;
 };
 
-/** A way between two ends. */
+/** A path between two ends. */
 struct Way {
   double cost = unreached;
   std::size_t from = 0, to = 0;
@@ -94,7 +94,7 @@ private:
   void
   walkFrom(std::size_t from, const std::vector<WireEnd>& ends, Way& best) const
   {
-    // Squares of the steps, so that a way keeps to where points are dense.
+    // Squares of the steps, so that a path stays where points are dense.
     std::vector<double> cost(site_.points.size(), unreached);
     std::vector<Index> before(site_.points.size());
     using Open = std::pair<double, Index>;
@@ -129,8 +129,8 @@ private:
     }
   }
 
-  // Whether most of what is thin along a way runs along it: between wires that are
-  // fixed to a peak, a way leads across that.
+  // Whether most thin parts along a path run along it: between wires that are fixed to
+  // a peak, a path leads across the peak.
   bool
   isFollowed(const Indices& way) const
   {
@@ -189,7 +189,7 @@ private:
   std::vector<char> taken_;
 };
 
-// The loose points within a bundle's reach of a way.
+// The loose points within a bundle's reach of a path.
 Indices
 pointsBeside(const SupportSite& site, const Indices& way, double reach)
 {

@@ -9,7 +9,7 @@
 
 namespace linelet::powerline {
 
-/** \brief A jumper at a site, and the points of it there. */
+/** \brief A jumper at a site, and its points there. */
 struct SeenJumper {
   Jumper jumper;
   Indices points; ///< of the site

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t fewest_of_body = 5; // points of a body, and of a shape
 
-// The direction of every point whose surroundings are thin; else 0.
+// The direction at every point with thin surroundings; otherwise 0.
 Points
 findThin(const SupportSite& site, const FittingPriors& priors, unsigned threads)
 {
@@ -50,8 +50,8 @@ findThin(const SupportSite& site, const FittingPriors& priors, unsigned threads)
   return thin;
 }
 
-// Whether a thin point in the tube of a wire is the tip of an arm or a peak that the
-// wire, or its string, is fixed to: it runs across the wire, and not up from it.
+// Whether a thin point in the tube of a wire is the tip of an arm or peak that the
+// wire, or its string, is fixed to: it runs across the wire, not up from it.
 bool
 isTip(const SupportSite& site, Index i, const Point& direction, double reach)
 {

@@ -12,7 +12,7 @@ namespace linelet::powerline {
 
 namespace {
 
-// From the span toward the structure, as far as more hangs there than is earthed.
+// From the span toward the structure, as long as more points hang than are earthed.
 void
 findEarthedEnds(SupportSite& site, const FittingPriors& priors)
 {
@@ -36,7 +36,7 @@ findEarthedEnds(SupportSite& site, const FittingPriors& priors)
     while (bin < bins && surplus[e][bin] <= 0)
       ++bin;
     site.ends[e].earthed = static_cast<double>(bin) * step - before;
-    // Where two wires meet there is the structure between them.
+    // Where two wires meet, the structure is between them.
     const Point place = site.ends[e].at(0);
     for (std::size_t other = 0; other < site.ends.size(); ++other)
       if (other != e && (site.ends[other].at(0) - place).norm() < priors.half_width)
@@ -44,8 +44,8 @@ findEarthedEnds(SupportSite& site, const FittingPriors& priors)
   }
 }
 
-// Near a structure a string is not alone within the gap any more, but still in its own
-// tube: it goes on as long as less is around that than in it.
+// Near a structure a string is no longer alone within the air gap, but still in its own
+// tube: it continues as long as more is in the tube than around it.
 void
 followStrings(SupportSite& site, const FittingPriors& priors)
 {

@@ -18,8 +18,8 @@ struct WireEnd {
   const Wire* wire;
   bool front;
   double attachment;  ///< s of the catenary there
-  double earthed = 0; ///< place where the structure ends and the string begins
-  double clamp = 0;   ///< place where the jumper begins, if there is one
+  double earthed = 0; ///< position where the structure ends and the string begins
+  double clamp = 0;   ///< position where the jumper begins, if there is one
   bool clamped = false;
 
   Point
@@ -67,7 +67,7 @@ struct SupportSite {
   std::vector<int> tube;  ///< end of a wire in whose tube it lies
   std::vector<double> along; ///< place along that end
 
-  /** \brief Whether it hangs there and is not part of a known wire. */
+  /** \brief Whether it hangs and is not part of a known wire. */
   bool
   isLoose(Index i) const
   {

@@ -15,7 +15,7 @@ layTubes(SupportSite& site,
          const FittingPriors& priors)
 {
   const double step = 0.5, reach = priors.half_width + priors.link() / 2;
-  // Where two wires meet, the place belongs to that which does not end before it.
+  // Where two wires meet, a place belongs to the wire that does not end before it.
   const double beyond = 0.1;
   std::vector<double> best(site.points.size(), reach);
   site.tube.assign(site.points.size(), SupportSite::none);

@@ -46,7 +46,7 @@ ClearanceLimits
 europeanLimits(double voltage)
 {
   const AirDistance* air = std::begin(air_distances);
-  while (air->highest_voltage < voltage) // the last one is above every voltage allowed
+  while (air->highest_voltage < voltage) // the last one exceeds every voltage allowed
     ++air;
   const double del = air->to_earth, dpp = air->between_phases;
   ClearanceLimits limits;

@@ -16,7 +16,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double lowest_tree = 3; // meters; what is lower is a bush
+constexpr double lowest_tree = 3; // meters; anything lower is a bush
 
 double
 crownWidth(double height)
@@ -94,15 +94,15 @@ public:
   {
   }
 
-  /** Whether nothing higher stands within half a crown's width of the point that comes
-   * at \a place in the grid; of equals the first is the highest. */
+  /** Whether nothing higher stands within half a crown's width of the point at \a place
+   * in the grid; in a tie the first counts as the highest. */
   bool
   isTop(std::size_t place) const
   {
     const Index k = grid_.inputIndices()[place];
     const Point& p = grid_.sortedPoints()[place];
     const double radius = crownWidth(heights_[k]) / 2;
-    // Mostly, one of those beside it in the grid tells.
+    // Usually one of its neighbors in the grid decides.
     const std::size_t end = std::min(grid_.size(), place + beside + 1);
     for (std::size_t other = place < beside ? 0 : place - beside; other < end; ++other)
       if (isHigher(grid_.inputIndices()[other], k) &&

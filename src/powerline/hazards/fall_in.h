@@ -12,7 +12,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Trees that would reach a wire by falling, the least gap first.
+/** \brief Trees that would reach a wire by falling, smallest gap first.
  *
  * A tree is a local maximum of the canopy within half a crown's width, which grows with
  * its height as 2.51503 + 0.00901 h^2 meters (Popescu and Wynne 2004, eq. 4: pines and

@@ -46,7 +46,7 @@ approachTerrain(const Ground& ground,
       Point place = p + j * terrain_step * across;
       place.z() = ground.heightAt(place.x(), place.y());
       if (!((p - place).squaredNorm() < limit * limit))
-        continue; // also where the terrain is not known
+        continue; // also where the terrain is unknown
       if (const Approach near = approach(curve, place, limit); near.from <= near.to)
         out.push_back(near);
     }
@@ -61,7 +61,7 @@ approachesOf(const PowerLineNetwork& network,
              unsigned threads)
 {
   std::vector<ByKind> all(network.wires.size());
-  // Points are handed to their wires in order, so that threads change nothing.
+  // Points are assigned to wires in order, so that threads do not affect the result.
   std::vector<Indices> near(network.wires.size());
   const WireCells cells(network.wires, std::max(1.0, limits.largest()));
   for (std::size_t i = 0; i < surroundings.points.size(); ++i)

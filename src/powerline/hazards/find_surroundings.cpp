@@ -21,14 +21,14 @@ namespace {
 constexpr double tallest = 60;       // meters, trees
 constexpr double off_ground = 0.5;   // meters above the terrain
 constexpr double company_radius = 1; // meters
-constexpr std::size_t company = 3;   // points around, else it is a bird or noise
+constexpr std::size_t company = 3;   // neighbors, otherwise it is a bird or noise
 // Half widths and lengths of what carries wires, meters: a lattice body, a pole, a
-// cross-arm, a string of insulators with its fittings.
+// crossarm, a string of insulators with its fittings.
 constexpr double pylon_body = 3, pole_body = 1.5, arm = 1.5, hanging = 4.5,
                  fitting = 0.6;
-constexpr double beside_support = 12; // meters, half of the longest cross-arm
+constexpr double beside_support = 12; // meters, half of the longest crossarm
 
-/** What a class says of its points. */
+/** What a class says about its points. */
 enum class Meaning : std::uint8_t { Unknown, Vegetation, Building, Support, Nothing };
 
 Meaning
@@ -109,7 +109,7 @@ supportAt(const std::vector<Support>& supports, const Point& p)
   return best;
 }
 
-/** Keeps the entries that \a keep says of all lists. */
+/** Keeps the entries marked in \a keep in all lists. */
 void
 filter(Surroundings& all, const std::vector<bool>& keep)
 {
@@ -145,7 +145,7 @@ findSurroundings(const PowerLineNetwork& network,
   const double reach = limits.largest(), margin = limits.of(HazardKind::FallIn).low;
   const WireCells cells(network.wires, std::max(reach, tallest + margin));
 
-  // What each point is, Nothing where it is too far from every wire to matter.
+  // What each point is; Nothing if it is too far from every wire to matter.
   const auto n = static_cast<std::ptrdiff_t>(cloud.points.size());
   std::vector<Meaning> meanings(cloud.points.size(), Meaning::Nothing);
 #pragma omp parallel for schedule(dynamic, 4096) num_threads(threadCount(threads))
@@ -162,7 +162,7 @@ findSurroundings(const PowerLineNetwork& network,
       continue;
     const double far = std::max(reach, std::min(height, tallest) + margin);
     const auto& near = cells.near(p);
-    // Classifiers often take insulators for vegetation.
+    // Classifiers often mistake insulators for vegetation.
     if ((meaning == Meaning::Unknown || meaning == Meaning::Vegetation) &&
         std::any_of(near.begin(), near.end(), [&](std::uint32_t w) {
           return mayCarry(network.wires[w], network.supports, p);
@@ -178,7 +178,7 @@ findSurroundings(const PowerLineNetwork& network,
   }
   throwIfCanceled(monitor);
 
-  std::vector<Index> unknown; // places in found
+  std::vector<Index> unknown; // indices in found
   std::vector<bool> single;
   for (std::size_t i = 0; i < meanings.size(); ++i) {
     if (meanings[i] == Meaning::Nothing)

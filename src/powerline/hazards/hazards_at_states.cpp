@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 namespace {
 
-/** Everything of a network but what it says of single points. */
+/** A network without its per-point lists. */
 PowerLineNetwork
 withoutPoints(const PowerLineNetwork& network)
 {
@@ -66,12 +66,11 @@ check(const HazardSettings& settings)
   for (const std::string& state : settings.states)
     parseState(state);
   if (!settings.states.empty() && settings.conductor.empty())
-    throw std::invalid_argument(
-        "a state of the conductors wants to know what they are; "
-        "name a type or a file with --conductor");
+    throw std::invalid_argument("--state needs the type of the conductors; "
+                                "name it, or a file, with --conductor");
   if (settings.states.empty() && !settings.conductor.empty())
-    throw std::invalid_argument("--conductor is given, but no --state to bring the "
-                                "conductors to; write --state 75C, say");
+    throw std::invalid_argument("--conductor has no effect without --state; "
+                                "add --state 75C, for example");
   if (!std::isfinite(settings.conductor_temperature) ||
       std::abs(settings.conductor_temperature) > 300)
     throw std::invalid_argument("conductor-temperature must be one from -300 to 300 "

@@ -23,7 +23,7 @@ circuitOf(const PowerLineNetwork& network, const Wire& wire)
                                                              : nullptr;
 }
 
-/** Where lines meet at a support of both, their wires meet too. */
+/** Lines that share a support count as one, as their wires meet there. */
 bool
 areOfDifferentLines(const PowerLineNetwork& network, const Wire& a, const Wire& b)
 {
@@ -71,7 +71,8 @@ forEachPair(const PowerLineNetwork& network, double reach, Visit visit)
     }
 }
 
-/** Places where two curves are closest, by turns from a place of the first. */
+/** Places where two curves are closest, alternating between them from a place on the
+ * first. */
 std::pair<double, double>
 closest(const WireCurve& a, const WireCurve& b, double on_a)
 {
@@ -154,8 +155,8 @@ findCrossings(const PowerLineNetwork& network,
   std::vector<Crossing> crossings;
   forEachPair(network, 0, [&](std::size_t first, std::size_t second) {
     const WireCurve &a = curves[first], &b = curves[second];
-    // Newton's method on where the two are above each other; in plan they are straight
-    // but for wind.
+    // Newton's method for where the two cross in plan; there they are straight except
+    // for wind.
     double s = 0.5 * (a.from() + a.to()), t = 0.5 * (b.from() + b.to());
     Eigen::Vector2d along_a, along_b;
     for (int k = 0; k < 8; ++k) {
@@ -164,7 +165,7 @@ findCrossings(const PowerLineNetwork& network,
       const Eigen::Vector2d off = (b.at(t) - a.at(s)).head<2>();
       const double turn = along_a.x() * along_b.y() - along_a.y() * along_b.x();
       if (std::abs(turn) < 1e-3)
-        return; // as good as parallel
+        return; // practically parallel
       s += (off.x() * along_b.y() - off.y() * along_b.x()) / turn;
       t += (off.x() * along_a.y() - off.y() * along_a.x()) / turn;
       if (!(std::abs(s) < 1e5 && std::abs(t) < 1e5))

@@ -11,7 +11,7 @@
 
 namespace linelet::powerline {
 
-/** \brief Appends the stretches where wires of different lines are nearer to each other
+/** \brief Appends the stretches where wires of different lines are closer to each other
  * than the limit, each pair once, for the higher of the two. */
 void
 appendWiresOfOtherLines(const PowerLineNetwork& network,

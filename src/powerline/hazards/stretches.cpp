@@ -13,7 +13,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double gap = 1;         // meters of wire between two stretches that are one
+constexpr double gap = 1;         // meters of wire between stretches that are joined
 constexpr double vertex_step = 2; // meters between vertices of a stretch
 constexpr double cell = 0.5;      // meters, of areas and volumes
 
@@ -47,7 +47,7 @@ hull(std::vector<Plan> points)
   return out;
 }
 
-/** Around cells of the places, so that a single one has an area. */
+/** Around cells of the places, so that even a single place has an area. */
 Points
 outlineOf(const std::vector<Approach>& places)
 {
@@ -65,7 +65,7 @@ outlineOf(const std::vector<Approach>& places)
   return outline;
 }
 
-/** Area of the cells in plan that hold too near vegetation, and the volume from its
+/** Area of the cells in plan with vegetation that is too close, and the volume from its
  * highest point there down to where the limit ends, or the terrain. */
 void
 measureCut(const PowerLineNetwork& network,
@@ -84,7 +84,8 @@ measureCut(const PowerLineNetwork& network,
       top = &near;
   }
   out.area = cell * cell * static_cast<double>(highest.size());
-  std::vector<double> depths; // summed in an order that no hash table decides
+  std::vector<double>
+      depths; // sorted before summing, as the order of a hash table is arbitrary
   for (const auto& [key, top] : highest) {
     const Point wire = curve.at(top->along);
     const double beside = (wire - top->place).head<2>().norm();

@@ -12,7 +12,7 @@
 namespace linelet::powerline {
 
 /** \brief Something closer to a wire than a limit: the affected part of the wire, and
- * the place. */
+ * where. */
 struct Approach {
   double from, to; ///< of the wire
   double distance; ///< least

@@ -17,7 +17,7 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double voxel = 0.7;     // meters, one query each
-constexpr double smoothing = 2.5; // meters, the least that a roof is wide
+constexpr double smoothing = 2.5; // meters, the smallest width of a roof
 constexpr double least_planarity = 0.5, least_single = 0.6, least_linearity = 0.9,
                  stiff_linearity = 0.7;
 const std::vector<double> radii = {1, 1.5, 2.2}; // meters, of roofs and of crowns
@@ -59,7 +59,7 @@ tellApart(Surroundings& all,
   std::vector<bool> lines(all.points.size(), false);
   if (unknown.empty())
     return lines;
-  // One query a voxel, with the share of single echoes in it.
+  // One query per voxel, with the share of single echoes in it.
   std::unordered_map<std::uint64_t, std::size_t> voxels;
   std::vector<std::size_t> voxel_of(unknown.size());
   Points queries;

@@ -12,7 +12,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr int newton_steps = 5; // curves are so flat that three are enough
+constexpr int newton_steps = 5; // curves are so flat that three would do
 
 } // namespace
 
@@ -74,7 +74,7 @@ WireCurve::within(const Point& p, double radius) const
   const double limit = radius * radius, least = squared(middle);
   if (!(least <= limit))
     return {1, 0};
-  // The squared distance rises to both sides: Newton's method from outside.
+  // The squared distance rises on both sides, so Newton's method starts outside.
   const auto end = [&](double sign) {
     double s = middle + sign * std::sqrt(limit - least);
     for (int k = 0; k < newton_steps; ++k) {

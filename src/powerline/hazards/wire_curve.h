@@ -29,7 +29,7 @@ public:
   Point
   at(double s) const;
 
-  /** \brief s of the point of the wire that is nearest to \a p. */
+  /** \brief s of the point of the wire nearest to \a p. */
   double
   nearest(const Point& p) const;
 

@@ -15,12 +15,12 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double sample_step = 1;    // meters along a wire
-constexpr double farthest = 30;      // meters, vegetation beyond is of no interest
+constexpr double farthest = 30;      // meters, vegetation farther away is ignored
 constexpr double company_radius = 1; // meters
-constexpr std::size_t company = 3;   // points around, else it is a bird or noise
+constexpr std::size_t company = 3;   // neighbors, otherwise it is a bird or noise
 constexpr double support_zone = 6;   // meters around supports, where fittings hang
-// Meters before a free end, where what is not taken for wire is, more often than not,
-// the rest of the wire or of its twin.
+// Meters before a free end, where other points are mostly the rest of the wire or of
+// its twin.
 constexpr double free_zone = 1;
 
 } // namespace
@@ -46,7 +46,7 @@ measureClearances(PowerLineNetwork& network,
                   const PowerLineSettings& settings)
 {
   if (network.ground.heights.empty())
-    return; // nothing but the line: what was not taken for a wire is the rest of one
+    return; // nothing but the line: other points are the rest of wires
   Points others;
   for (std::size_t k = 0; k < candidates.points.size(); ++k) {
     const std::uint8_t c = network.classes[candidates.input[k]];
@@ -71,7 +71,7 @@ measureClearances(PowerLineNetwork& network,
       if ((wire.front_support != 0 && s - c.from < support_zone) ||
           (wire.back_support != 0 && c.to - s < support_zone))
         continue;
-      // What is farther than the best so far does not matter.
+      // Anything farther than the best so far does not matter.
       const double limit = wire.vegetation.known() ? wire.vegetation.distance : reach;
       const Index near = grid.nearest(p, limit);
       if (near == UniformGrid::none ||

@@ -11,13 +11,13 @@
 
 namespace linelet::powerline {
 
-/** \brief The least height of a wire above the terrain, sampled every meter; unknown
+/** \brief The minimum height of a wire above the terrain, sampled every meter; unknown
  * without terrain. */
 Clearance
 lowestAboveGround(const Catenary& curve, const Ground& ground);
 
-/** \brief Measures the clearances of every wire. Vegetation is what stands above
- * ground, has neighbors, and is neither wire nor support. */
+/** \brief Measures the clearances of every wire. Vegetation is anything above ground
+ * that has neighbors and is neither wire nor support. */
 void
 measureClearances(PowerLineNetwork& network,
                   const Candidates& candidates,

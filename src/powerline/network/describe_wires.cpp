@@ -20,7 +20,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double plain_gap = 8; // meters without a point that are nothing unusual
+constexpr double plain_gap = 8; // meters without a point that are not unusual
 
 std::string
 meters(double value)
@@ -53,7 +53,7 @@ judge(Wire& wire, const Evidence& evidence, double max_gap)
   lower(wire, 1 - (wire.rms - 0.1) * 4, "points scatter by " + meters(wire.rms) + " m");
   const double clean =
       static_cast<double>(evidence.clean) / std::max(1, evidence.occupied);
-  lower(wire, 0.35 + 0.75 * clean, "other things close around");
+  lower(wire, 0.35 + 0.75 * clean, "other objects close by");
   lower(wire, 0.6 + 0.4 * wire.length / 25, "only " + meters(wire.length) + " m long");
   if (wire.front_support == 0 && wire.back_support == 0)
     lower(wire, 0.85, "no support seen");
@@ -133,7 +133,7 @@ describeWires(const std::vector<WireWithEnds>& wires,
       describe(wires[static_cast<std::size_t>(w)], result[static_cast<std::size_t>(w)]);
     });
   failure.rethrow();
-  PowerLineSettings any_length = settings; // the border of the data leaves short ones
+  PowerLineSettings any_length = settings; // the border of the data cuts wires short
   any_length.min_length = 0;
   for (std::size_t w = 0; w < wires.size(); ++w) {
     // Its own points count as free while a wire is weighed.

@@ -17,14 +17,14 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double degree = M_PI / 180;
-constexpr std::size_t sample = 600;                // points that take part
+constexpr std::size_t sample = 600;                // points used
 constexpr double noise = 0.05;                     // meters, scales the priors
 constexpr double swing_spread = 0.3;               // radian
 constexpr double flattest = 1e-5, tightest = 0.05; // 1 / a
 constexpr double hold = 8; // weight of an attachment point, in points
 
-/** Parameters, all near 0 in the frame of the start model but the bend:
- * offset to the left, turn, height and slope (as asinh) at s = 0, bend 1 / a, swing. */
+/** Parameters, all near 0 in the frame of the start model except the bend: offset to
+ * the left, turn, height and slope (as asinh) at s = 0, bend 1 / a, swing. */
 enum { left, turn, height, slope, bend, swing, parameters };
 
 /** Deviation of one point, in the start model's frame (s, t, z). */
@@ -42,7 +42,7 @@ struct Deviation {
     using std::sqrt;
     const T along = cos(p[turn]) * s + sin(p[turn]) * t;
     const T across = cos(p[turn]) * t - sin(p[turn]) * s;
-    // (cosh(k s + b) - cosh(b)) / k without the loss of digits at small k.
+    // (cosh(k s + b) - cosh(b)) / k without losing digits at small k.
     const T half = p[bend] * along / 2.0;
     const T rise = 2.0 * sinh(half) * sinh(half + p[slope]) / p[bend];
     const T steep = sinh(p[bend] * along + p[slope]);

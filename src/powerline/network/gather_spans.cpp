@@ -30,7 +30,7 @@ inOneSpan(const WireWithEnds& a, const WireWithEnds& b)
   const Parallel parallel = compare(a.model(), b.model());
   if (parallel.overlap < shared_part * std::max(a.model().length(), b.model().length()))
     return false;
-  // Levels above each other are apart as well, but what counts is the plan.
+  // Wires on different levels are apart as well, but only the plan counts.
   const SpanModel& m = a.model();
   const double s = (m.begin + m.end) / 2;
   const Point beside = b.model().at(b.model().along(m.at(s)));
@@ -41,7 +41,7 @@ inOneSpan(const WireWithEnds& a, const WireWithEnds& b)
   return fits(a0, same ? b0 : b1) && fits(a1, same ? b1 : b0);
 }
 
-// Puts a wire into a span, turned like the first wire there.
+// Adds a wire to a span, in the direction of its first wire.
 void
 add(WiresOfSpan& span, const std::vector<WireWithEnds>& wires, std::size_t w)
 {
@@ -58,7 +58,8 @@ add(WiresOfSpan& span, const std::vector<WireWithEnds>& wires, std::size_t w)
 /** An end of a span that meets an end of another: span, side, span, side. */
 using Link = std::tuple<std::size_t, int, std::size_t, int>;
 
-// All links between spans with the number of wires that continue over them, most first.
+// All links between spans with the number of wires that continue across them, most
+// first.
 std::vector<std::pair<int, Link>>
 countLinks(const std::vector<WiresOfSpan>& spans,
            const std::vector<WireWithEnds>& wires)

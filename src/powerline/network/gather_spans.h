@@ -17,7 +17,7 @@ struct Next {
   int side = 0;  ///< the end of that span that is met
 };
 
-/** \brief A span before it has a number: its wires, and the next span at either end.
+/** \brief A span that is not numbered yet: its wires, and the next span at either end.
  * End 0 is where its first wire begins. */
 struct WiresOfSpan {
   std::vector<std::size_t> wires;      ///< indices in the list of wires

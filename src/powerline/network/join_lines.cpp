@@ -18,7 +18,7 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double together = 0.05; // meters between ends that are one
-constexpr int halvings = 30;      // of an edge, until its place on a border is known
+constexpr int halvings = 30;      // of an edge, to find where it crosses a border
 
 double
 lengthOf(const Points& course)
@@ -29,7 +29,7 @@ lengthOf(const Points& course)
   return sum;
 }
 
-/** Open ends of lines, by place. */
+/** Open ends of lines, by position. */
 class Ends {
 public:
   void

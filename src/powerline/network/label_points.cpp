@@ -26,14 +26,14 @@ constexpr double tube_part = 1.25;  // of the tolerance of a wire
 // turns the insulators, which then lie in line with the wire (longer ones at sharper
 // turns).
 constexpr double fittings = 1, strain_rate = 0.28, longest_strain = 4.5;
-constexpr double tension_angle = 10;   // degrees, a line that turns less is suspended
-constexpr double foot = 2;             // meters above ground, below is grass
+constexpr double tension_angle = 10;   // degrees; a line that turns less is suspended
+constexpr double foot = 2;             // meters above ground; below is grass
 constexpr double bundle_reach = 0.6;   // meters between conductors of a bundle
 constexpr double least_companion = 4;  // points
 constexpr double companion_part = 0.3; // of the points of the conductor that was found
 constexpr double plan_cell = 16;       // meters
 
-/** The space around a stretch of a model in which a wire takes points. */
+/** The space around a stretch of a model in which a wire claims points. */
 struct Tube {
   const SpanModel& model;
   double from, to; ///< along the model
@@ -48,7 +48,8 @@ public:
   {
   }
 
-  /** Offers the candidates in \a tube to a wire; \a distance is theirs from it. */
+  /** Offers the candidates in \a tube to a wire; \a distance gives their distance from
+   * it. */
   template <class Distance>
   void
   offer(const Tube& tube, int wire, Distance&& distance)
@@ -92,7 +93,7 @@ private:
 };
 
 // Whether points beside a wire, outside its tube, are another conductor of its bundle
-// that did not get a vector: they stand out from what is farther away.
+// without its own vector: they stand out from what is farther away.
 bool
 hasCompanion(const Growth& growth, const Piece& piece, double reach)
 {
@@ -116,8 +117,8 @@ hasCompanion(const Growth& growth, const Piece& piece, double reach)
          beside > expected + 3 * std::sqrt(expected);
 }
 
-// Offers a wire the points in its own tube, and those of conductors of its bundle that
-// did not get a vector.
+// Offers a wire the points in its own tube, and those of conductors of its bundle
+// without their own vectors.
 void
 offerAround(const Wire& wire,
             const WireWithEnds& with_ends,
@@ -134,7 +135,7 @@ offerAround(const Wire& wire,
                [&](const Point& p) { return wire.curve.distance(p); });
   if (hasCompanion(growth, piece, reach))
     claims.offer({m, m.begin, m.end, bundle_reach}, wire.id, [&](const Point& p) {
-      // Those in its own tube it has been offered.
+      // Points in its own tube were already offered.
       const double d = wire.curve.distance(p);
       return d > reach ? d : std::numeric_limits<double>::infinity();
     });
@@ -185,7 +186,7 @@ endsAt(const Wire& wire, const Point& p, const Tower& tower, int tower_id)
   return within(wire.front_support, wire.front) || within(wire.back_support, wire.back);
 }
 
-/** Cells of the plan that know the supports near them. */
+/** The supports near each cell of the plan. */
 class TowerIndex {
 public:
   explicit TowerIndex(const std::vector<Tower>& towers)
@@ -216,8 +217,8 @@ private:
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> cells_;
 };
 
-// Gives what stands above the grass at a support to it: its own points, and the ends of
-// its wires.
+// Gives a support everything above the grass there: its own points, and the ends of its
+// wires.
 void
 labelSupports(PowerLineNetwork& network,
               const Points& points,

@@ -12,7 +12,7 @@
 
 namespace linelet::powerline {
 
-/** \brief What merging needs of \a network, whose wires are \a with_ends.
+/** \brief What merging needs from \a network, whose wires are \a with_ends.
  * \param[in] unnumbered the wires as they were described, in that order
  * \param[in] ids of these in the network
  * \param[in] points to which their members refer */
@@ -23,7 +23,7 @@ partOf(const PowerLineNetwork& network,
        const std::vector<int>& ids,
        const Points& points);
 
-/** \brief \a loose as it was hung; its members are its own points. */
+/** \brief \a loose with its ends, as it was; its members are its own points. */
 WireWithEnds
 hungAgain(const LooseWire& loose);
 

@@ -25,11 +25,11 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double axes_apart = 3;    // meters, of one support as parts see it
-constexpr double border_part = .02; // of a wire, that parts may place its middle apart
-constexpr double length_apart = 2;  // meters, of a wire seen in whole by both
+constexpr double axes_apart = 3;    // meters between axes of one support in two parts
+constexpr double border_part = .02; // of a wire, between its middles in two parts
+constexpr double length_apart = 2;  // meters, for a wire that both see completely
 
-/** A wire that was taken, as the whole has it. */
+/** A wire that was taken, in terms of the whole. */
 struct Taken {
   std::size_t part = 0, place = 0;   ///< where from
   WireWithEnds hung;                 ///< its ends know wires and supports of the whole
@@ -67,8 +67,8 @@ public:
   }
 
 private:
-  /** The wire that was taken which \a wire is. Where its part tells that one from
-   * \a wire, as the conductors of a bundle, it is another; -1. */
+  /** The taken wire that is the same as \a wire, or -1. If its part has both, like
+   * conductors of a bundle, they are different. */
   int
   takenAs(const Wire& wire) const
   {
@@ -107,7 +107,7 @@ private:
         if (owned || isBeside(parts_[p], middle, border_part * wire.length))
           offers.push_back({p, w, owned, wire.length});
       }
-    // A piece that was cut short lies on one that was not.
+    // A truncated piece lies on one that is not.
     std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
       return std::tuple(!a.owned, -a.length) < std::tuple(!b.owned, -b.length);
     });
@@ -207,8 +207,7 @@ private:
     return place < 0 ? -1 : same_[part][static_cast<std::size_t>(place)];
   }
 
-  /** Which end of the wire \a taken the end \a end of \a other is, which it is as well.
-   */
+  /** Which end of \a taken corresponds to the end \a end of \a other, the same wire. */
   static std::size_t
   endAt(const Taken& taken, const LooseWire& other, int end)
   {
@@ -218,7 +217,7 @@ private:
   }
 
   /** The end \a end of a wire of \a part, in terms of the whole; the partner's end is
-   * known once all wires hang. */
+   * known once all wires are taken. */
   End
   endOf(std::size_t part, const LooseWire::End& end) const
   {
@@ -240,7 +239,7 @@ private:
     taken.told = {taken.part, taken.part};
   }
 
-  /** Who owns a support has seen all of its wires. */
+  /** The owner of a support has seen all of its wires. */
   void
   settleEnds()
   {
@@ -268,8 +267,8 @@ private:
       }
   }
 
-  /** Partners are two, and end in one place unless a part that saw both knows better.
-   */
+  /** Partners come in pairs, and end at the same point unless a part that saw both
+   * knows better. */
   void
   matchPartners()
   {
@@ -326,7 +325,7 @@ private:
     taken.wire.back_support = taken.hung.ends[1].support + 1;
   }
 
-  /** \return by the place in \ref taken_, the id */
+  /** \return the id of each of \ref taken_ */
   std::vector<int>
   number()
   {

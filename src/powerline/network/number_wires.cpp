@@ -32,13 +32,13 @@ turnAround(Wire& wire)
   c.azimuth = std::fmod(c.azimuth + 180, 360.0);
 }
 
-/** A wire on its way to its id. */
+/** A wire without an id yet. */
 struct Unnumbered {
-  std::size_t place; ///< in the list of hanging wires
+  std::size_t place; ///< in the list of wires with ends
   Wire wire;
 };
 
-/** Where a span lies and runs in plan. */
+/** Position and direction of a span in plan. */
 struct Course {
   Point middle = Point::Zero();
   Eigen::Vector2d forward = Eigen::Vector2d::Zero(); ///< unit length
@@ -61,7 +61,7 @@ struct Course {
   }
 };
 
-// Sorts the wires of a span from left to right in steps of a meter, then downwards.
+// Sorts the wires of a span from left to right in steps of a meter, then downward.
 void
 sortAcross(std::vector<Unnumbered>& wires, const Course& course)
 {
@@ -89,11 +89,11 @@ public:
     unitePartners(conductors_, with_ends);
   }
 
-  /** Puts the network in order. Returns for every hanging wire its id. */
+  /** Sorts the network. Returns the id of every wire with ends. */
   std::vector<int>
   run()
   {
-    // Lines with a loose end first; rings remain.
+    // Lines with a loose end first; what remains are rings.
     for (const bool rings : {false, true})
       for (std::size_t k = 0; k < spans_.size(); ++k) {
         const auto& next = spans_[k].next;
@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  /** Numbers of the conductors of a line, in the order in which they turn up. */
+  /** Numbers of the conductors of a line, in order of appearance. */
   using Numbers = std::map<std::size_t, int>;
 
   static int
@@ -131,7 +131,7 @@ private:
     network_.circuits.push_back(std::move(circuit));
   }
 
-  // Adds the span that \a circuit comes to next, at its end \a entry.
+  // Adds the next span of \a circuit, entered at its end \a entry.
   void
   addSpan(const WiresOfSpan& group,
           std::size_t entry,
@@ -181,7 +181,7 @@ private:
     for (auto& [place, wire] : wires) {
       wire.number = numberOf(conductors_.root(place), numbers);
       // Two parts of one conductor in one span cannot share its number: the second
-      // becomes a conductor of its own.
+      // becomes its own conductor.
       if (!taken.insert(wire.number).second)
         wire.number = numberOf(ids_.size() + place, numbers);
     }
@@ -205,7 +205,7 @@ private:
 
   PowerLineNetwork& network_;
   std::vector<WiresOfSpan> spans_;
-  Groups conductors_; ///< wires that go on as one another, span after span
+  Groups conductors_; ///< wires that continue each other from span to span
   std::vector<int> ids_;
   std::vector<char> visited_;
   std::vector<Wire> ordered_;

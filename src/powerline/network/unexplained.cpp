@@ -16,9 +16,9 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double least_part = 0.05; // of the length of the wires, that is much
+constexpr double least_part = 0.05; // of the length of the wires: that is much
 constexpr double short_span = 25;   // meters
-constexpr double widths = 2.5;      // of a line, up to which a point is part of it
+constexpr double widths = 2.5;      // of a line, within which a point is part of it
 constexpr double narrowest = 0.1;   // meters, the same
 constexpr std::size_t fewest = 8;   // points of a line
 
@@ -29,7 +29,7 @@ isExplained(const PowerLineNetwork& network, std::size_t input)
   return found == wire_class || found == pylon_class || found == connector_class;
 }
 
-/** A step along a line: its points, and what nothing else explains of them. */
+/** A step along a line: its points, and those that nothing else explains. */
 struct Step {
   std::size_t all = 0;
   Indices open; ///< candidates

@@ -13,7 +13,7 @@
 
 namespace linelet::powerline {
 
-/** \brief A line that was seen at some stage, whatever became of it. */
+/** \brief A line seen at some stage, whatever became of it. */
 struct SeenLine {
   Points course;
   double width = 0; ///< standard deviation of its points about it, meters
@@ -24,9 +24,8 @@ SeenLine
 seenLine(const Piece& piece);
 
 /** \brief Fills in PowerLineNetwork::unexplained: the stretches of \a lines, at least
- * as long as the shortest wire, whose points got no label. Points must be labeled
- * before.
- */
+ * as long as the shortest wire, whose points got no label. Points must already be
+ * labeled. */
 void
 findUnexplained(PowerLineNetwork& network,
                 const std::vector<SeenLine>& lines,

@@ -12,12 +12,12 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double cell_size = 64;   // meters
-constexpr double sigmas = 5;       // that both may be apart
+constexpr double sigmas = 5;       // by which both may be apart
 constexpr double least_apart = .1; // meters, the same
 constexpr double end_apart = 2;    // meters beyond an end
 
-/** How far \a wire is from \a other at the most, in its middle and on both sides of it;
- * infinite unless it lies on it. */
+/** Largest distance of \a wire from \a other, at its middle and on both sides of it;
+ * infinite unless it lies on \a other. */
 double
 distanceOf(const Wire& wire, const Wire& other)
 {

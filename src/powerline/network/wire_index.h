@@ -13,17 +13,17 @@
 
 namespace linelet::powerline {
 
-/** \brief Finds the same wire as seen by another part: in whole or in part, and with
+/** \brief Finds the same wire as seen in another part: completely or not, and with
  * different noise. */
 class WireIndex {
 public:
   static constexpr int none = -1;
 
-  /** \return the number of the wire, from 0 on */
+  /** \return the number of the wire, starting at 0 */
   int
   add(const Wire& wire);
 
-  /** \brief Of the wires that \a wire lies on, the nearest. */
+  /** \brief The nearest of the wires that \a wire lies on. */
   int
   find(const Wire& wire) const;
 

@@ -9,7 +9,7 @@ namespace linelet::powerline {
 
 constexpr double flattest = 1e-4; ///< z2 of a wire, 1/meters: a = 5 km
 
-constexpr double straight_length = 30; ///< meters, from which a sag can be told
+constexpr double straight_length = 30; ///< meters from which sag can be measured
 
 /** \brief z2 of a wire from its points alone, without the prior of the fit. */
 struct Bend {

@@ -23,7 +23,7 @@ constexpr double complete = 0.8;     // part of its neighbor's length
 constexpr double kept = 0.85;        // of its points
 constexpr double alike = 0.25; // of the points of one conductor, another has at least
 
-/** The conductor that hangs like \a whole, shifted to where \a part was seen. */
+/** The conductor that hangs like \a whole, shifted to \a part. */
 bool
 completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& result)
 {
@@ -51,9 +51,9 @@ completed(Growth& growth, const Piece& part, const SpanModel& whole, Piece& resu
   return occupied >= own_cover * bins;
 }
 
-/** Frees the points of pieces that are but the scatter of a wire: they lie in its tube,
- * or within its noise where that is wider, and have few points beside its own, where
- * conductors of a bundle are seen alike. */
+/** Frees the points of pieces that are only the scatter of a wire: they lie in its
+ * tube, or within its noise if that is wider, and have few points compared with it,
+ * whereas conductors of a bundle are seen equally well. */
 void
 dropScatter(Growth& growth, std::vector<Piece>& pieces)
 {
@@ -119,9 +119,9 @@ sortBundles(Growth& growth,
       continue;
     }
     growth.claim(piece, 0);
-    // Farther apart than they scatter, they are two wires. Those of low lines hang on
-    // racks, however short they are, and the longer one may go on over a pole; of a
-    // bundle, short pieces of single conductors show.
+    // If they are farther apart than they scatter, they are two wires. Wires of low
+    // lines hang on racks, however short they are, and the longer one may continue past
+    // a pole; bundles show short pieces of single conductors.
     const double scatter = piece.tolerance() + neighbor->piece.tolerance();
     const bool on_rack = heightOf(piece, growth.candidates()) < priors.highest_pole;
     if (on_rack ? nearest > scatter / 2

@@ -11,15 +11,15 @@
 
 namespace linelet::powerline {
 
-/** \brief A wire, with the parallel strands of its bundle that are not wires of their
- * own. */
+/** \brief A wire, with the parallel strands of its bundle that are not separate
+ * wires. */
 struct Strand {
   Piece piece;
   std::vector<Piece> companions; ///< short parts of other conductors of the bundle
 };
 
 /** \brief Resolves bundles: a short piece close beside a long one is either completed
- * to a wire of its own, in the shape of the long one, or becomes its companion. */
+ * to a separate wire, in the shape of the long one, or becomes its companion. */
 std::vector<Strand>
 sortBundles(Growth& growth,
             std::vector<Piece> pieces,

@@ -32,10 +32,10 @@ constexpr std::array<Scale, 4> scales = {
 constexpr double voxel = 0.5; // one seed, or one point of the coarse cloud, each
 constexpr double steepest_seed = 0.7;    // of a wire's direction, as sine: 45 degrees
 constexpr double round_enough = 0.3;     // sphericity that ends the search for a line
-constexpr std::size_t enough_points = 8; // points that make it worth believing
+constexpr std::size_t enough_points = 8; // points that make it credible
 constexpr double among_radius = 4; // meters, of the search for a wire among others
 constexpr double bundle_linearity = 0.5;
-constexpr std::size_t crowded_ball = 400; // points around, too many for wires alone
+constexpr std::size_t crowded_ball = 400; // neighbors, too many for wires alone
 constexpr double bundle_tube = 0.12;      // meters
 
 struct VoxelRun {
@@ -86,7 +86,7 @@ shapeAround(const UniformGrid& grid, const Point& center, double radius)
   shape.count = moments.count;
   if (shape.count < 3)
     return shape;
-  // The closed form: eigenAnalysis takes three times as long, for digits that no
+  // The closed form: eigenAnalysis takes three times as long for digits that no
   // threshold here needs.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(moments.covariance().matrix());
@@ -100,8 +100,8 @@ shapeAround(const UniformGrid& grid, const Point& center, double radius)
   return shape;
 }
 
-// A wire that runs close to others makes no line with them, but there is a line through
-// the point itself, in about the direction of all, with a guard ring around it.
+// Among close wires, the neighborhood is not a line, but there is one through the point
+// itself, in about the common direction, with an empty guard ring around it.
 Seed
 seedAmongOthers(const Candidates& candidates, Index c)
 {

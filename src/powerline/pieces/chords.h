@@ -10,8 +10,8 @@
 namespace linelet::powerline {
 
 /** \brief Drops the pieces that run straight through wires of a rack, and frees their
- * points: where wires sag about as far as they hang apart, the way from the middle of
- * one to the ends of the next is straight. */
+ * points: where wires sag about as much as they are apart, a straight line leads from
+ * the middle of one to the ends of the next. */
 void
 dropChords(Growth& growth, std::vector<Piece>& pieces);
 

@@ -31,7 +31,7 @@ logWire(const Counts& c, double density)
 double
 logWire(const Counts& counts, double density, double hidden)
 {
-  constexpr double largest = 500; // of an exponent, short of the range of a double
+  constexpr double largest = 500; // of an exponent, within the range of a double
   const double seen = std::min(largest, logWire(counts, density));
   return std::log((1 - hidden) * std::exp(seen) + hidden);
 }

@@ -15,7 +15,7 @@ struct Counts {
 /** \brief Log-likelihood ratio of a wire with \a density points per visible stretch in
  * addition to the surroundings, to the surroundings alone.
  *
- * The rate of the surroundings is known from their count alone: both are negative
+ * The rate of the surroundings is known only from their count: both are negative
  * binomial (Poisson, with Jeffreys' prior of the rate). */
 double
 logWire(const Counts& counts, double density);

@@ -25,19 +25,19 @@ namespace linelet::powerline {
 
 namespace {
 
-// Conductors come in bundles from 220 kV on; those stay 6.7 m above ground at least
-// where they hang lowest (EN 50341-1, 5.9), in the mean higher.
+// Conductors come in bundles from 220 kV on; those stay at least 6.7 m above ground
+// where they hang lowest (EN 50341-1, 5.9), and higher on average.
 constexpr double bundle_height = 8;
 constexpr std::size_t fewest = 8; // points of a part
 
 /** A candidate beside a curve. */
 struct BesideCurve {
-  double place;    ///< of its foot along the curve in plan, meters
+  double place;    ///< position of its foot along the curve in plan, meters
   double distance; ///< from the curve
   Index index;
 };
 
-// The free candidates within reach of a curve, each with its nearest place.
+// The free candidates within reach of a curve, each with its nearest place on it.
 std::vector<BesideCurve>
 pointsBeside(const Curve& curve, const Growth& growth)
 {
@@ -76,7 +76,7 @@ pointsBeside(const Curve& curve, const Growth& growth)
   return all;
 }
 
-/** Sums of parabolas of all three coordinates over the way in plan. */
+/** Sums for parabolas of all three coordinates over the length in plan. */
 struct PointMoments {
   std::array<Moments, 3> axes;
 
@@ -126,7 +126,7 @@ public:
         place = i;
       }
     }
-    // Nine more coefficients and a place, by the Bayesian information criterion.
+    // Nine more coefficients and a breakpoint, by the Bayesian information criterion.
     if (place == to || n * std::log(whole / best) < 10 * std::log(n)) {
       ends.push_back(to);
       return;
@@ -146,7 +146,7 @@ private:
   std::vector<PointMoments> before_;
 };
 
-// The free candidates that are nearer to each curve than to the others.
+// For each curve, the free candidates that are nearer to it than to the others.
 std::vector<std::vector<BesideCurve>>
 pointsOf(const std::vector<Curve>& curves, const Growth& growth, unsigned threads)
 {
@@ -232,7 +232,7 @@ density(const Piece& piece)
   return static_cast<double>(piece.members.size()) / piece.model.length();
 }
 
-// Whether a bundle is but what a denser wire in it has left over.
+// Whether a bundle is only what a denser wire in it has left over.
 bool
 isRemainder(const Piece& bundle, const std::vector<Piece>& wires)
 {
@@ -259,7 +259,7 @@ curvesOf(const Candidates& candidates,
     return {};
   RefinedSettings curve_settings;
   curve_settings.threads = settings.threads;
-  // Behind a hidden stretch there may be a support, and another span beyond it.
+  // A hidden stretch may hide a support, with another span beyond it.
   curve_settings.follow_hidden = false;
   curve_settings.only_stiff = true; // as wires are
   std::vector<Curve> curves =

@@ -22,7 +22,7 @@ curvesOf(const Candidates& candidates,
          ProgressMonitor* monitor);
 
 /** \brief Calls \a visit with the parts of \a curves that hang between two supports,
- * fitted to the free candidates beside them, one after the other: what it claims is not
+ * fitted to the free candidates beside them, one by one: what \a visit claims is not
  * free for the next.
  *
  * A point belongs to the nearest of the curves. They are cut where two parabolas

@@ -23,15 +23,15 @@ constexpr double bundle_rms = 0.35;  // meters
 constexpr double steepest_end = 0.6, steepest_chord = 1;
 constexpr double least_height = 4;   // meters, mean
 constexpr double hump = 0.10;        // meters of negative sag that noise may cause
-constexpr double clean_length = 6;   // meters that must be clean at least
+constexpr double clean_length = 6;   // meters that must at least be clean
 constexpr double clean_part = 0.5;   // of the occupied bins
 constexpr double least_cover = 0.35; // of the bins
-constexpr double crowd = 0.35;       // guard ring points a tube point in a clean bin
+constexpr double crowd = 0.35;       // guard ring points per tube point in a clean bin
 constexpr std::size_t least_points = 8;
-constexpr double largest_log = 500; // of an exponent, short of the range of a double
+constexpr double largest_log = 500; // of an exponent, within the range of a double
 
-// Evidence of a wire by the counts along it. It is hidden on a part of its way, which
-// is estimated with its density.
+// Evidence of a wire from the counts along it. Part of it is hidden; that share is
+// estimated together with its density.
 double
 likelihoodOf(const std::vector<Counts>& bins)
 {
@@ -96,7 +96,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
     if (static_cast<double>(bin.guard_ring) <= crowd * static_cast<double>(bin.tube))
       ++e.clean;
   }
-  std::vector<Counts> smooth = counts; // with the surroundings of the bins beside
+  std::vector<Counts> smooth = counts; // with the surroundings of the adjacent bins
   for (std::size_t k = 0; k < counts.size(); ++k)
     for (const std::size_t other : {k - 1, k + 1})
       if (other < counts.size()) {

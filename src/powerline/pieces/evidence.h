@@ -21,13 +21,13 @@ struct Evidence {
   double height = 0; ///< mean of the members above ground, meters
   double likelihood = 0; ///< log-likelihood ratio (natural) of a wire to the
                          ///< surroundings alone, for the points around it
-  bool hangs = false;    ///< like a wire, whatever is around it
-  bool sound = false;    ///< a wire, but perhaps too thinly covered with points
+  bool hangs = false;    ///< like a wire, regardless of its surroundings
+  bool sound = false;    ///< a wire, but perhaps too sparsely covered with points
   bool accepted = false; ///< sound and densely enough covered
 };
 
-/** \brief Weighs \a piece. Roof edges, crane booms and branches have other points all
- * along them; a wire hangs alone, or at a distance from others. */
+/** \brief Weighs \a piece. Roof edges, crane booms and branches have other points
+ * beside them everywhere; a wire hangs alone, or at a distance from others. */
 Evidence
 weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& settings);
 

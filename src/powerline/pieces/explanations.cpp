@@ -24,7 +24,7 @@ namespace {
 
 // Of a wire: three coefficients each to the side and up, two ends, density and noise.
 constexpr double parameters = 10;
-constexpr double most = 0.5; // of the smaller one's points are shared by competitors
+constexpr double most = 0.5; // of the smaller one's points, shared by competitors
 
 /** Density of points that a wire causes, per cubic meter. */
 class WireDensity {
@@ -56,7 +56,7 @@ private:
   double variance_, peak_;
 };
 
-// Which of the pieces, first those of one side and then those of the other, compete.
+// Groups of competing pieces; those of one side come first, then those of the other.
 std::vector<std::size_t>
 groupsOf(const std::vector<Piece>& pieces, std::size_t others, std::size_t candidates)
 {
@@ -108,7 +108,7 @@ likelihood(const std::vector<const Piece*>& wires,
     explained.insert(explained.end(), wire->members.begin(), wire->members.end());
   }
   std::sort(explained.begin(), explained.end());
-  if (!others.empty()) // each is one of many that could be seen in a wide one
+  if (!others.empty()) // each is one of many possible in a wide one
     sum -= LinePriors().alone * static_cast<double>(wires.size());
   for (const Piece* other : others)
     if (other->model.isWide())
@@ -126,7 +126,7 @@ likelihood(const std::vector<const Piece*>& wires,
   return sum;
 }
 
-// Density around each of \a all of what is none of them, per cubic meter.
+// Density of other points around each of \a all, per cubic meter.
 std::vector<double>
 densityAround(const Indices& all, const Candidates& candidates)
 {
@@ -191,7 +191,7 @@ likelierPieces(Growth& growth,
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     if (stays[k] == 0)
       continue;
-    // What it shares with pieces that it did not compete with stays theirs.
+    // Points shared with pieces that it did not compete with stay theirs.
     Piece& piece = pieces[k];
     if (k >= others &&
         std::any_of(piece.members.begin(),

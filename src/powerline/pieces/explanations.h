@@ -12,17 +12,17 @@
 
 namespace linelet::powerline {
 
-/** \brief The pieces of \a first, but where \a second explains the same candidates
- * better, its pieces.
+/** \brief The pieces of \a first, except where those of \a second explain the same
+ * candidates better.
  *
  * Pieces of the two that share most of their points compete if one of them is wider
  * than the tube that wires grow in. The side wins whose wires make the points of both
  * likelier: a Poisson process of wires with normal residuals over the density of
- * everything else around, less the price of each wire's parameters (Bayesian
- * information criterion). So one wire in a wide beam wins over the two that tubes make
- * of it, and the wires of a rack over one in their middle, also where some of them were
- * not found: what they leave counts as that one's. Narrow pieces stay: chance would
- * decide, and so would the place where a cloud was cut.
+ * everything else around, less the cost of each wire's parameters (Bayesian information
+ * criterion). So one wire in a wide beam wins over the two that tubes make of it, and
+ * the wires of a rack over one in their middle, even if some of them were not found:
+ * what they leave counts as that one's. Narrow pieces stay, as chance would decide
+ * between them, and so would the border of a part.
  *
  * \a growth is released, and the points of the result are claimed in it. */
 std::vector<Piece>

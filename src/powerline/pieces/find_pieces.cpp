@@ -14,13 +14,13 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double bundle_tolerance = 0.15; // meters; what fits closer is one wire
-// Points per meter of a bundle, else its guard ring says nothing: beside single wires
-// that may be told apart, and where these have been found.
+constexpr double bundle_tolerance = 0.15; // meters; a closer fit is a single wire
+// Points per meter of a bundle, without which its guard ring is meaningless: while its
+// wires might still be resolved, and after single wires have been found.
 constexpr double bundle_density = 6, last_density = 3;
 
-// Whether a piece is a bundle whose conductors the points do not tell apart: then it
-// fills a wider tube, and the guard ring lies around that.
+// Whether a piece is a bundle with unresolved conductors: it then fills a wider tube,
+// with the guard ring around that.
 bool
 isBundle(const Growth& growth,
          Piece& piece,
@@ -33,7 +33,7 @@ isBundle(const Growth& growth,
     return false;
   Piece bundle = piece;
   bundle.thickness = bundle_radius;
-  // Twice: the first time from the conductor that was followed to the middle.
+  // Twice: the first time moves from the conductor that was followed to the middle.
   if (!growth.collect(bundle, bundle_radius) ||
       !growth.collect(bundle, bundle_radius) ||
       !weigh(growth, bundle, settings).accepted)
@@ -57,8 +57,7 @@ growAll(Growth& growth,
         ProgressMonitor* monitor)
 {
   std::vector<Piece> wires;
-  // Wires that failed because others, not yet claimed, were too near get a second
-  // chance.
+  // Wires that failed because of nearby unclaimed ones get a second chance.
   for (int round = 0; round < 2; ++round) {
     std::vector<char> tried(growth.candidates().points.size(), 0);
     const std::size_t before = wires.size();
@@ -74,7 +73,7 @@ growAll(Growth& growth,
         continue;
       tried[seeds[k].candidate] = 1;
       for (Piece& piece : growth.grow(seeds[k])) {
-        // What looks like a bundle is not a single wire in a wide beam.
+        // A piece that looks like a bundle is not a single wire in a wide beam.
         bool found = !weigh(growth, piece, settings).accepted &&
                      isBundle(growth, piece, bundle_density, settings);
         if (!found) {

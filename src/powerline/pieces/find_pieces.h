@@ -13,8 +13,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Makes \a piece a bundle whose conductors the points do not resolve, if it is
- * one and dense, so that its conductors do not count as surroundings. */
+/** \brief Turns \a piece into a bundle of unresolved conductors, if it is a dense one,
+ * so that its conductors do not count as surroundings. */
 bool
 becomesBundle(const Growth& growth, Piece& piece, const PowerLineSettings& settings);
 

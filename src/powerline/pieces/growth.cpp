@@ -18,11 +18,11 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double lock_length = 8;    // meters, from which bundles are resolved
+constexpr double lock_length = 8;    // meters from which bundles are resolved
 constexpr double lock_reach = 0.7;   // meters, around the model
 constexpr double lock_kernel = 0.12; // meters
 constexpr double seed_tube = 0.3;    // meters
-constexpr double widest_tube = 0.6;  // meters, where the prediction is vague
+constexpr double widest_tube = 0.6;  // meters, if the prediction is uncertain
 constexpr std::size_t lock_sample = 400;
 
 void
@@ -106,7 +106,7 @@ Growth::collect(Piece& piece, double reach) const
   const int steps = std::max(1, static_cast<int>(std::ceil(m.length() / bin_length)));
   const double step = m.length() / steps;
   for (int k = 0; k < steps; ++k) {
-    // The last bin is open at its end and must not lose the outermost point.
+    // The last bin is open-ended, lest it lose the outermost point.
     const double to = k + 1 < steps ? m.begin + (k + 1) * step : m.end + 1e-6;
     look(m, m.begin + k * step, to, reach, &members);
   }
@@ -255,7 +255,7 @@ Growth::betweenBreaks(const Piece& piece) const
     Piece part = piece;
     const double far = std::numeric_limits<double>::infinity();
     const Point from = piece.model.at(low), to = piece.model.at(high);
-    // What it took for its points beyond the first break were those of others.
+    // Its points beyond the first break belong to others.
     if (!hangAlong(part.model, samples, low, high) || !lockOnStrongestWire(part))
       continue;
     const SpanModel& m = part.model;

@@ -43,7 +43,7 @@ public:
          const PowerLineSettings& settings,
          const std::vector<Seed>& seeds = {});
 
-  /** \brief Grows a wire from \a seed to both sides; its parts between supports.
+  /** \brief The parts between supports of a wire grown from \a seed in both directions.
    * Claims nothing. Empty if nothing grows. */
   std::vector<Piece>
   grow(const Seed& seed) const;
@@ -55,11 +55,11 @@ public:
 
   /** \brief Extends \a piece at both ends, not beyond \a low and \a high, as long as
    * points farther ahead make up for gaps before them: a wire shows with the density of
-   * the piece, or is hidden. It stops when the evidence against it reaches \a patience
-   * nats, or when the position of the wire can no longer be predicted.
+   * the piece, or is hidden. Stops when the evidence against a wire reaches \a patience
+   * nats, or when its position can no longer be predicted.
    * \param[in] lock shift it to the strongest of the wires around once it is long
    * enough to resolve them
-   * \return false when nothing of it is left */
+   * \return false if nothing of it is left */
   bool
   extend(Piece& piece,
          double low = -std::numeric_limits<double>::infinity(),
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  /** What lies ahead of an end and is not yet part of the piece. */
+  /** What lies ahead of an end, not yet part of the piece. */
   struct Ahead {
     bool open = true;    ///< whether to continue
     double gap = 0;      ///< meters examined
@@ -117,7 +117,8 @@ private:
   bool
   lockOnStrongestWire(Piece& piece) const;
 
-  /** The parts of \a piece between the downward breaks of all wires around it. */
+  /** The parts of \a piece between the downward breaks of slope of all wires around
+   * it. */
   std::vector<Piece>
   betweenBreaks(const Piece& piece) const;
 

@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double end_stretch = 6;    // meters, no kink is looked for nearer to an end
+constexpr double end_stretch = 6; // meters from an end within which no kink is sought
 constexpr double least_kink = 0.025; // change of slope
 constexpr double better = 1.2;       // ratio of residuals, one parabola to two
 constexpr double widest_step = 0.4;  // meters between the parabolas where they meet
@@ -26,7 +26,7 @@ std::vector<double>
 findKinks(const Piece& piece, const Points& points)
 {
   const SpanModel& m = piece.model;
-  std::vector<std::pair<double, double>> samples; // s, height over the joint model
+  std::vector<std::pair<double, double>> samples; // s, height above the joint model
   for (const Index i : piece.members) {
     const double s = m.along(points[i]);
     samples.emplace_back(s, points[i].z() - m.height(s));

@@ -22,8 +22,8 @@ constexpr double least_mean_kink = 0.008; // change of slope, mean of the wires
 constexpr double telling = 8;             // evidence of a kink ...
 constexpr double enough_evidence = 25;    // evidence for a pole
 constexpr double least_rest = 2;          // meters on both sides of a kink
-// Log-likelihood ratios of pole to none: six of ten meters of a pole show points, and
-// three of a hundred elsewhere.
+// Log-likelihood ratios of pole to no pole: six in ten meters of a pole show points,
+// and three in a hundred elsewhere.
 constexpr double hit_meter = 3.0, missed_meter = -0.9;
 
 } // namespace
@@ -107,7 +107,7 @@ LinePoles::stretches(double low, double high) const
 }
 
 // Log-likelihood that all of \a wires have a kink at \a s over that they have none; 0
-// unless it points downwards.
+// unless it points downward.
 double
 LinePoles::kinkAt(double s, const std::vector<Stretch>& wires)
 {
@@ -158,8 +158,8 @@ LinePoles::poleAt(double s) const
   return best;
 }
 
-// Adds the best place between \a low and \a high if it is good enough, then looks on
-// both its sides. What a wire has beyond a kink near its end only spoils the search.
+// Adds the best place between \a low and \a high if it is good enough, then searches
+// both sides of it. Parts of a wire beyond a kink near its end only spoil the search.
 void
 LinePoles::search(double low, double high)
 {

@@ -11,13 +11,13 @@
 
 namespace linelet::powerline {
 
-constexpr double around_wire = 0.35; ///< meters, of the points that may be its own
+constexpr double around_wire = 0.35; ///< meters, within which points may be its own
 
 /** \brief Where poles stand along a line.
  *
  * Its parallel wires are examined together: at a pole all of them have a kink, though
- * in a dip of the terrain none shows it clearly by itself; and a pole is something thin
- * that reaches up to a wire. */
+ * in a dip of the terrain none shows it clearly on its own; and a pole is something
+ * thin that reaches up to a wire. */
 class LinePoles {
 public:
   LinePoles(const std::vector<const Piece*>& wires, const Growth& growth);

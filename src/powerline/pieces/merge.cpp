@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double same_direction = 0.99; // of the angle between parts of a wire
+constexpr double same_direction = 0.99; // cosine between parts of a wire
 constexpr double wide_cut = 2;          // meters, first fit of two parts
 constexpr double explained_part = 0.85; // of the points of each part
 constexpr double largest_overlap =
@@ -31,7 +31,7 @@ rmsOf(const SpanModel& model, const Points& points, const Indices& members)
                    static_cast<double>(std::max<std::size_t>(1, members.size())));
 }
 
-// Part of \a members that \a wire explains.
+// Share of \a members that \a wire explains.
 double
 explained(const Piece& wire, const Points& points, const Indices& members)
 {

@@ -25,13 +25,13 @@ namespace {
 
 constexpr double sharpest_turn = 0.6;                     // radians, in plan
 constexpr double steepest_down = 0.35, steepest_up = 0.2; // slope at a support
-constexpr double tube = 0.4;           // meters, around a direction that is tried
-constexpr double expected_points = 12; // on the stretch that is tried
+constexpr double tube = 0.4;                  // meters around a direction to try
+constexpr double expected_points = 12;        // on the stretch to try
 constexpr double shortest = 12, longest = 40; // meters of it
-// Crowns are clumps of points, which their counts take for parts of wires: more is
-// asked of what was looked for on many places.
+// The counts of clumps of points in crowns look like parts of wires, so a search over
+// many places needs more evidence.
 constexpr double sure = 1.6;
-constexpr std::size_t most_grown = 3; // of the directions from one end
+constexpr std::size_t most_grown = 3; // directions per end
 
 /** A direction from the end of a wire. */
 struct Ray {
@@ -45,7 +45,7 @@ endOf(const SpanModel& m, int side)
   return m.at(side == 0 ? m.begin : m.end);
 }
 
-// Whether another wire begins about where this one ends, and leads on.
+// Whether another wire begins about where this one ends, and continues it.
 bool
 goesOn(const std::vector<Piece>& wires, std::size_t w, int side)
 {
@@ -112,7 +112,7 @@ raysFrom(const Growth& growth, const Piece& wire, int side)
   return rays;
 }
 
-// The most evident wire along \a rays; without members where there is none.
+// The wire with the most evidence along \a rays; without members if there is none.
 Piece
 bestAlong(const Growth& growth,
           const std::vector<Ray>& rays,
@@ -146,7 +146,7 @@ addNextSpans(Growth& growth,
              const PowerLineSettings& settings,
              ProgressMonitor* monitor)
 {
-  // Wires found here have ends, too.
+  // Wires found here have ends as well.
   for (std::size_t w = 0; w < wires.size(); ++w)
     for (int side = 0; side < 2; ++side) {
       throwIfCanceled(monitor);

@@ -15,13 +15,13 @@ namespace linelet::powerline {
 
 /** \brief Searches for the next span of every wire that ends inside the data without a
  * continuation: a line does not end at its support. Directions are tried from there,
- * and the best are grown and accepted if their evidence stands out from all that were
+ * and the best are grown, and accepted if their evidence stands out from all that were
  * tried.
  *
- * Finds what no neighborhood shows, such as wires in crowns with a point per meter or
- * less: a known end leaves few places to search, and evidence along a direction is
- * stronger than that in a ball. New wires are appended to \a wires and own their
- * points. */
+ * Finds wires that no neighborhood shows, such as those in crowns with a point per
+ * meter or less: a known end leaves few places to search, and evidence along a
+ * direction is stronger than that in a ball. New wires are appended to \a wires and own
+ * their points. */
 void
 addNextSpans(Growth& growth,
              std::vector<Piece>& wires,

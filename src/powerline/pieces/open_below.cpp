@@ -35,7 +35,7 @@ openBelow(const SpanModel& m, const Underside& underside)
       double lowest = lowestBeside(side * beside);
       if (std::isnan(lowest))
         lowest = lowestBeside(side * 2 * beside);
-      // Over water, what is lowest beside a wire may be one of the arm above.
+      // Over water, the lowest point beside a wire may be on a wire of the arm above.
       blocked = blocked || (lowest > p.z() - deep && lowest <= p.z() + roof_rise);
     }
     open += !blocked;

@@ -9,8 +9,7 @@
 namespace linelet::powerline {
 
 /** \brief Fraction of a wire with nothing close below it or to the side of that, unlike
- * on roofs and rocks. Right below, a sparse scan may see nothing but the wire itself.
- */
+ * on roofs and rocks. Right below, a sparse scan may show only the wire itself. */
 double
 openBelow(const SpanModel& m, const Underside& underside);
 

@@ -12,7 +12,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double least_cosine = 0.99; // of the angle between wires side by side
+constexpr double least_cosine = 0.99; // between parallel wires
 
 } // namespace
 

@@ -20,30 +20,30 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double source_length = 20;   // meters of a wire whose shape tells of others
+constexpr double source_length = 20;   // meters of a wire whose shape predicts others
 constexpr double stretch = 4;          // meters along
 constexpr double stretch_cover = 0.25; // of the stretches
 constexpr int least_stretches = 4;
 constexpr std::size_t most_tries = 16;
 constexpr std::size_t crowded_meter = 200; // free points per meter, a wood
-constexpr double off_middle = 0.1; // of its length, the lowest point of a wire cut off
+constexpr double off_middle = 0.1; // of its length, lowest point of a wire cut off
 constexpr double sag_spread = 0.3; // sags of one line differ by this part, at most
 
 constexpr double most_beside =
     0.5;                           // of the length of a wire, in the scatter of another
 constexpr double whole = 0.7;      // of the length of the wire beside
-constexpr double thin_cover = 0.2; // of the bins of a wire that is nearly as long ...
+constexpr double thin_cover = 0.2; // of the bins of a wire nearly as long ...
 constexpr double thin_clean = 0.9; // ... of those with points, clean
 
-/** Where wires are looked for beside another, and how finely; meters. */
+/** Where wires are sought beside another, and how finely; meters. */
 struct Zone {
   double from, to; ///< distances from it
-  double cell;     ///< across, of one place for a wire
+  double cell;     ///< width of one place for a wire
   double beyond;   ///< the ends of the other, a wire may lead
 };
 
-// Wires of a line; and those of a rack, which are told apart if they hang farther apart
-// than their points scatter.
+// For wires of a line, and for those of a rack, which are resolved if they are farther
+// apart than their points scatter.
 constexpr Zone line = {0.35, 9, 0.3, std::numeric_limits<double>::infinity()};
 constexpr double rack_cell = 2.5;   // standard deviations ...
 constexpr double least_cell = 0.05; // ... or meters: wires of a rack do not hang alike
@@ -58,7 +58,7 @@ rackOf(const SpanModel& m)
 /** A wire that hangs like another: beside it, and flatter or deeper. */
 struct Place {
   Eigen::Vector2d offset; ///< to the left and upwards, at the pivot
-  double bend;            ///< part of the other's bend that it has more
+  double bend;            ///< additional bend, relative to the other's
   double pivot;           ///< where on the other its tangent is the same
 
   SpanModel
@@ -108,8 +108,8 @@ struct Found {
   Place place;
 };
 
-// Places beside a wire where points stand along much of it, for wires whose tangent is
-// that of the other at \a pivot.
+// Places beside a wire with points along much of it, for wires whose tangent is that of
+// the other at \a pivot.
 void
 findPlaces(const std::vector<BesideWire>& points,
            const SpanModel& m,
@@ -140,7 +140,7 @@ findPlaces(const std::vector<BesideWire>& points,
         for (Count* count : {&counts[static_cast<std::size_t>(at)],
                              &counts[static_cast<std::size_t>(at + side)]})
           if (count->last != p.stretch)
-            *count = {count->stretches + 1, p.stretch}; // points come by stretch
+            *count = {count->stretches + 1, p.stretch}; // points are sorted by stretch
     }
     for (int at = 0; at < side * side; ++at)
       if (const int n = counts[static_cast<std::size_t>(at)].stretches;
@@ -150,14 +150,14 @@ findPlaces(const std::vector<BesideWire>& points,
   }
 }
 
-// The best places beside a wire, no two of them for one wire.
+// The best places beside a wire, one per wire.
 std::vector<Place>
 findPlaces(const Growth& growth, const SpanModel& m, const Zone& zone)
 {
   const int bins = std::max(1, static_cast<int>(m.length() / stretch));
   const std::vector<BesideWire> points = freePointsBeside(growth, m, zone, bins);
   // Wires between the same supports differ least in the middle; where the data cut the
-  // span off, its lowest point tells where that is.
+  // span off, its lowest point shows where that is.
   const double middle = (m.begin + m.end) / 2;
   const double vertex = m.z[2] > 0 ? -m.z[1] / (2 * m.z[2]) : middle;
   std::vector<Found> found;
@@ -181,7 +181,8 @@ findPlaces(const Growth& growth, const SpanModel& m, const Zone& zone)
   return places;
 }
 
-// A wire that follows another all along may have few points, if nothing else is near.
+// A wire that follows another over its whole length may have few points, if nothing
+// else is near.
 bool
 isParallelWire(const Growth& growth,
                const Piece& piece,

@@ -17,8 +17,8 @@ struct Piece {
   Indices members;      ///< candidates
   double thickness = 0; ///< radius of a bundle whose conductors cannot be resolved
 
-  /** \brief Residual from which on a point has no weight: a bundle must be fitted at
-   * its center, not to the conductor that happens to be nearer. */
+  /** \brief Residual beyond which a point has no weight: a bundle must be fitted at its
+   * center, not to whichever conductor is nearer. */
   double
   cut() const
   {
@@ -33,7 +33,7 @@ struct Piece {
   }
 };
 
-/** \brief Lets the model of \a piece begin and end where its members do. */
+/** \brief Makes the model of \a piece begin and end where its members do. */
 void
 updateExtent(Piece& piece, const Points& points);
 

@@ -11,7 +11,7 @@
 namespace linelet::powerline {
 
 constexpr double independent = 2;       ///< points per meter that count as independent
-constexpr double least_residual = 0.02; ///< meters, finer differences are noise
+constexpr double least_residual = 0.02; ///< meters; smaller differences are noise
 constexpr double profile_step = 0.25;   ///< meters between the places tried for a kink
 
 /** \brief Sums of a least squares fit of a parabola; two of them subtract. */
@@ -53,7 +53,7 @@ struct Hinge {
   double jump = 0;    ///< change of slope where they meet
 };
 
-/** \brief Heights (or offsets) along a wire, sorted, for fits to any part of them. */
+/** \brief Sorted heights (or offsets) along a wire, for fits to any part of them. */
 class Profile {
 public:
   /** \brief The profile of \a samples: places along the wire and values there. */

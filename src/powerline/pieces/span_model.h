@@ -30,7 +30,7 @@ struct SpanModel {
   double begin = 0, end = 0;                            ///< stretch that points support
   double sigma = 0.1;          ///< robust scale of the residuals, meters
   double tolerance = 0.25;     ///< largest distance of a point that belongs to the wire
-  double widest = widest_wire; ///< the tolerance at most: a wide beam scatters points
+  double widest = widest_wire; ///< largest tolerance: a wide beam scatters points
 
   /** \brief Whether its points do not fit into the tube of a wire in a narrow beam:
    * three deviations hold nearly all. */
@@ -127,14 +127,14 @@ struct SpanModel {
   reframed() const;
 };
 
-constexpr double usual_cut = 0.3; ///< meters; points farther off have no weight
+constexpr double usual_cut = 0.3; ///< meters; points farther away have no weight
 
 /** \brief Fits \a model to points with robust weights (Tukey's biweight, cut \a cut).
  *
  * Priors stabilize short wires: t2 is nearly 0 (otherwise a fit could swap between the
  * wires of a bundle), z2 that of usual sags. Updates coefficients, covariance, sigma
  * and tolerance, not begin and end.
- * \return false when fewer than 3 points carry weight */
+ * \return false if fewer than 3 points have weight */
 bool
 fit(SpanModel& model,
     const Points& points,

@@ -17,15 +17,15 @@ namespace linelet::powerline {
 namespace {
 
 constexpr TangentSettings settings;
-constexpr double stride = 4; // meters of a wire that are looked at at once
+constexpr double stride = 4; // meters of a wire examined at once
 
-/** A downward break of the slope at a place. */
+/** A downward break of the slope. */
 struct Break {
   double s, sureness;
 };
 
 // Slopes rise evenly along a span; how much they drop at \a s, in standard deviations.
-// Samples come by place.
+// Samples are sorted by place.
 double
 dropAt(const std::vector<Tangents::Sample>& samples, double s)
 {
@@ -51,7 +51,7 @@ dropAt(const std::vector<Tangents::Sample>& samples, double s)
   }
   if (before < settings.least_seeds || behind < settings.least_seeds)
     return 0;
-  // A prior of the bend alone keeps a one-sided spread of seeds from telling.
+  // A prior on the bend prevents artifacts of a one-sided spread of seeds.
   const double n = static_cast<double>(before + behind);
   const double weight = std::pow(settings.least_noise / (2 * priors.bend_spread), 2);
   normal(1, 1) += weight;

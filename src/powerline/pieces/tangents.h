@@ -19,8 +19,8 @@ struct TangentSettings {
   double blurred = 3;          ///< around it, where neighborhoods reach beyond it
   std::size_t least_seeds = 4; ///< on both sides
   double least_kink = 0.03;    ///< change of slope: a span of 30 m that sags by .1 m
-  double least_span = 20; ///< between supports, after which bends make up for it; less
-                          ///< where strips are misaligned
+  double least_span = 20; ///< between supports, over which bends make up for a kink;
+                          ///< shorter where strips are misaligned
   double clear = 6;       ///< standard deviations of that change
   double least_noise = 0.004; ///< of a slope, as measured in simulated scans
 };

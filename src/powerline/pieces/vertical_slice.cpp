@@ -16,9 +16,9 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double half_width = 1.25; // meters beside the wire
-constexpr double patch = 2;         // meters, of the vertical slice looked at at once
-constexpr double filled = 0.7;      // of the meters from candidates to wire
-constexpr double contrast = 4;      // points of the pole per points around
+constexpr double patch = 2;         // meters, of the vertical slice examined at once
+constexpr double filled = 0.7; // of the meters from the lowest candidates to the wire
+constexpr double contrast = 4; // points of the pole per points around
 constexpr double alone_from = 0.6, alone_to = 3.0; // meters, empty around a pole ...
 constexpr double filled_alone = 0.4;               // ... that may fill so little
 constexpr std::size_t crowded_slice =
@@ -79,7 +79,7 @@ findColumns(const std::vector<Below>& vertical_slice)
     double s, inside;
   };
   std::vector<Pole> poles;
-  auto first = points.cbegin(); // of those near enough to matter
+  auto first = points.cbegin(); // of those close enough to matter
   for (const Below& center : points) {
     while (center.s - first->s > alone_to)
       ++first;

@@ -16,7 +16,7 @@ struct Below {
   double depth;      ///< of the lowest possible candidate
 };
 
-constexpr double level = 0.5; ///< meters above and below, of what is level with a wire
+constexpr double level = 0.5; ///< meters above and below a wire that count as level
 constexpr double pole_radius = 0.4; ///< meters
 constexpr double least_piece = 6;   ///< meters between poles, and of a wire beyond one
 constexpr double clear_from = 0.9,

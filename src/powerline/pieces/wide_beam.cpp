@@ -29,8 +29,8 @@ residualsOf(const Piece& piece, const Points& points)
   return all;
 }
 
-// Whether \a residuals are those of two wires rather than spread evenly across a beam,
-// by the Bayesian information criterion along their longest axis.
+// Whether \a residuals belong to two wires rather than spread evenly across a beam, by
+// the Bayesian information criterion along their longest axis.
 bool
 areTwoWires(const Residuals& residuals)
 {
@@ -50,7 +50,7 @@ areTwoWires(const Residuals& residuals)
   double squares = 0;
   for (const double x : across)
     squares += x * x;
-  // The cut into two with the least squares: their sum is 0.
+  // The cut into two that minimizes the squares; the residuals sum to 0.
   double within = squares, sum = 0;
   for (std::size_t i = 0; i + 1 < across.size(); ++i) {
     sum += across[i];
@@ -73,7 +73,7 @@ widenToBeam(const Growth& growth, Piece& piece, const PowerLineSettings& setting
   const Points& points = growth.candidates().points;
   Piece wide = piece;
   SpanModel& m = wide.model;
-  // Twice: the first time from the side that was followed to the middle.
+  // Twice: the first time moves from the side that was followed to the middle.
   for (int round = 0; round < 2; ++round) {
     Indices around;
     for (double s = m.begin; s < m.end; s += bin_length)

@@ -9,8 +9,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Lets \a piece take points as far to the side as the beam scatters them, if
- * they fill the tube of a wire and are not two wires. */
+/** \brief Widens \a piece to the points that the beam scatters sideways, if they fill
+ * the tube of a wire and are not two wires. */
 void
 widenToBeam(const Growth& growth, Piece& piece, const PowerLineSettings& settings);
 

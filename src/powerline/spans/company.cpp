@@ -25,8 +25,8 @@ namespace {
 constexpr double explained_part = 0.9; // of the points of both parts
 constexpr double widest_cut = 0.6;     // meters, first fit of two parts
 
-// Joins two parts into one wire that hangs as \a company does; without members where
-// they are not one.
+// Joins two parts into one wire that hangs like \a company; without members if they are
+// not one.
 Piece
 joinedAs(const SpanModel& company,
          const Piece& a,
@@ -84,7 +84,7 @@ joinBesideCompany(std::vector<WireWithEnds>& wires,
 {
   std::vector<char> taken(wires.size(), 0);
   for (std::size_t a = 0; a < wires.size(); ++a) {
-    std::optional<std::vector<std::size_t>> beside; // a, as it is now
+    std::optional<std::vector<std::size_t>> beside; // a in its current form
     for (std::size_t b = 0; b < wires.size() && taken[a] == 0; ++b) {
       Piece& first = wires[a].strand.piece;
       const Piece& second = wires[b].strand.piece;

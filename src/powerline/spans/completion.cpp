@@ -23,17 +23,17 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double guided_part = 0.7; // of the length of the wire that is to grow
+constexpr double guided_part = 0.7; // of the length of the growing wire
 constexpr double thin_cover = 0.1;  // of the bins of a wire beside others
 constexpr double thin_clean = 0.9;  // of those, clean
-constexpr double patience = 40;     // nats against a wire, whose place is known
+constexpr double patience = 40;     // nats against a wire whose position is known
 constexpr double overshoot = 1;     // meters beyond the end of the company
 constexpr double stub_reach = 8;    // meters from the end of a wire to its stub
 constexpr double stub_gap = 0.5;    // meters between them where they meet
 constexpr double least_stub = 4;    // meters
 constexpr double aligned = 0.99;
 
-// A stub has the length that the data leave it.
+// A stub is as long as the data allow.
 bool
 goesOn(const std::vector<WireWithEnds>& wires,
        const WireWithEnds& stub,
@@ -93,7 +93,7 @@ completeByCompany(std::vector<WireWithEnds>& wires,
     growth.claim(piece, Growth::nobody);
     if (growth.extend(longer, low - overshoot, high + overshoot, false, patience) &&
         longer.model.length() > m.length()) {
-      // Beside others a wire may be thinly covered, if nothing else is near it.
+      // Beside others a wire may be sparsely covered, if nothing else is near it.
       const Evidence e = weigh(growth, longer, settings);
       if (e.likelihood >= priors.in_company &&
           (e.accepted || (e.sound && e.occupied >= thin_cover * e.bins &&

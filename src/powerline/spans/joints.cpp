@@ -17,24 +17,24 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double widest_support = 16; // meters between ends that face each other
-constexpr double largest_gap = 1.5;   // meters between wires that meet
-constexpr double farthest_reach = 10; // meters that a wire is carried on to its support
+constexpr double widest_support = 16;  // meters between ends that face each other
+constexpr double largest_gap = 1.5;    // meters between wires that meet
+constexpr double farthest_reach = 10;  // meters by which a wire is extended
 constexpr double least_opposed = -0.5; // cosine between the outward directions
-constexpr double curve_noise = 0.05;   // meters, of a wire carried on
+constexpr double curve_noise = 0.05;   // meters, of an extended wire
 constexpr double end_spread = 3;       // meters, from the last point to the support
 constexpr double gap_deviations = 3;   // of the gap between wires that share a point
 
-// Variance of a model's place: of the fit, and of what a stiff curve cannot follow, for
-// which the scatter of its points stands.
+// Variance of a model's position: of the fit, and of what a stiff curve cannot follow,
+// estimated by the scatter of its points.
 double
 varianceAt(const SpanModel& model, double s)
 {
   return std::pow(model.uncertainty(s), 2) + model.sigma * model.sigma;
 }
 
-// Whether a wire hangs between its other end and a support at \a place, or is all but
-// beyond it.
+// Whether a wire hangs between its other end and a support at \a place, rather than
+// lying mostly beyond it.
 bool
 hangsFrom(const SpanModel& model, int side, double place)
 {

@@ -22,12 +22,11 @@ struct Crossarm {
   double spread = -1; ///< standard deviation of attachment points off it; < 0: unknown
 };
 
-/** \brief Where two wires meet that face each other: their closest approach, near their
+/** \brief Where two wires that face each other meet: their closest approach, near their
  * ends and near the crossarm if one is known.
  *
  * They share one attachment point if the gap is within the uncertainty of models and
- * points; else each stays on its own wire.
- */
+ * points; otherwise each stays on its own wire. */
 struct Meeting {
   double a = 0, b = 0; ///< place along each model
   double gap = 0;      ///< distance there, meters

@@ -9,8 +9,8 @@
 
 namespace linelet::powerline {
 
-/** \brief Least distance in plan between the attachment points of \a model, meters:
- * most of its visible stretch must lie between supports. */
+/** \brief Smallest possible distance in plan between the attachment points of \a model,
+ * meters: most of its visible stretch must lie between supports. */
 inline double
 leastHanging(const SpanModel& model)
 {

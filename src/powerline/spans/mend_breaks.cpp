@@ -18,8 +18,8 @@ namespace {
 
 constexpr double near_by = 9;           // meters between wires of one line
 constexpr double same_way = 0.98;       // cosine between their directions
-constexpr double well_past = 10;        // meters that a wire goes on, beyond a place
-constexpr std::size_t least_others = 3; // wires that a line has beside those that end
+constexpr double well_past = 10;        // meters that a wire continues beyond a place
+constexpr std::size_t least_others = 3; // wires that a line has besides those that end
 constexpr double mended_part = 0.9;     // of the points of both
 constexpr double wide_cut = 2, narrow_cut = 0.6; // meters, fits of two parts
 
@@ -31,7 +31,7 @@ runsPast(const SpanModel& m, const Point& place, const Eigen::Vector2d& along)
          m.end - s >= well_past && m.distance(place) <= near_by;
 }
 
-// One wire, or a bundle whose conductors the parts took in turn.
+// One wire, or a bundle whose parts follow different conductors.
 bool
 joinParts(const Growth& growth,
           const Piece& a,

@@ -23,7 +23,7 @@ isPassedBy(const std::vector<WireWithEnds>& wires,
 
 /** \brief Joins partners that meet where the rest of their line passes: they are broken
  * not by a support, but by too few points, or because they follow different conductors
- * of a bundle. Ends must be matched before, and again afterwards.
+ * of a bundle. Ends must be matched before, and again afterward.
  * \return whether there were any */
 bool
 mendBreaks(std::vector<WireWithEnds>& wires,

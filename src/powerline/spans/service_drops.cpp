@@ -22,7 +22,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double least_seen = 4; // meters of a drop that show
+constexpr double least_seen = 4; // visible meters of a drop
 constexpr double own_way = 0.95; // cosine to its line, at most
 constexpr double step = 0.25;    // meters, on the way to a house
 constexpr double eaves = 1;      // meters around the end of a drop, of its house ...
@@ -34,8 +34,8 @@ struct Stretch {
   double low, high;
 };
 
-// Drops branch off at poles. What clearly hangs is one span and has them at its ends;
-// along others there may be poles that trees hide, with kinks too small to be seen.
+// Drops branch off at poles. A wire that clearly hangs is one span with poles at its
+// ends; along others, trees may hide poles with kinks too small to detect.
 std::vector<Stretch>
 stretchesOf(const std::vector<WireWithEnds>& wires, const Candidates& candidates)
 {
@@ -61,8 +61,8 @@ stretchesOf(const std::vector<WireWithEnds>& wires, const Candidates& candidates
   return all;
 }
 
-// Meters from the end of \a m on to where it branches off one of \a lines; negative
-// where it does not.
+// Meters from the end of \a m to where it branches off one of \a lines; negative if it
+// does not.
 double
 wayTo(const SpanModel& m, int side, const std::vector<Stretch>& lines)
 {
@@ -88,8 +88,8 @@ wayTo(const SpanModel& m, int side, const std::vector<Stretch>& lines)
   return nearest;
 }
 
-// Meters from the end of \a m on to the house that it leads to; negative where none is
-// met as long as it is certain where the wire would hang.
+// Meters from the end of \a m to the house that it leads to; negative if none is met
+// while the position of the wire is certain.
 double
 wayHome(const SpanModel& m, int side, const Growth& growth)
 {
@@ -136,7 +136,7 @@ addServiceDrops(std::vector<WireWithEnds>& wires,
     if ((ways[0] >= 0) == (ways[1] >= 0))
       return;
     const double home = wayHome(m, ways[0] >= 0 ? 1 : 0, growth);
-    // A wire does not end in the air: where no house is seen, it is farther.
+    // A wire does not end in midair: if no house is seen, it is farther away.
     const double length =
         std::max(ways[0], ways[1]) + m.length() + (home < 0 ? priors.drop_reach : home);
     if (length < shortest || length > priors.longest_drop ||
@@ -171,7 +171,7 @@ addServiceDrops(std::vector<WireWithEnds>& wires,
       addIfDrop(piece);
     }
   }
-  // Where clutter beside a drop spoils its seeds, its curve may still show it.
+  // If clutter beside a drop spoils its seeds, its curve may still show it.
   forEachPieceAlong(curves, growth, settings.threads, addIfDrop);
   return wires.size() > before;
 }

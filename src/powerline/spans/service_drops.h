@@ -16,8 +16,8 @@
 namespace linelet::powerline {
 
 /** \brief Adds wires that lead from a low line to a house and are visible for too short
- * a stretch to be recognized by themselves, from seeds and along curves. Their length
- * counts from that line. Ends must be matched before, and again afterwards.
+ * a stretch to be recognized on their own, from seeds and along curves. Their length
+ * counts from that line. Ends must be matched before, and again afterward.
  * \param[in] terrain whether the cloud shows terrain: wires then hang clear of what is
  * below
  * \return whether there were any */

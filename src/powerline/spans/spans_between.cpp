@@ -19,14 +19,14 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double shortest = 15;      // meters; less is hidden, rather than a span
-constexpr double least_cosine = 0.8; // between a wire and the way to the next
-constexpr double steepest = 0.35;    // slope of that way
-constexpr double tube = 0.3;         // meters, around a place that is tried
+constexpr double shortest = 15;      // meters; less is a hidden stretch, not a span
+constexpr double least_cosine = 0.8; // between a wire and the direction to the next
+constexpr double steepest = 0.35;    // slope of that direction
+constexpr double tube = 0.3;         // meters around a place to try
 constexpr double tension_spread = 2; // ratio of bends along a line, at most
 constexpr double end_reach = 0.5;    // meters from the ends of the wires beside it
 
-/** An end of a wire that nothing continues. */
+/** An end of a wire without a continuation. */
 struct FreeEnd {
   std::size_t wire;
   int side;
@@ -54,7 +54,7 @@ freeEnds(const std::vector<WireWithEnds>& wires, const Underside& underside)
   return all;
 }
 
-// The wire with a \a bend from one place to another.
+// The wire with \a bend from one place to another.
 SpanModel
 hung(const Point& from, const Point& to, double bend)
 {
@@ -90,7 +90,7 @@ densityOf(const Piece& piece)
          std::max(bin_length, piece.model.length());
 }
 
-// The most evident wire between two ends.
+// The wire with the most evidence between two ends.
 Between
 mostEvident(const Growth& growth,
             const WireWithEnds& a,
@@ -103,7 +103,7 @@ mostEvident(const Growth& growth,
   const double density = (densityOf(a.strand.piece) + densityOf(b.strand.piece)) / 2;
   const double least = std::min(a.model().z[2], b.model().z[2]) / tension_spread;
   const double most = std::max(a.model().z[2], b.model().z[2]) * tension_spread;
-  const double step = 4 * tube / (length * length); // of the sag, by the tube's radius
+  const double step = 4 * tube / (length * length); // of the sag: the tube's radius
   for (double bend = std::max(least, priors.leastBend(length)); bend <= most + step;
        bend += step) {
     SpanModel m = hung(from.place, to.place, bend);
@@ -131,7 +131,7 @@ mayHang(const WireWithEnds& a,
          b.outward(to.side).dot(way.head<2>()) <= -least_cosine * length;
 }
 
-// The wire that the points show there; without members where they show none.
+// The wire that the points show there; without members if they show none.
 Piece
 seenAt(const Growth& growth, const Between& between, const PowerLineSettings& settings)
 {
@@ -202,8 +202,8 @@ constexpr double turned = 0.04;   // radians that a wire may differ from those b
 constexpr double turn_step = 0.01;
 constexpr double apart = 0.3; // meters, from other wires
 
-// Wires that hang as \a next does, moved by \a offset at \a from, one of its ends; the
-// most evident first.
+// Wires that hang like \a next, moved by \a offset at \a from, one of its ends; those
+// with the most evidence first.
 std::vector<SpanModel>
 movedBeside(const Growth& growth,
             const WireWithEnds& next,

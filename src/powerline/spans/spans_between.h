@@ -14,9 +14,9 @@
 namespace linelet::powerline {
 
 /** \brief Searches for the span between wires whose ends face each other with nothing
- * in between: a line does not end at its supports. Both ends are known and its tension
- * is about that of the neighboring spans, which leaves few hypotheses, so that each
- * needs less evidence. Ends must be matched before, and again afterwards.
+ * in between: a line does not end at its supports. Both ends are known, and its tension
+ * is about that of the neighboring spans, which leaves few hypotheses, so each needs
+ * less evidence. Ends must be matched before, and again afterward.
  * \return whether there were any */
 bool
 addSpansBetween(std::vector<WireWithEnds>& wires,

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double same_line = 3;      // meters between wires that share their poles
 constexpr double side_by_side = 0.6; // of the shorter one
-constexpr double thin_part = 0.3;    // of the points per meter of the whole, a part has
+constexpr double thin_part = 0.3;    // of the points per meter of the whole, in a part
 
 // Low wires that run side by side: their poles carry all of them.
 std::vector<std::vector<std::size_t>>
@@ -62,8 +62,8 @@ density(const Piece& piece)
   return static_cast<double>(piece.members.size()) / piece.model.length();
 }
 
-// What hangs between two poles of a wire that was taken for one: fitted anew, as far
-// from what it was fitted to before as a wire over a pole is. Empty if nothing does.
+// The part between two poles of a wire that was taken for one span, refitted, first to
+// points as far off as that error may have put it. Empty if there is none.
 Piece
 partOf(const Piece& whole, double low, double high, const Growth& growth)
 {
@@ -79,7 +79,7 @@ partOf(const Piece& whole, double low, double high, const Growth& growth)
       !growth.collect(part, std::max(m.tolerance, whole.thickness)) ||
       density(part) < thin_part * density(whole))
     part.members.clear();
-  m.begin = begin; // up to the poles, also where these hide it
+  m.begin = begin; // up to the poles, even where they hide it
   m.end = end;
   return part;
 }
@@ -138,7 +138,7 @@ splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth, unsigned threads)
       continue;
     }
     appendSpans(wire.strand.piece, poles[w].piece, growth, result);
-    // What was short beside the whole may be a wire beside one of its spans.
+    // A companion too short for the whole may be a wire beside one of its spans.
     for (std::size_t c = 0; c < wire.strand.companions.size(); ++c)
       if (Piece& companion = wire.strand.companions[c]; poles[w].companions[c].empty())
         result.push_back({{std::move(companion), {}}, {}});

@@ -11,8 +11,8 @@
 namespace linelet::powerline {
 
 /** \brief Splits low wires where a pole stands below them: in a dip of the terrain a
- * line passes its poles without a kink. What protrudes beyond a last pole is cut off.
- */
+ * line passes its poles without a kink. Parts that protrude beyond the last pole are
+ * cut off. */
 void
 splitAtPoles(std::vector<WireWithEnds>& wires, Growth& growth, unsigned threads);
 

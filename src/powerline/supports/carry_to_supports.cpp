@@ -18,17 +18,17 @@ namespace {
 
 constexpr double own_place =
     2; // meters between wires of a support, if only one is known
-// Standard deviation of a place beyond which a wire's position is unknown.
+// Standard deviation beyond which a wire's position counts as unknown.
 constexpr double most_vague = 0.3; // meters
 
-/** A place that a wire hangs at. */
+/** A place where a wire hangs. */
 struct Carried {
   Point place;
   double vague = 0; ///< standard deviation, meters
 };
 
-// Where \a wire hangs at \a s of its own model, by its own points and by how it hangs
-// beside \a company.
+// Where \a wire hangs at \a s of its own model, from its own points and from its offset
+// to \a company.
 Carried
 carriedTo(const WireWithEnds& wire,
           double s,
@@ -42,7 +42,7 @@ carriedTo(const WireWithEnds& wire,
   const double far = std::abs(s - (m.begin + m.end) / 2);
   const double beside = std::max(1e-3, vagueAt(offset, far));
   const double n = static_cast<double>(piece.members.size());
-  // Across, a wire is straight but for the wind.
+  // Sideways, a wire is straight except for wind.
   const double across =
       m.sigma * std::sqrt((1 + 12 * std::pow(far / std::max(1.0, m.length()), 2)) / n);
   const double up = std::max(1e-3, m.uncertainty(s));

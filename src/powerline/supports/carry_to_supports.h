@@ -15,7 +15,7 @@
 namespace linelet::powerline {
 
 /** \brief Extends wires, through what hides them, to the support of those beside them,
- * as far as their position is certain: no wire ends in the air. */
+ * as far as their position is certain: no wire ends in midair. */
 void
 carryBesideCompany(std::vector<WireWithEnds>& wires,
                    const std::vector<Tower>& towers,

@@ -18,17 +18,17 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double kink_reach = 6;              // meters from where wires meet one by one
-constexpr double vague_kink = 1.5;            // meters; a vaguer place is left as it is
+constexpr double kink_reach = 6;   // meters from where the wires meet individually
+constexpr double vague_kink = 1.5; // meters; a less certain place is left as it is
 constexpr double firmest = 0.15, loosest = 1; // meters, spread of attachment points
 
 /** Two wires that meet at a support, as seen along the line. */
 struct Pair {
   Profile heights, offsets;
-  double independent; ///< number of points that tell something new
+  double independent; ///< number of independent points
 };
 
-/** Frame of a crossarm: across the line, and along it from the crossarm on. */
+/** Frame of a crossarm: across the line, and along it from the crossarm. */
 class ArmFrame {
 public:
   explicit ArmFrame(const Crossarm& arm)
@@ -110,7 +110,7 @@ moveToKink(Tower& tower, const std::vector<WireWithEnds>& wires, const Points& p
   std::vector<std::pair<double, double>> tried; // place, log-likelihood
   for (double s = -kink_reach; s <= kink_reach; s += profile_step)
     tried.emplace_back(s, likelihoodAt(pairs, s));
-  // Mean and deviation of the place, as likely as each is.
+  // Mean and deviation of the place, weighted by likelihood.
   const double best =
       std::max_element(tried.begin(), tried.end(), [](const auto& a, const auto& b) {
         return a.second < b.second;

@@ -17,7 +17,7 @@ void
 fitCrossarm(Tower& tower, const std::vector<WireWithEnds>& wires);
 
 /** \brief Moves the crossarm of \a tower along the line to where its wires, all
- * together, bend most clearly: in a dip of the terrain, each by itself shows little. */
+ * together, bend most clearly: in a dip of the terrain, each one alone shows little. */
 void
 moveToKink(Tower& tower, const std::vector<WireWithEnds>& wires, const Points& points);
 

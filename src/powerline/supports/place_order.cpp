@@ -15,7 +15,7 @@ namespace linelet::powerline {
 
 namespace {
 
-/** Puts \a list into \a order. \return where each entry went */
+/** Sorts \a list into \a order. \return the new index of each entry */
 template <class T>
 std::vector<int>
 sortInto(const std::vector<std::size_t>& order, std::vector<T>& list)

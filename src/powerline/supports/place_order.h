@@ -12,11 +12,11 @@
 namespace linelet::powerline {
 
 /** \brief Indices of \a wires from west to east by their ends: an order that depends
- * only on where they are. */
+ * only on their positions. */
 std::vector<std::size_t>
 orderByPlace(const std::vector<WireWithEnds>& wires);
 
-/** \brief Puts wires into that order, and the supports likewise by their axes. */
+/** \brief Sorts wires into that order, and supports likewise by their axes. */
 void
 sortByPlace(std::vector<WireWithEnds>& wires, std::vector<Tower>& towers);
 

@@ -18,12 +18,12 @@ namespace {
 constexpr double slice = 1;                  // meters of height
 constexpr double pole_search = 2;            // meters around the attachment points
 constexpr double body_search = 2.5;          // meters around the axis
-constexpr double body_flare = 0.12;          // growth of that per meter downwards
+constexpr double body_flare = 0.12;          // growth of that per meter downward
 constexpr double ring_from = 4, ring_to = 7; // meters along the line, must be emptier
 constexpr double filled = 0.6;               // of the slices from 3 m to the top
-constexpr double filled_alone = 0.4;         // the same where nothing else stands
+constexpr double filled_alone = 0.4;         // the same if nothing else stands there
 constexpr double contrast = 3;    // density of the body over that of its surroundings
-constexpr double arm_depth = 3;   // meters, crossarms reach below their wires
+constexpr double arm_depth = 3;   // meters that crossarms reach below their wires
 constexpr double arm_tip = 2;     // meters, and beyond them
 constexpr double widest_foot = 8; // meters, half width
 
@@ -81,7 +81,7 @@ findPole(Tower& tower, const std::vector<Local>& points, double low, double high
       inside += d <= pole_radius;
       around += d > 0.8 && d <= 2;
     }
-  // Crossarms and ties are there, but a pole has little else around itself.
+  // Except for crossarms and ties, a pole has little around itself.
   if (around * (0.4 * 0.4) / (2 * 2 - 0.8 * 0.8) * contrast > inside ||
       around > 2 * inside || (best < filled && (around > 0 || inside < 3)))
     return false;
@@ -93,7 +93,7 @@ findPole(Tower& tower, const std::vector<Local>& points, double low, double high
   return true;
 }
 
-// The narrowest straight legs that hold the points below the crossarms.
+// The narrowest straight legs that enclose the points below the crossarms.
 void
 fitBody(Tower& tower, const std::vector<Local>& points)
 {
@@ -156,9 +156,9 @@ findStructure(Tower& tower, const Points& points, const Indices& near)
 
   tower.pole = tower.top - tower.base < lowest_pylon;
   if (tower.pole)
-    return; // a pole that is not seen; what stands there is a tree or a house
+    return; // the pole is not visible; what stands there is a tree or a house
 
-  // The middle of what stands between the outer wires, high above the trees.
+  // The center of what stands between the outer wires, high above the trees.
   std::vector<double> along;
   for (const Local& p : all)
     if (p.z > (low + 2 * high) / 3 && std::abs(p.v) < 4 &&

@@ -24,7 +24,7 @@ struct Tower {
   double turn = 0;                       ///< change of direction of the line, degrees
   double reach = 0;  ///< largest distance of an attachment point from the axis
   bool pole = false; ///< all points near one axis
-  bool seen = false; ///< points stand there; else inferred from the wires alone
+  bool seen = false; ///< it has points; otherwise inferred from the wires alone
   double confidence = 1;
 };
 

@@ -173,7 +173,7 @@ orient(Tower& tower, const std::vector<WireWithEnds>& wires)
   tower.reach = (high - low) / 2;
 }
 
-// Brings the ends of a tower to its crossarm.
+// Extends the ends of a tower to its crossarm.
 void
 settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
 {
@@ -185,7 +185,7 @@ settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
     End& end = wire.ends[static_cast<std::size_t>(id.second)];
     if (end.partner >= 0) {
       const WireWithEnds& other = wires[static_cast<std::size_t>(end.partner)];
-      // Once for both, in the same order, so that they share a point exactly.
+      // Once for both, in a fixed order, so that they share exactly the same point.
       if (id.first < end.partner) {
         const Meeting m = meet(wire, id.second, other, end.partner_side, arm);
         end.place = m.places[0];
@@ -211,7 +211,7 @@ settle(const Tower& tower, std::vector<WireWithEnds>& wires, double max_gap)
   }
 }
 
-// Carries what leaves a line on to the support it hangs from.
+// Extends service drops to the support they hang from.
 void
 attachDrops(const std::vector<Tower>& towers, std::vector<WireWithEnds>& wires)
 {
@@ -263,7 +263,7 @@ buildTowers(std::vector<WireWithEnds>& wires,
       return endOf(wires, id).partner >= 0;
     });
     const Point arm(tower.arm.center.x(), tower.arm.center.y(), tower.lowest_arm);
-    const bool pole = tower.pole && tower.seen; // others may pass above it
+    const bool pole = tower.pole && tower.seen; // other wires may pass above it
     if ((!joined && !tower.seen) ||
         (!pole && isPassedBy(wires, arm, tower.arm.along, tower.ends.size())))
       continue;
@@ -274,7 +274,7 @@ buildTowers(std::vector<WireWithEnds>& wires,
       return (endOf(wires, id).place.head<2>() - tower.arm.center).norm();
     };
     for (const auto& id : tower.ends) {
-      // A short wire may have both ends here; it hangs from this support by the nearer.
+      // A short wire may have both ends here; the nearer one hangs from this support.
       const std::pair<int, int> other(id.first, 1 - id.second);
       const bool both =
           std::find(tower.ends.begin(), tower.ends.end(), other) != tower.ends.end();

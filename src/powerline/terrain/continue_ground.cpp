@@ -17,8 +17,8 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr int window = 3;        // cells to each side, of the terrain beside a cell
-constexpr int least_cells = 8;   // there, to tell its slope
+constexpr int window = 3;        // cells on each side, of the terrain beside a cell
+constexpr int least_cells = 8;   // there, to determine its slope
 constexpr double deviations = 3; // of the terrain from its plane
 constexpr int most_rounds = 2 * largest_opening_radius; // of a cell each
 
@@ -53,7 +53,7 @@ planeAround(
       ++count;
     }
   Plane plane;
-  // Cells in a row tell no slope across it.
+  // Cells in a row do not determine the slope across it.
   const Eigen::LDLT<Eigen::Matrix3d> solver(squares);
   if (count < least_cells || solver.vectorD().minCoeff() < 1)
     return plane;
@@ -81,12 +81,12 @@ continueGround(std::vector<float>& ground,
   const auto isOpen = [&](int c, int r) {
     return std::isnan(ground[at(c, r)]) && !std::isnan(lowest[at(c, r)]);
   };
-  std::vector<Cell> open; // beside terrain that is new
+  std::vector<Cell> open; // beside new terrain
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c)
       if (isOpen(c, r))
         open.emplace_back(c, r);
-  std::vector<std::int8_t> round_of(ground.size(), -1); // for which a cell is open
+  std::vector<std::int8_t> round_of(ground.size(), -1); // in which a cell is open
   for (int round = 0; round < most_rounds && !open.empty(); ++round) {
     throwIfCanceled(monitor);
     std::vector<Cell> accepted;
@@ -96,7 +96,7 @@ continueGround(std::vector<float>& ground,
                              terrain_noise + deviations * plane.noise)
         accepted.emplace_back(c, r);
     }
-    // All at once: their order changes nothing.
+    // All at once, so that their order does not matter.
     for (const auto& [c, r] : accepted)
       ground[at(c, r)] = lowest[at(c, r)];
     open.clear();

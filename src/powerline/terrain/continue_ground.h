@@ -10,8 +10,8 @@
 namespace linelet::powerline {
 
 /** \brief Restores terrain that an opening removed: summits, and the upper ends of
- * strips of data beyond which nothing was seen. These continue the plane of the terrain
- * beside them; roofs and crowns do not.
+ * strips of data with nothing beyond. These continue the plane of the terrain beside
+ * them; roofs and crowns do not.
  * \param[in,out] ground heights in meters; NaN where there is no terrain
  * \param[in] lowest the lowest return of every cell, NaN where there is none
  * \param[in] columns, rows of both

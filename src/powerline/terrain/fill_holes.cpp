@@ -25,7 +25,7 @@ fillHoles(std::vector<float>& raster,
           raster.begin(), raster.end(), [](float v) { return std::isnan(v); }) ||
       std::all_of(raster.begin(), raster.end(), [](float v) { return std::isnan(v); }))
     return;
-  // Pairs begin at even places, wherever the raster begins.
+  // Pairs begin at even positions, wherever the raster begins.
   const int odd_column = columns > 2 ? static_cast<int>(first_column & 1) : 0,
             odd_row = rows > 2 ? static_cast<int>(first_row & 1) : 0;
   const int half_columns = (columns + odd_column + 1) / 2,

@@ -89,7 +89,7 @@ findGround(const Points& points,
     }
   if (on_surfaces)
     removeLinesOverWater(g, threads, monitor);
-  // Where nothing was seen the terrain may be low: what hangs above it must stand out.
+  // Where nothing was seen the terrain may be low, so that what hangs above stands out.
   throwIfCanceled(monitor);
   std::vector<float> surface = g.heights;
   fill(surface, Fill::Low);
@@ -102,7 +102,7 @@ findGround(const Points& points,
     throwIfCanceled(monitor);
     const std::vector<float> opened =
         openRaster(surface, g.columns, g.rows, radius, threads);
-    // Terrain of the steepest slope loses this much more than at the radius before.
+    // Terrain of the steepest slope loses this much more than at the previous radius.
     const float limit = static_cast<float>(terrain_noise + terrain_slope * g.cell);
     for (std::size_t i = 0; i < surface.size(); ++i)
       if (surface[i] > opened[i] + limit)

@@ -20,8 +20,8 @@ namespace linelet::powerline {
  * terrain around, and the raster is refined to the mean height of the points close to
  * it.
  * \param[in] classes empty, or one per point
- * \param[in] use_classes take points of class 2 for the terrain, where there are any
- * \param[in] on_surfaces take only surfaces for terrain; false if the cloud shows no
+ * \param[in] use_classes take the terrain from points of class 2, if there are any
+ * \param[in] on_surfaces accept only surfaces as terrain; false if the cloud shows no
  * terrain, see \ref showsTerrain
  * \param[in] threads 0: all */
 Ground

@@ -16,8 +16,8 @@ namespace linelet::powerline {
 
 constexpr double ground_cell_size = 2;     // meters
 constexpr int largest_opening_radius = 12; // cells: lowers buildings up to 50 m wide
-// Steepest rise that an opening must leave alone: 45 degrees, at which scree comes to
-// rest (angle of repose, 30 to 45 degrees by the size and edges of the grains).
+// Steepest rise that an opening must preserve: 45 degrees, at which scree comes to rest
+// (angle of repose, 30 to 45 degrees by the size and edges of the grains).
 constexpr double terrain_slope = 1;
 constexpr double terrain_noise = 0.3; // of heights, meters
 

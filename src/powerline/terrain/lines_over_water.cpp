@@ -19,12 +19,12 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double surface_part = 0.7; // of the usual share of a surface around terrain
-// Of the surroundings of the usual cell, what is a surface where there is one at all.
+// Smallest typical share of a surface around cells, for there to be a surface at all.
 constexpr double least_surface = 0.5;
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-// How much of the quarter of its surroundings that fits a cell best shows a surface on
-// which it lies: cells with returns, as high as terrain can be there.
+// For the quarter of its surroundings that fits a cell best, the share of a surface
+// that it lies on: cells with returns, at heights that terrain can have there.
 float
 surfaceAround(const Ground& g, int column, int row)
 {
@@ -46,7 +46,7 @@ surfaceAround(const Ground& g, int column, int row)
       const int r = row + static_cast<int>(std::lround(radius * std::sin(angle)));
       if (c < 0 || r < 0 || c >= g.columns || r >= g.rows)
         continue;
-      // NaN where there is no return: never near.
+      // NaN if there is no return, so never near.
       if (std::abs(at(c, r) - height) <=
           terrain_noise + terrain_slope * g.cell * radius)
         ++fits[static_cast<std::size_t>(k)];
@@ -93,7 +93,8 @@ removeLinesOverWater(Ground& ground, unsigned threads, const ProgressMonitor* mo
   if (static_cast<double>(*middle) < least_surface)
     return; // a pylon and its wires, as a drone sees them
   const auto least = static_cast<float>(surface_part) * *middle;
-  // Wires side by side look like a surface to each other: they go from their edges in.
+  // Parallel wires look like a surface to each other, so they are removed from the
+  // edges inward.
   for (bool any = true; any; share = surfacesAround(ground, threads)) {
     throwIfCanceled(monitor);
     any = false;

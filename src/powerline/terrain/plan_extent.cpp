@@ -11,9 +11,9 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double beyond = 3; // sizes of the middle half of the points
+constexpr double beyond = 3; // in sizes of the middle half of the points
 
-// The same rectangle without what lies far from the middle half of the points.
+// The rectangle without points far from the middle half of all points.
 PlanExtent
 withoutStrays(PlanExtent extent, const Points& points)
 {

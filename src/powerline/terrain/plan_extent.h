@@ -29,7 +29,7 @@ struct PlanExtent {
   }
 };
 
-/** \brief Where the cell begins that \a low is in, if the centers of cells are
+/** \brief The corner of the cell that \a low is in, if the centers of cells are
  * multiples of \a side. Rasters begin there, so that they do not depend on where a
  * cloud was cut. */
 inline Eigen::Vector2d

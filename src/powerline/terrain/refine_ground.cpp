@@ -17,7 +17,7 @@ namespace linelet::powerline {
 
 namespace {
 
-// Where a point lies beside the surface, and how far above its cell.
+// The cell of a point next to the surface, and its height above it.
 struct Offset {
   std::size_t cell = none;
   float above = 0;
@@ -49,7 +49,7 @@ refineGround(Ground& g,
 {
   std::vector<float> sum(g.heights.size(), 0.0F);
   std::vector<std::uint32_t> count(g.heights.size(), 0);
-  // Summed up in the order of the points, so that threads change nothing.
+  // Summed in point order, so that threads do not affect the result.
   std::vector<Offset> offsets(std::min<std::size_t>(points.size(), 1 << 18));
   for (std::size_t first = 0; first < points.size(); first += offsets.size()) {
     const std::size_t number = std::min(offsets.size(), points.size() - first);

@@ -17,17 +17,17 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double plan_cell = 8; // meters, of which the lowest point is looked at
+constexpr double plan_cell = 8; // meters; the lowest point of each is examined
 constexpr int parts = 4;        // of a cell, along each axis
 constexpr int covered = 12;     // parts with points, of 16, where a surface lies
 constexpr double reach = 1.5;   // meters around it
 constexpr double linear = 0.7;  // linearity of what belongs to a line
-constexpr std::size_t least_points = 5; // there, to tell a line from a surface
+constexpr std::size_t least_points = 5; // there, to distinguish a line from a surface
 
 // Wire guards, conductors, towers and connectors (ASPRS).
 constexpr std::uint8_t first_part = 13, last_part = 16;
 
-/** A place and what is around it. */
+/** A place and its surroundings. */
 struct Place {
   Point lowest = Point::Constant(std::numeric_limits<double>::infinity());
   PointMoments moments; // of points nearby, about the lowest
@@ -42,8 +42,8 @@ struct Place {
       moments.add(v);
   }
 
-  /** Whether a line lies lowest. A thin scan line is one too, but others lie beside it.
-   */
+  /** Whether the lowest points form a line. A sparse scan line is one too, but has
+   * others beside it. */
   bool
   isLinear() const
   {

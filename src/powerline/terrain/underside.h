@@ -10,8 +10,8 @@
 
 namespace linelet::powerline {
 
-/** \brief What is seen when looking straight up: the lowest point of every cell of a
- * plan raster. Under a wire that is the ground, under a roof nothing. */
+/** \brief The view straight up from below: the lowest point of every cell of a plan
+ * raster. Under a wire that is the ground, under a roof nothing. */
 class Underside {
 public:
   explicit Underside(const Points& points);

@@ -18,7 +18,7 @@
 
 namespace linelet::test {
 
-/** \brief A test with a model and a folder of its own. */
+/** \brief A test with a model and its own folder. */
 class ModelTest : public testing::Test {
 protected:
   ModelTest()

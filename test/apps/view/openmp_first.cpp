@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The model computes in a thread of its own. Archer, which explains OpenMP to
+// The model computes in its own thread. Archer, which explains OpenMP to
 // ThreadSanitizer, crashes (libomp 14) if such a thread is the first to use it.
 
 namespace {

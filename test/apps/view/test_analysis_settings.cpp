@@ -90,7 +90,7 @@ TEST_F(AnalysisSettingsTest, EveryAnalysisSurvivesAFile)
   }
 }
 
-// A list can be emptied, and a flag turned off.
+// A list can be emptied and a flag turned off.
 TEST_F(AnalysisSettingsTest, ValuesCanBeTakenBack)
 {
   AnalysisSettings settings;

@@ -145,7 +145,7 @@ TEST_F(ModelTest, CanceledWorkLeavesTheLastResult)
   EXPECT_FALSE(model.busy());
 }
 
-// Clicks come faster than their answers; the last one is answered.
+// Clicks may come faster than their results; the last one counts.
 TEST_F(ModelTest, TheLastClickCounts)
 {
   open(writeWire());

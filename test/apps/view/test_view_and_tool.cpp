@@ -117,7 +117,8 @@ TEST_F(ViewAndTool, GraphsOfARealTileToTheDigit)
   compareGraphs(tile.string(), "--max-radius 2", 997);
 }
 
-// What the window shows can be run: the tool reads the file and describes itself alike.
+// What the window shows can be run: the tool reads the file and prints the same
+// options.
 TEST_F(ViewAndTool, OptionFilesAreTheTools)
 {
   model.settings.set(Analysis::MultiScale, "max-radius", "1.25");

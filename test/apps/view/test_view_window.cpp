@@ -18,7 +18,7 @@ namespace {
 using namespace linelet;
 using namespace linelet::view;
 
-/** The window on an offscreen display of its own. */
+/** The window on its own offscreen display. */
 class ViewWindow : public linelet::test::ModelTest {
 protected:
   void
@@ -108,7 +108,7 @@ TEST_F(ViewWindow, ScriptDoesWhatHandsDo)
   EXPECT_EQ(one["stale"], nlohmann::json::array({"multiscale"}));
   EXPECT_EQ(one["selection"]["point"], 300);
   EXPECT_EQ(one["selection"]["tensor"]["radius"], 0.8);
-  // A click on a visible point selects it, or the one that hides it from there.
+  // A click on a visible point selects it, or one in front of it.
   ASSERT_FALSE(two["selection"].is_null());
   const auto at = two["selection"]["at"];
   EXPECT_NEAR(at[0].get<double>(), one["selection"]["at"][0].get<double>(), 0.2);

@@ -11,7 +11,7 @@ namespace linelet {
 
 /** \brief Fits \a start to \a points with a single bandwidth.
  * \param[in] least_noise in D
- * \param[in] settings what is to differ; lengths are set by D */
+ * \param[in] settings that differ from the defaults; lengths are set from D */
 inline EmFit
 fitOf(const Points& points,
       const ModelCurve& start,

@@ -96,7 +96,7 @@ TEST(EvenBends, NoisyCirclesAreRounder)
   EXPECT_LT(even_curvature, 0.85 * plain);
 }
 
-// The sides of a square are straight; its corners say nothing about how they bend.
+// The sides of a square are straight; its corners must not affect how they bend.
 TEST(EvenBends, SidesOfSquaresStayStraight)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {

@@ -88,7 +88,7 @@ TEST(VariedNoise, TheCriterionTellsWhetherItVaries)
     constant += scoreOf(fitLine(even, false), 400) < scoreOf(fitLine(even, true), 400);
   }
   EXPECT_EQ(growing, 20);
-  // A point or two far out can be outliers or a place of wide noise; now and then the
+  // A point or two far out can be outliers or a place of wide noise; occasionally the
   // latter is likelier.
   EXPECT_GE(constant, 18);
 }

@@ -168,7 +168,7 @@ TEST(FixedRadiusNoise, IsDistinguishedFromNormalNoiseAndGivesTheBetterCurve)
 {
   boost::random::mt19937 random(9);
   boost::random::normal_distribution<double> normal;
-  const auto vector = [&] { // one draw per statement: their order is part of the result
+  const auto vector = [&] { // one draw per statement, since the order matters
     const double x = normal(random);
     const double y = normal(random);
     const double z = normal(random);

@@ -63,8 +63,8 @@ TEST(JunctionNetwork, EndInsideAnotherCurveIsAJunctionOnIt)
 
 TEST(JunctionNetwork, TheWayToAJunctionHasVerticesLikeTheRest)
 {
-  // Led 0.45 to the junction, it would otherwise be a single edge, which belongs to
-  // neither curve if one goes by vertices.
+  // Otherwise, a single edge of 0.45 would lead to the junction, and belong to neither
+  // curve by its vertices.
   CurveNetwork network{
       {straight({0, 0, 0}, {10, 0, 0}), straight({4, 5, 0}, {4, 0.45, 0})}, {}};
   connect(network);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A scene larger than a block gives the same curves whatever else is known of it, and
+// A scene larger than a block gives the same curves whatever else of it is loaded, and
 // wires through many blocks are one curve each.
 
 #include <linelet/curves/curve_blocks.h>

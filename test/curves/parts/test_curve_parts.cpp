@@ -146,8 +146,8 @@ TEST(CurveParts, TheClosestAreJoined)
   expectSame(joinParts(partsOf(whole, boxes(0.05, -20, 3.3), 2), 0.5), whole);
 }
 
-// What a neighbor saw slightly differently is one curve, with the border vertex
-// halfway.
+// A curve that a neighbor sees slightly differently is still one, with the border
+// vertex halfway.
 TEST(CurveParts, SlightlyDifferentCoursesAreJoined)
 {
   const PartOwner owner = boxes(0, -20, 100);
@@ -190,7 +190,7 @@ TEST(CurveParts, AnEndShortOfTheBorderIsReached)
   EXPECT_NEAR(length(joined), 20, 1e-9);
 }
 
-// A curve elsewhere that ends in the neighbor with nothing beside it.
+// The neighbor has only a curve that ends elsewhere.
 TEST(CurveParts, AnEndFarFromTheCutIsLeftAlone)
 {
   const PartOwner owner = boxes(0, -20, 100);
@@ -212,8 +212,8 @@ TEST(CurveParts, AnEndFarFromTheCutIsLeftAlone)
   }
 }
 
-// Where it runs almost along the border, the neighbors may both leave it out, or both
-// have it.
+// Where a curve runs almost along the border, both neighbors may leave it out, or both
+// may have it.
 TEST(CurveParts, AlongABorderNothingIsLostOrTwice)
 {
   const PartOwner owner = boxes(0, -20, 100);

@@ -15,7 +15,7 @@ using namespace linelet;
 
 namespace {
 
-/** \brief The same by comparing all pairs, component by component. */
+/** \brief The same, by comparing all pairs. */
 std::vector<Indices>
 componentsByPairs(const Points& points,
                   double distance,

@@ -65,7 +65,7 @@ TEST(SpanningCurves, FewPointsAreNotACurve)
 
 TEST(SpanningCurves, AnArcWhoseSpacingGrowsIsOneCurveInOrder)
 {
-  // Each step is a tenth wider than the last, a factor of a hundred in all.
+  // Each step is a tenth wider than the last, a factor of a hundred in total.
   Points arc;
   double angle = 0.01;
   for (int k = 0; k < 50; ++k, angle *= 1.1)

@@ -101,7 +101,7 @@ TEST(LargeReconstruction, CurvesThickerThanTheSpacingAreNotVolumes)
 
 TEST(LargeReconstruction, OnePartOfManyPointsIsFitted)
 {
-  // More points than a part whose bandwidths are all tried may have.
+  // Too many points in one component to try all bandwidths.
   SamplingSettings settings;
   settings.points = 70000;
   settings.jitter = 0.002;
@@ -123,14 +123,14 @@ TEST(LargeReconstruction, CanceledWithinAPart)
   RefinedSettings settings;
   settings.threads = 1;
   EXPECT_THROW(reconstructRefined(cloud, settings, &monitor), Canceled);
-  // Nothing starts after the first "yes".
+  // Nothing starts after the first "true".
   EXPECT_LE(monitor.asked_after_, 2u);
 }
 
 TEST(LargeReconstruction, CrowdsDoNotMultiplyTheWork)
 {
-  // Half of the points crowd into the space of a handful: without bounds, each is a
-  // neighbor of all others, 10^10 pairs.
+  // Half of the points crowd into the space of a handful: without bounds, all would be
+  // neighbors, 10^10 pairs.
   boost::random::mt19937 random(11);
   boost::random::uniform_real_distribution<double> uniform(-1, 1);
   Points cloud;
@@ -154,8 +154,8 @@ peakMemory()
 
 TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
 {
-  // A mesh of noisy wires as one part. Its farthest points are left unexplained, a
-  // hundred times as sparse as the others; a fit that starts with noise as wide as
+  // A mesh of noisy wires as one component. Its farthest points, a hundred times as
+  // sparse as the others, stay unexplained; a fit that starts with noise as wide as
   // their spacing pairs each point with hundreds of places.
   boost::random::mt19937 random(5);
   boost::random::uniform_real_distribution<double> uniform(-50, 50);
@@ -174,8 +174,8 @@ TEST(LargeReconstruction, FewPointsFarOutDoNotMultiplyTheWork)
 
 TEST(LargeReconstruction, TouchingWiresAreSeparatedInALargeMesh)
 {
-  // Wires that sway and cross, about 65,000 points in one part: each crossing is a
-  // chance to join them wrongly, or to end.
+  // Wires that sway and cross, about 65,000 points in one component: at each crossing
+  // they may be joined wrongly, or end.
   boost::random::mt19937 random(21);
   boost::random::uniform_real_distribution<double> uniform(0, 1);
   boost::random::normal_distribution<double> noise(0, 0.03);

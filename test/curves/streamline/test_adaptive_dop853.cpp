@@ -80,7 +80,7 @@ TEST(AdaptiveDop853, DenseOutputIsAsGoodAsTheSteps)
   std::size_t few = 0, many = 0;
   const double coarse = largestError(1e-8, 4, few);
   const double fine = largestError(1e-8, 0.01, many);
-  EXPECT_EQ(few, many) << "output makes no steps of its own";
+  EXPECT_EQ(few, many) << "output adds no steps";
   EXPECT_LT(fine, 20 * std::max(coarse, 1e-9));
 }
 

@@ -28,8 +28,8 @@ turned(const Point& direction, const Point& last)
   return direction.dot(last) < 0 ? Point(-direction) : direction;
 }
 
-/** A scattered arc whose features vary from point to point, so that it matters whose
- * eigenvector, radius and blend a mode uses. */
+/** A scattered arc whose features vary from point to point, so that a mode that uses
+ * those of the wrong point fails. */
 struct Arc {
   Points points;
   MultiScaleShapes shapes;
@@ -164,7 +164,7 @@ private:
       sum += weight * v;
       weights += weight;
     }
-    // With all points behind, they give no direction.
+    // Points that are all behind give no direction.
     return weights > 1e-3 ? Point(sum.normalized()) : Point(Point::Zero());
   }
 

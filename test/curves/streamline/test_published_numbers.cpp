@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Numbers that Ritter, Schiffner, Harders 2021 print for their method. If one of these
-// failed, the preset would no longer be the baseline that every gain is measured
-// against.
+// fails, the preset is no longer the baseline for every comparison.
 
 #include <algorithm>
 #include <array>

@@ -114,7 +114,7 @@ TEST(Published, StartsAreChosenAmongSomePoints)
   for (unsigned seed = 2; seed < 8; ++seed)
     others += (startOf(1, seed) - first).norm() > 1e-9 ? 1 : 0;
   EXPECT_GE(others, 4);
-  // That many or more means all.
+  // As many or more means all.
   EXPECT_EQ(startOf(200, 1), startOf(0, 2));
   EXPECT_EQ(startOf(1000, 1), startOf(0, 2));
 }

@@ -78,7 +78,7 @@ TEST(MixedReconstruction, FindsTheWiresOverGroundRoofAndCrowns)
     SCOPED_TRACE(seed);
     const CurveNetwork network = reconstructCurves(scene(seed, true));
     EXPECT_GE(covered(network, Eigen::Affine3d::Identity(), 0.1), 0.97);
-    // Crowns of scattered points have no branches: whatever is found there is wrong.
+    // Crowns of scattered points have no branches: anything found there is wrong.
     EXPECT_LE(length(network), 1.1 * wires * 81.5);
     for (const Curve& curve : network.curves) {
       EXPECT_GT(curve.evidence, 20);
@@ -276,7 +276,7 @@ TEST(MixedReconstruction, ThickTracksAreClutterAmongThinCurves)
   }
 }
 
-// So few points that both methods are tried: the one for clouds of curves alone would
+// So few points that both methods are tried: the one for clouds of only curves would
 // explain all of the undergrowth.
 TEST(MixedReconstruction, SmallCloudsOfClutterAndWiresAreScenes)
 {

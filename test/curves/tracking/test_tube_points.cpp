@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The vectorized search gives exactly the points that plain arithmetic finds in a tube,
-// with the same bits, whatever the length of a run.
+// bit for bit, whatever the length of a run.
 
 #include <cmath>
 #include <cstddef>

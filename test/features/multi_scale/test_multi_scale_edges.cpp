@@ -100,7 +100,7 @@ TEST(MultiScale, FirstNeighborsLeaveThePointItselfOut)
 TEST(MultiScale, StopRuleEndsWhereAllHaveConverged)
 {
   // Extent 3: from radius 3 sqrt(2) on, each neighborhood is the whole cloud, and with
-  // const weights nothing changes any more.
+  // const weights nothing changes anymore.
   const Points cloud = randomPoints(200, 6, {3, 3, 0});
   MultiScaleSettings settings;
   settings.weighting = Kernel::Const;

@@ -154,7 +154,7 @@ TEST(MultiScaleEngines, AgreeBeyondTheDiagonal)
 }
 
 // Processor time of one run compared with another: a hundred times as much if each
-// query is processed by itself.
+// query were processed on its own.
 TEST(MultiScaleEngines, CostNoMoreBeyondTheDiagonal)
 {
   const Points cloud = randomPoints(3000, 17, {10, 4, 0.5});

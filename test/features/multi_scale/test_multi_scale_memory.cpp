@@ -29,8 +29,8 @@ using linelet::ShapeGraph;
 
 constexpr double megabyte = 1 << 20;
 
-/// Peak memory of this process since forgetPeak, in megabytes; 0 where the system does
-/// not tell.
+/// Peak memory of this process since forgetPeak, in megabytes; 0 if the system does not
+/// report it.
 double
 peak()
 {
@@ -83,7 +83,7 @@ TEST(MultiScaleMemory, GraphsAreNotKept)
   GTEST_SKIP() << "a sanitizer's own memory counts in the peak of the process";
 #endif
   if (peak() <= 0 || !forgetPeak())
-    GTEST_SKIP() << "this system does not tell a process its peak of memory";
+    GTEST_SKIP() << "this system does not report peak memory";
   const Points cloud = linelet_test::randomPoints(24000, 1, {80, 80, 1});
   MultiScaleSettings settings;
   settings.scale_unit = 1;

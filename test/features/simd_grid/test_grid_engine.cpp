@@ -99,8 +99,8 @@ TEST(GridEngine, AgreesBeyondTheDiagonal)
   EXPECT_EQ(records[1].neighbors, 0u);
 }
 
-// This took a hundred times as long, query by query in double. Processor time of one
-// run relative to another, with room for whatever else the machine does.
+// This would take a hundred times as long query by query in double. Processor time of
+// one run relative to another, with room for other load on the machine.
 TEST(GridEngine, CostsNoMoreBeyondTheDiagonal)
 {
   const Points points = uniformPoints(6000, {10, 10, 1}, 3);

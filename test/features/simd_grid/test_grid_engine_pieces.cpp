@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Records of a piece of a cloud, computed from the piece and a margin around it, are
-// equal to the bit to those of the whole cloud.
+// bit for bit those of the whole cloud.
 
 #include "features/simd_grid/test_grid_engine.h"
 #include "random_seed.h"
@@ -189,7 +189,7 @@ TEST(GridEnginePieces, HaveTheShapesOfTheWhole)
     }
 }
 
-// The order of the points is that of the file and says nothing about their positions.
+// The order of the points in a file is independent of their positions.
 TEST(GridEnginePieces, DoNotDependOnTheOrderOfThePoints)
 {
   const unsigned seed = randomSeed();

@@ -81,7 +81,7 @@ TEST_F(Hdf5, BlocksMakeTheSameCloudAndCanBeReadAlone)
     Hdf5CloudWriter writer(path, part(cloud, 0, 0));
     for (std::size_t first = 0; first < 70000; first += 7000)
       writer.append(part(cloud, first, 7000));
-    EXPECT_FALSE(fs::exists(path)) << "whole or not at all";
+    EXPECT_FALSE(fs::exists(path)) << "complete or not at all";
     writer.commit();
   }
   expectEqual(readCloud(path), cloud);

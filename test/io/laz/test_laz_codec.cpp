@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The codec by itself: data comes back bit for bit, and the stream of every part ends
-// with its last point.
+// The codec on its own: data comes back bit for bit, and every stream ends with its
+// last point.
 
 #include <algorithm>
 #include <cstring>
@@ -110,7 +110,7 @@ TEST(LazCodec, MedianOfManyEqualStepsIsThatStep)
     median.add(i % 2 == 0 ? 7 : 7);
   EXPECT_EQ(median.get(), 7);
   median.add(1000);
-  EXPECT_EQ(median.get(), 7) << "one outlier moves no median";
+  EXPECT_EQ(median.get(), 7) << "one outlier does not move the median";
 }
 
 TEST(LazCodec, TimesOfSeveralSequencesRoundTrip)

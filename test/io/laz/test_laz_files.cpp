@@ -279,7 +279,7 @@ TEST(LazFiles, ChangedBytesOfThePointsAreNoticedOrChangeNothingElse)
       }
     }
   }
-  EXPECT_GT(refused, 200) << "a change that moves the end of the data is seen";
+  EXPECT_GT(refused, 200) << "changes that move the end of the data are noticed";
 }
 
 TEST(LazFiles, LenientReadingKeepsTheChunksBeforeTheDamage)

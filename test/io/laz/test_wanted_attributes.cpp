@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Some attributes of a file, read alone, compared with those of the whole.
+// A subset of the attributes of a file, compared with reading all of them.
 
 #include <algorithm>
 #include <cstring>

@@ -25,7 +25,7 @@ TEST(Limits, OfTheStandardsRiseWithTheVoltage)
   EXPECT_NEAR(high.of(HazardKind::Vegetation).medium, 2.5, 1e-12);
   EXPECT_NEAR(high.of(HazardKind::Wire).medium, 2.15, 1e-12);
   EXPECT_NEAR(readLimits("en50341:380", none).of(HazardKind::Ground).high, 7.8, 1e-12);
-  // NESC rule 232: 18.5 ft, and 0.4 in a kV above 22 kV to earth.
+  // NESC rule 232: 18.5 ft, plus 0.4 in per kV above 22 kV to ground.
   EXPECT_NEAR(readLimits("nesc:12", none).of(HazardKind::Ground).high, 5.639, 1e-3);
   EXPECT_NEAR(readLimits("nesc:345", none).of(HazardKind::Ground).high,
               0.3048 * (18.5 + 0.4 / 12 * (345 * 1.05 / std::sqrt(3.0) - 22)),

@@ -31,7 +31,7 @@ TEST(Surroundings, BirdsAndNoiseAreNotHazards)
   EXPECT_EQ(with_tree.clearances[0].kind, HazardKind::Vegetation);
 }
 
-// A pole's head without classes: cross-arm, insulators and whatever hangs from them are
+// A pole's head without classes: crossarm, insulators and whatever hangs from them are
 // not vegetation near the wires they carry, but a tree beside them is.
 TEST(Surroundings, SupportsAreNotHazardsToTheirWires)
 {

@@ -113,7 +113,7 @@ sumOfBlocks(Tag tag, hn::Vec<Tag> v)
 }
 
 /** \brief The sums of the lanes of four vectors: they are turned into columns as they
- * are added, in fewer steps than four sums by themselves. */
+ * are added, in fewer steps than four separate sums. */
 HWY_INLINE std::array<double, 4>
 sumsOf(V a, V b, V c, V d)
 {

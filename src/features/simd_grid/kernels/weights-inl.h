@@ -257,8 +257,7 @@ struct Weight {
     else if constexpr (kernel == Kernel::EaseQuadratic)
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(2), power<2>(s)); });
     else {
-      static_assert(kernel == Kernel::EaseQuintic,
-                    "a kernel without a form on vectors");
+      static_assert(kernel == Kernel::EaseQuintic, "a kernel without a SIMD form");
       return eased(x, [&](V s) HWY_ATTR { return hn::Mul(constant(16), power<5>(s)); });
     }
   }

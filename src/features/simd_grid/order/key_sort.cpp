@@ -37,7 +37,7 @@ sortByKey(std::vector<std::uint64_t>& keys, Indices& values, int bits, int threa
   reserveHuge(other_values, count);
   other_keys.resize(count);
   other_values.resize(count);
-  // Every part is counted and moved by itself; parts follow each other within a digit.
+  // Every part is counted and moved on its own; parts follow each other within a digit.
   const auto parts = static_cast<std::size_t>(std::max(threads, 1));
   std::vector<Histogram> place(parts);
   for (int shift = 0; shift < bits; shift += digit_bits) {

@@ -23,7 +23,7 @@ namespace linelet::io {
 
 namespace {
 
-/** A format that is a text of our own making. */
+/** A text format that linelet writes itself. */
 struct TextFormat {
   const char* ending;
   CurveNetwork (*read)(const Source& source);
@@ -36,7 +36,7 @@ constexpr std::array<TextFormat, 4> text_formats = {
      {".vtk", curvesFromVtk, curvesAsVtk},
      {".csv", curvesFromCsv, curvesAsCsv}}};
 
-/** Null: another. */
+/** Null if there is none. */
 const TextFormat*
 textFormatOf(const std::string& ending)
 {
@@ -65,7 +65,7 @@ layerOf(const CurveNetwork& network, const Point& shift)
                           {"length", length(curve)},
                           {"front", std::string(nameOf(curve.front.kind))},
                           {"back", std::string(nameOf(curve.back.kind))}};
-    // The published preset does not measure them.
+    // The published presets do not measure them.
     if (std::isfinite(curve.noise + curve.density + curve.evidence)) {
       feature.attributes.emplace_back("noise", curve.noise);
       feature.attributes.emplace_back("density", curve.density);

@@ -10,8 +10,8 @@
 
 namespace linelet::io {
 
-/** \brief Calls f(curve, number, place of its first vertex) for every curve that is a
- * line. */
+/** \brief Calls f(curve, number, index of its first vertex) for every curve with at
+ * least two vertices. */
 template <class F>
 void
 forEachLine(const CurveNetwork& network, F f)
@@ -34,14 +34,14 @@ struct LineSizes {
 LineSizes
 sizesOf(const CurveNetwork& network);
 
-/** \brief Appends a line of text per vertex, which begins with \a lead. */
+/** \brief Appends a line of text per vertex that begins with \a lead. */
 void
 appendVertices(std::string& text,
                const CurveNetwork& network,
                const Point& shift,
                const char* lead);
 
-/** \brief Appends " i" for each vertex of \a curve, the first once more where it is
+/** \brief Appends " i" for each vertex of \a curve, and the first again if it is
  * closed. */
 void
 appendPlaces(std::string& text, const Curve& curve, std::size_t first);

@@ -60,7 +60,7 @@ private:
       long long value = 0;
       const bool read = parseNumber(place, value);
       if (read && value < 0)
-        value += count + 1; // counted back from the newest
+        value += count + 1; // counted back from the latest
       if (!read || value < 1 || value > count)
         fail("'" + cleanName(word) + "' is not one of the " + std::to_string(count) +
              " vertices before it");

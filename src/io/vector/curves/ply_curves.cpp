@@ -21,8 +21,7 @@ struct PlyElement {
   std::vector<std::string> properties;
 };
 
-/** The elements of an ASCII PLY file up to its end_header, which \a words is left at.
- */
+/** The elements of an ASCII PLY file; leaves \a words after end_header. */
 std::vector<PlyElement>
 plyElements(const Source& source, ScannedWords& words)
 {

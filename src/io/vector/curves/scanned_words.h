@@ -12,7 +12,7 @@
 
 namespace linelet::io {
 
-/** \brief Words of a text, wherever its lines end. */
+/** \brief Words of a text, regardless of lines. */
 class ScannedWords {
 public:
   explicit ScannedWords(const Source& source) : source_(source), rest_(source.bytes) {}
@@ -50,7 +50,7 @@ private:
   std::string_view rest_;
 };
 
-/** \brief \a value as a place among \a count. */
+/** \brief \a value as an index below \a count. */
 inline std::size_t
 placeOf(const Source& source, double value, std::size_t count)
 {

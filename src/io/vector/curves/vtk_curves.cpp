@@ -29,7 +29,7 @@ curvesFromVtk(const Source& source)
     }
     else if (word == "LINES") {
       const auto count = words.number<std::size_t>("LINES");
-      words.next(); // how many numbers follow
+      words.next(); // number of values
       for (std::size_t i = 0; i < count; ++i) {
         Points line;
         for (auto left = words.number<std::size_t>("LINES"); left > 0; --left)

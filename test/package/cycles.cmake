@@ -1,21 +1,21 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# No circles: of folders, apart from those inside a folder, which its entry points use,
+# No cycles: of folders, except for those inside a folder, which its entry points use,
 # and of files, where a header and its source are one.
 cmake_policy(SET CMP0057 NEW)
 
-# A file by its folder in src/ and its name without ending; a public header is where its
+# A file by its folder in src/ and its name without extension; a public header is where its
 # source is.
 function(place_of file out)
   string(REGEX REPLACE "^(include/linelet|src)/" "" file ${file})
   string(REGEX REPLACE "[.][a-z]+$" "" file ${file})
   string(REPLACE /impl/ / file ${file})
   get_filename_component(name ${file} NAME)
-  string(REGEX MATCH "^[a-z_]+" room ${file})
+  string(REGEX MATCH "^[a-z_]+" module ${file})
   if(EXISTS ${SOURCE_DIR}/include/linelet/${file}.h)
     file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}/src
-      ${SOURCE_DIR}/src/${room}/${name}.cpp)
+      ${SOURCE_DIR}/src/${module}/${name}.cpp)
     if(sources MATCHES "^([^;]+)[.]cpp$")
       set(file ${CMAKE_MATCH_1})
     endif()
@@ -23,8 +23,8 @@ function(place_of file out)
   set(${out} ${file} PARENT_SCOPE)
 endfunction()
 
-# What depends on nothing goes until only circles, and what depends on them, remain.
-function(check_circles kind nodes)
+# Removes what depends on nothing until only cycles, and what depends on them, remain.
+function(check_cycles kind nodes)
   set(before)
   while(NOT nodes STREQUAL before)
     set(before "${nodes}")
@@ -51,7 +51,7 @@ function(check_circles kind nodes)
     list(FIND path ${node} start)
     list(SUBLIST path ${start} -1 path)
     list(JOIN path " -> " path)
-    message(SEND_ERROR "${kind} form a circle: ${path} -> ${node}")
+    message(SEND_ERROR "${kind} form a cycle: ${path} -> ${node}")
   endif()
 endfunction()
 
@@ -71,7 +71,7 @@ foreach(file IN LISTS files)
       if(EXISTS ${SOURCE_DIR}/${candidate})
         place_of(${candidate} there)
         get_filename_component(other ${there} DIRECTORY)
-        # Vectorized parts of a source are included by it alone.
+        # Vectorized parts of a source are included only by it.
         if(NOT there STREQUAL here AND NOT there MATCHES "-inl$")
           list(APPEND files_${here} ${there})
         endif()
@@ -86,5 +86,5 @@ foreach(file IN LISTS files)
 endforeach()
 list(REMOVE_DUPLICATES all_folders)
 list(REMOVE_DUPLICATES all_files)
-check_circles(folders "${all_folders}")
-check_circles(files "${all_files}")
+check_cycles(folders "${all_folders}")
+check_cycles(files "${all_files}")
