@@ -22,6 +22,8 @@ struct LinePriors {
                             ///< / span each, of a sag of 1 to 2 % of the span
   double joint_spread = 0.1; ///< their standard deviation
   double company_reach = 14; ///< largest distance between neighboring wires of a span
+  double point_noise = 0.05; ///< of the points about a wire, meters, in proportion to
+                             ///< which the priors of its shape count
   double alike = 0.01;       ///< slope between two wires of a span, standard deviation:
                              ///< crossarms differ, and sags by some percent
   /// A span is at most this many times as long as its visible part

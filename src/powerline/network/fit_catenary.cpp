@@ -17,8 +17,7 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double degree = M_PI / 180;
-constexpr std::size_t sample = 600;                // points used
-constexpr double noise = 0.05;                     // meters, scales the priors
+constexpr std::size_t sample = 600;                // points that take part
 constexpr double swing_spread = 0.3;               // radian
 constexpr double flattest = 1e-5, tightest = 0.05; // 1 / a
 constexpr double hold = 8; // weight of an attachment point, in points
@@ -58,8 +57,9 @@ struct Prior {
   bool
   operator()(const T* p, T* residual) const
   {
-    residual[0] = noise / swing_spread * p[swing];
-    residual[1] = noise / (2 * priors.bend_spread) * (p[bend] - 2 * priors.usual_bend);
+    residual[0] = priors.point_noise / swing_spread * p[swing];
+    residual[1] = priors.point_noise / (2 * priors.bend_spread) *
+                  (p[bend] - 2 * priors.usual_bend);
     return true;
   }
 };

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "powerline/line_priors.h"
 #include "powerline/pieces/parallel.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/wire_groups.h"
@@ -17,7 +18,6 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double side_by_side = 14; // meters between neighboring wires of a span
 constexpr double shared_part = 0.6; // of the longer wire
 
 bool
@@ -34,7 +34,7 @@ inOneSpan(const WireWithEnds& a, const WireWithEnds& b)
   const SpanModel& m = a.model();
   const double s = (m.begin + m.end) / 2;
   const Point beside = b.model().at(b.model().along(m.at(s)));
-  if ((m.at(s) - beside).head<2>().norm() > side_by_side)
+  if ((m.at(s) - beside).head<2>().norm() > priors.company_reach)
     return false;
   const bool same = m.direction.dot(b.model().direction) > 0;
   const auto fits = [](int x, int y) { return x < 0 || y < 0 || x == y; };
@@ -117,7 +117,7 @@ std::vector<WiresOfSpan>
 gatherSpans(const std::vector<WireWithEnds>& wires)
 {
   Groups groups(wires.size());
-  uniteNeighbors(groups, wires, side_by_side, inOneSpan);
+  uniteNeighbors(groups, wires, priors.company_reach, inOneSpan);
   std::vector<WiresOfSpan> spans;
   std::map<std::size_t, std::size_t> place;
   for (std::size_t w = 0; w < wires.size(); ++w) {

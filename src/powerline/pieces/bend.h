@@ -3,11 +3,12 @@
 
 #pragma once
 
+#include "powerline/line_priors.h"
 #include "powerline/pieces/growth.h"
 
 namespace linelet::powerline {
 
-constexpr double flattest = 1e-4; ///< z2 of a wire, 1/meters: a = 5 km
+constexpr double flattest = 1 / (2 * priors.tautest); ///< z2 of a wire, 1/meters
 
 constexpr double straight_length = 30; ///< meters from which sag can be measured
 

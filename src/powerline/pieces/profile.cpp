@@ -7,11 +7,12 @@
 
 #include <Eigen/Dense>
 
+#include "powerline/line_priors.h"
+
 namespace linelet::powerline {
 
 namespace {
 
-constexpr double noise = 0.05;       // meters, scales the priors
 constexpr double bend_spread = 5e-3; // 1/meters, of the halves at a support
 constexpr double like_bend = 3e-4;   // 1/meters, between neighboring spans
 constexpr double closed = 1e-3;      // meters between parabolas that meet
@@ -22,7 +23,8 @@ std::pair<Eigen::Vector3d, double>
 Moments::solve() const
 {
   Eigen::Matrix3d regular = normal;
-  regular(2, 2) += (noise / bend_spread) * (noise / bend_spread);
+  regular(2, 2) +=
+      (priors.point_noise / bend_spread) * (priors.point_noise / bend_spread);
   const Eigen::Vector3d c = regular.ldlt().solve(right);
   return {c, std::max(0.0, squares - 2 * c.dot(right) + c.dot(normal * c))};
 }
@@ -72,12 +74,14 @@ Profile::hingeAt(double s, double low, double high) const
   sums << left.right, right.right;
   meeting << 1, s, s * s, -1, -s, -s * s;
   bends << 0, 0, 1, 0, 0, -1;
-  meeting *= noise / closed;
-  bends *= noise / like_bend;
+  meeting *= priors.point_noise / closed;
+  bends *= priors.point_noise / like_bend;
   Eigen::Matrix<double, 6, 6> regular = normal;
   regular += meeting * meeting.transpose() + bends * bends.transpose();
-  regular(2, 2) += (noise / bend_spread) * (noise / bend_spread);
-  regular(5, 5) += (noise / bend_spread) * (noise / bend_spread);
+  regular(2, 2) +=
+      (priors.point_noise / bend_spread) * (priors.point_noise / bend_spread);
+  regular(5, 5) +=
+      (priors.point_noise / bend_spread) * (priors.point_noise / bend_spread);
   const Six c = regular.ldlt().solve(sums);
   Hinge hinge;
   hinge.squares =

@@ -15,7 +15,6 @@ namespace {
 
 // Standard deviations that the priors allow, in 1/meters.
 constexpr double blow_out = 3e-5;
-constexpr double point_noise = 0.05; // meters, scales the priors
 
 double
 median(std::vector<double>& values)
@@ -78,9 +77,10 @@ fit(SpanModel& model, const Points& points, const Indices& members, double cut)
     if (used < 3)
       return false;
     Eigen::Matrix3d normal_t = normal, normal_z = normal;
-    normal_t(2, 2) += std::pow(point_noise / blow_out, 2);
-    normal_z(2, 2) += std::pow(point_noise / priors.bend_spread, 2);
-    right_z[2] += std::pow(point_noise / priors.bend_spread, 2) * priors.usual_bend;
+    normal_t(2, 2) += std::pow(priors.point_noise / blow_out, 2);
+    normal_z(2, 2) += std::pow(priors.point_noise / priors.bend_spread, 2);
+    right_z[2] +=
+        std::pow(priors.point_noise / priors.bend_spread, 2) * priors.usual_bend;
     model.t = normal_t.ldlt().solve(right_t);
     const auto solver = normal_z.ldlt();
     model.z = solver.solve(right_z);

@@ -13,8 +13,8 @@
 #include "powerline/pieces/find_pieces.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/open_below.h"
-#include "powerline/pieces/parallel.h"
 #include "powerline/pieces/span_model.h"
+#include "powerline/spans/beside_company.h"
 #include "powerline/spans/joints.h"
 #include "powerline/spans/wire_with_ends.h"
 #include "powerline/terrain/underside.h"
@@ -23,14 +23,13 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double guided_part = 0.7; // of the length of the growing wire
-constexpr double thin_cover = 0.1;  // of the bins of a wire beside others
-constexpr double thin_clean = 0.9;  // of those, clean
-constexpr double patience = 40;     // nats against a wire whose position is known
-constexpr double overshoot = 1;     // meters beyond the end of the company
-constexpr double stub_reach = 8;    // meters from the end of a wire to its stub
-constexpr double stub_gap = 0.5;    // meters between them where they meet
-constexpr double least_stub = 4;    // meters
+constexpr double thin_cover = 0.1; // of the bins of a wire beside others
+constexpr double thin_clean = 0.9; // of those, clean
+constexpr double patience = 40;    // nats against a wire whose position is known
+constexpr double overshoot = 1;    // meters beyond the end of the company
+constexpr double stub_reach = 8;   // meters from the end of a wire to its stub
+constexpr double stub_gap = 0.5;   // meters between them where they meet
+constexpr double least_stub = 4;   // meters
 constexpr double aligned = 0.99;
 
 // A stub is as long as the data allow.
@@ -54,9 +53,7 @@ goesOn(const std::vector<WireWithEnds>& wires,
             std::abs(meeting.b - stub.edge(side)) <= stub_reach)
           return true;
       }
-      const Parallel parallel = compare(m, wire.model());
-      if (parallel.overlap >= guided_part * m.length() &&
-          parallel.distance <= priors.company_reach &&
+      if (isCompany(m, wire.model()) &&
           std::abs(m.direction.dot(wire.model().direction)) >= aligned)
         return true;
     }
@@ -76,11 +73,7 @@ completeByCompany(std::vector<WireWithEnds>& wires,
     const SpanModel& m = piece.model;
     double low = m.begin, high = m.end;
     for (const WireWithEnds& other : wires) {
-      if (&other == &wire)
-        continue;
-      const Parallel parallel = compare(m, other.model());
-      if (parallel.overlap < guided_part * m.length() ||
-          parallel.distance > priors.company_reach)
+      if (&other == &wire || !isCompany(m, other.model()))
         continue;
       const double from = m.along(other.model().at(other.model().begin));
       const double to = m.along(other.model().at(other.model().end));

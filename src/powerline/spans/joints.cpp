@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "powerline/line_priors.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/least_hanging.h"
 #include "powerline/spans/wire_with_ends.h"
@@ -21,7 +22,6 @@ constexpr double widest_support = 16;  // meters between ends that face each oth
 constexpr double largest_gap = 1.5;    // meters between wires that meet
 constexpr double farthest_reach = 10;  // meters by which a wire is extended
 constexpr double least_opposed = -0.5; // cosine between the outward directions
-constexpr double curve_noise = 0.05;   // meters, of an extended wire
 constexpr double end_spread = 3;       // meters, from the last point to the support
 constexpr double gap_deviations = 3;   // of the gap between wires that share a point
 
@@ -68,8 +68,9 @@ meet(const WireWithEnds& a,
     Eigen::Vector2d right = (start - s) / (end_spread * end_spread);
     Eigen::Matrix<double, 3, 2> jacobian;
     jacobian << dp, -dq;
-    normal += jacobian.transpose() * jacobian / (curve_noise * curve_noise);
-    right -= jacobian.transpose() * gap / (curve_noise * curve_noise);
+    normal +=
+        jacobian.transpose() * jacobian / (priors.point_noise * priors.point_noise);
+    right -= jacobian.transpose() * gap / (priors.point_noise * priors.point_noise);
     if (arm.spread >= 0) {
       const Eigen::Vector2d across(-arm.along.y(), arm.along.x());
       const Eigen::Vector2d level = arm.along - arm.turn * across;

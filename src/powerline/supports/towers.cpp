@@ -26,8 +26,7 @@ namespace linelet::powerline {
 
 namespace {
 
-constexpr double side_by_side = 14; // meters between neighboring wires of one support
-constexpr double level_with = 6;    // meters along the line between their ends
+constexpr double level_with = 6; // meters along the line between their ends
 constexpr double least_cosine = 0.98;
 constexpr double margin = 6;         // meters around the attachment points
 constexpr double farthest_carry = 8; // meters to the crossarm, without a partner
@@ -71,11 +70,11 @@ clusterEnds(const std::vector<WireWithEnds>& wires)
                        static_cast<std::size_t>(end.partner_side));
     const Eigen::Vector2d out = wires[a / 2].outward(static_cast<int>(a % 2));
     for (std::size_t k = i + 1;
-         k < order.size() && place(order[k]).x() <= place(a).x() + side_by_side;
+         k < order.size() && place(order[k]).x() <= place(a).x() + priors.company_reach;
          ++k) {
       const std::size_t b = order[k];
       const Eigen::Vector2d offset = (place(b) - place(a)).head<2>();
-      if (a / 2 != b / 2 && !leavesAt(b) && offset.norm() <= side_by_side &&
+      if (a / 2 != b / 2 && !leavesAt(b) && offset.norm() <= priors.company_reach &&
           std::abs(out.dot(offset)) <= level_with &&
           out.dot(wires[b / 2].outward(static_cast<int>(b % 2))) >= least_cosine)
         groups.unite(a, b);
