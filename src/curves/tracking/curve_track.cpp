@@ -18,8 +18,7 @@ constexpr double first_trust = 6; // points that the seed's values stand for
 // A curve is visible over so many points on average, then hidden over so many.
 constexpr double visible_points = 60, hidden_points = 12;
 // Share of its points that are seen where it is hidden: crowns let some pulses through.
-// Of .15 to .3, chosen on scenes with forest of two simulators; 0 loses more wires in
-// crowns and goes astray there more often.
+// Chosen on simulated forests, not estimated; with 0, more wires are lost in crowns.
 constexpr double seen_through = 0.3;
 constexpr double least_gate_noise = 0.03; // of the D of the scene
 constexpr double widest_gate = 2; // of the spacing of the points, times the stretch

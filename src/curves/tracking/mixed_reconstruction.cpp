@@ -59,8 +59,8 @@ constexpr double widest_of_scene = 3;
 // within so many D, and beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
 
-// A single curve that explains this share of the points of a track with less than that
-// share of its noise winds from point to point of clutter.
+// A single curve that explains more than this share of a track's points, with less than
+// this share of the track's noise, winds from point to point of clutter.
 constexpr double most_of_track = 0.5, winding = 0.1;
 
 double
