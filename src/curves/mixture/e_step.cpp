@@ -60,7 +60,7 @@ Expectation::operator()(MixtureState& mixture,
   }
   if (mixture.noise.fixed_radius > 0)
     fixed_radius.measureInformation(mixture, pairs);
-  mixture.outlier_share = std::clamp(outliers / static_cast<double>(n), 1e-3, 1 - 1e-3);
+  mixture.outlier_share = mixture.boundedShare(outliers / static_cast<double>(n));
 }
 
 } // namespace linelet

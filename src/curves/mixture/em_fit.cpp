@@ -85,7 +85,8 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
   mixture_.noise.varied = settings.varied_noise;
   mixture_.noise.deviation = std::max(settings.noise, settings.least_noise);
   mixture_.noise.fixed_radius = settings.fixed_radius;
-  mixture_.outlier_share = settings.outlier_share;
+  mixture_.most_outliers = settings.most_outliers;
+  mixture_.outlier_share = mixture_.boundedShare(settings.outlier_share);
   mixture_.freedom = 0;
   mixture_.edge_count.clear();
   resampleCurves(settings);

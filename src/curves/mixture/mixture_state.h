@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -61,7 +62,15 @@ struct MixtureState {
   std::vector<MixtureEdge> edges; ///< of all curves, one after the other
   std::vector<double> edge_count; ///< points explained by each
   MixtureNoise noise;
-  double outlier_share = 0, log_likelihood = 0, freedom = 0;
+  double outlier_share = 0, most_outliers = 1; ///< shares of the points
+  double log_likelihood = 0, freedom = 0;
+
+  /** \brief \a share of outliers, kept off 0, 1 and beyond the most. */
+  double
+  boundedShare(double share) const
+  {
+    return std::clamp(share, 1e-3, std::clamp(most_outliers, 1e-3, 1 - 1e-3));
+  }
 
   /** \brief The length of a curve, each edge relative to its scale. */
   double

@@ -176,6 +176,15 @@ turned(TrackState state)
 
 } // namespace
 
+double
+Track::weight() const
+{
+  double sum = 0;
+  for (const Member& m : members)
+    sum += m.weight;
+  return sum;
+}
+
 Track
 followCurve(const TrackedScene& scene,
             const TrackSeed& seed,

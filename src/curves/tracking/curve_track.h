@@ -39,6 +39,10 @@ struct Track {
   double evidence = 0;         ///< log-likelihood ratio of curve to background
   double density = 0;          ///< points per length where it is visible
   double noise = 0;            ///< standard deviation about the curve, per coordinate
+
+  /** \brief Number of its points: the sum of their probabilities. */
+  double
+  weight() const;
 };
 
 /** \brief Follows a curve from \a seed both ways by a Kalman filter with probabilistic

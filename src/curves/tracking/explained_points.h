@@ -23,4 +23,9 @@ inline constexpr double own_width = 3;
 void
 explainPoints(TrackedScene& scene, const Track& track, const TrackFit& fit, bool clear);
 
+/** \brief Drops the curves of which most points are also those of clearer ones, and
+ * which lack the evidence \a needed without them. */
+ModelCurves
+withoutExplained(const TrackedScene& scene, ModelCurves curves, double needed);
+
 } // namespace linelet

@@ -55,9 +55,16 @@ constexpr double widest = 1.0 / 30;
 // With 2 or 5 as many wires are found in simulated scenes; 5 leaves more clutter.
 constexpr double widest_of_scene = 3;
 
+// Times that a fit takes in more points around it, at most.
+constexpr int most_widenings = 3;
+
 // What runs along a surface is not a curve of its own either, unless it is very sure:
 // within so many D, and beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
+
+// Points of a curve, at least, and in those of its track, at most: a fit of more has
+// left the track for what lies around it.
+constexpr double fewest_points = 6, most_beyond = 3;
 
 // A single curve that explains more than this share of a track's points, with less than
 // this share of the track's noise, winds from point to point of clutter.
@@ -134,8 +141,8 @@ typicalNoise(const ModelCurves& curves)
   return 0;
 }
 
-/** \brief Drops the curves that are much noisier than the others and less than
- * \a clear: clutter lines up by chance, but not as narrowly as curves are. */
+/** \brief Drops the curves that are much noisier than the others, and not \a clear by
+ * as much: clutter lines up by chance, but not as narrowly as curves are. */
 ModelCurves
 withoutThickOnes(ModelCurves curves, double clear)
 {
@@ -144,7 +151,8 @@ withoutThickOnes(ModelCurves curves, double clear)
                               curves.end(),
                               [&](const ModelCurve& curve) {
                                 return curve.noise > most_noise &&
-                                       curve.evidence < clear;
+                                       curve.evidence <
+                                           clear * curve.noise / most_noise;
                               }),
                curves.end());
   return curves;
@@ -196,7 +204,8 @@ public:
   ModelCurves
   release()
   {
-    return withoutThickOnes(std::move(curves_), clear_);
+    curves_ = withoutThickOnes(std::move(curves_), clear_);
+    return withoutExplained(scene_, std::move(curves_), least_);
   }
 
 private:
@@ -247,42 +256,60 @@ private:
     }
   }
 
+  /** \brief Whether \a fit is one or more curves that \a track followed. */
+  bool
+  isCurve(const EmFit& fit, const Track& track, bool clear) const
+  {
+    const double count = countOf(fit), of_track = track.weight();
+    if (fit.curves.empty() || count < fewest_points || count > most_beyond * of_track)
+      return false;
+    if (fit.curves.size() == 1 && count > most_of_track * of_track &&
+        fit.spread < winding * track.noise)
+      return false;
+    return clear || (fit.noise * std::sqrt(count) <= widest * length(fit.curves) &&
+                     shareOnSurface(scene_, fit.curves, fit.noise) <= most_on_surface);
+  }
+
   /** \return false where \a track is no curve */
   bool
   take(const Track& track)
   {
-    double total = 0, free = 0;
-    for (const Track::Member& m : track.members) {
-      total += m.weight;
+    const double total = track.weight();
+    double free = 0;
+    for (const Track::Member& m : track.members)
       free += scene_.taken[m.index] ? 0 : m.weight;
-    }
     if (track.evidence < std::max(needed_, least_per_point * total))
       return false;
     if (free < least_free * total)
       return true; // of another curve, found meanwhile
-    const auto stop = [this] { return stopped(); };
     const bool clear = track.evidence >= clear_;
-    TrackFit fit = fitTrack(scene_, track, FitTo::Surroundings, clear, stop);
-    if (length(fit.fit.curves) < least_kept * lengthOf(track.path) &&
-        track.evidence > sure * needed_)
-      fit = fitTrack(scene_, track, FitTo::Members, clear, stop);
-    const double count = countOf(fit.fit);
-    if (fit.fit.curves.empty() ||
-        (fit.fit.noise * std::sqrt(count) > widest * length(fit.fit.curves) && !clear))
+    TrackFitter fitter(scene_, track, clear, [this] { return stopped(); });
+    TrackFit fit = fitter.toSurroundings();
+    const bool misled = length(fit.fit.curves) < least_kept * lengthOf(track.path) &&
+                        track.evidence > sure * needed_;
+    if (misled)
+      fit = fitter.toMembers();
+    if (!isCurve(fit.fit, track, clear))
       return false;
-    if (!clear &&
-        shareOnSurface(scene_, fit.fit.curves, fit.fit.noise) > most_on_surface)
-      return false;
-    if (fit.fit.curves.size() == 1 && count > most_of_track * total &&
-        fit.fit.spread < winding * track.noise)
-      return false;
+    for (int k = 0; k < most_widenings && !misled; ++k) {
+      if (fit.fit.curves.size() > 1 || !fitter.widen())
+        break;
+      TrackFit wider = fitter.toSurroundings();
+      if (wider.fit.curves.empty())
+        break;
+      if (!isCurve(wider.fit, track, clear))
+        return false;
+      fit = std::move(wider);
+    }
     explainPoints(scene_, track, fit, clear);
     for (std::size_t c = 0; c < fit.fit.curves.size(); ++c) {
       ModelCurve& curve = fit.fit.curves[c];
       curve.counts = std::move(fit.fit.counts[c]);
       curve.noise = fit.fit.spread;
       const double own = std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0);
-      curve.evidence = track.evidence * own / std::max(count, 1.0);
+      // The points of lines side by side tell as much as those of the track between.
+      curve.evidence =
+          fit.fit.curves.size() > 1 ? track.evidence * own / total : track.evidence;
       if (c == 0 || curve.evidence >= needed_) // else strays beside the others
         curves_.push_back(std::move(curve));
     }

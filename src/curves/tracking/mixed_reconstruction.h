@@ -22,8 +22,8 @@ evidenceNeeded(double points);
  * part of the background. Where the others look linear at some scale, a curve is
  * followed both ways (\ref followCurve), stiff ones first; if it has more evidence
  * against the background around it than all starts together would give by chance, it is
- * refitted (\ref fitTrack) and explains its points. All lengths follow from the points
- * around each curve.
+ * refitted (\ref TrackFitter) and explains its points. All lengths follow from the
+ * points around each curve.
  * \param[in] points finite points, no two in one place
  * \param[in] unit D
  * \return curves with the points explained by each edge, their noise and evidence

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cross_section.h"
 #include "curves/mixture/model_score.h"
 #include "lines_of_track.h"
+#include "points_around.h"
 
 namespace linelet {
 
@@ -25,6 +27,12 @@ constexpr double free_turn = 1, slight_turn = 1e-3;
 // taken where each of them improves the criterion by so much: their offsets were chosen
 // among many.
 constexpr double least_thick = 4, least_gain = 6;
+// Of the distance of the points fitted: where the background begins and ends, and to
+// what it grows if the noise proves wider than the filter took it for.
+constexpr double background_from = 2, background_to = 3, widening = 1.3;
+// Standard deviations by which a count differs from what is expected, and not by
+// chance.
+constexpr double noticed = 3;
 
 /** \brief The way of the filter at equal steps, each the mean of the places there. */
 ModelCurve
@@ -70,28 +78,18 @@ squaredDeparture(const Track& track, const ModelCurve& curve)
   return sum / (2 * static_cast<double>(track.path.size()));
 }
 
-/** \brief The points within \a distance of \a curve that no other one explains. */
-Indices
-pointsAround(const TrackedScene& scene, const ModelCurve& curve, double distance)
+/** \brief Cross section of a tube between two radii, up to a factor. */
+double
+ringArea(double from, double to)
 {
-  Indices result;
-  for (std::size_t e = 0; e < curve.edges(); ++e) {
-    const Point cap =
-        distance * (curve.to(e) - curve.from(e)).stableNormalized(); // rounds the end
-    scene.grid.forEachRunInCylinder(
-        curve.from(e) - cap,
-        curve.to(e) + cap,
-        distance,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            if (!scene.taken[i] &&
-                squaredDistance(curve, e, scene.points()[i]) <= distance * distance)
-              result.push_back(static_cast<Index>(i));
-        });
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  return to * to - from * from;
+}
+
+/** \brief \a count, or more by what chance may add. */
+double
+atMost(double count)
+{
+  return count + noticed * std::sqrt(std::max(count, 1.0));
 }
 
 /** \brief The points around a track, and how they are fitted. */
@@ -141,49 +139,87 @@ takeLinesAlong(const EmFit& one, double gain_of_one, const FitInput& input, EmFi
 
 } // namespace
 
+TrackFitter::TrackFitter(const TrackedScene& scene,
+                         const Track& track,
+                         bool clear,
+                         std::function<bool()> stop)
+    : scene_(scene),
+      track_(track),
+      clear_(clear),
+      stop_(std::move(stop)),
+      start_(smoothPath(track, node_spacing / track.density))
+{
+  start_.scale = local_unit / track.density;
+  // Of few points, nodes lie far apart and cut the bends between them.
+  distance_ = track_reach *
+              std::sqrt(track.noise * track.noise + squaredDeparture(track, start_));
+}
+
 TrackFit
-fitTrack(const TrackedScene& scene,
-         const Track& track,
-         FitTo fit_to,
-         bool clear,
-         const std::function<bool()>& stop)
+TrackFitter::toSurroundings() const
+{
+  const double reach = background_from * distance_;
+  const PointsAround around(scene_, start_, reach);
+  const double background = around.count(distance_, reach) * ringArea(0, distance_) /
+                            ringArea(distance_, reach);
+  return fit(around.within(distance_), background);
+}
+
+TrackFit
+TrackFitter::toMembers() const
+{
+  Indices members;
+  for (const Track::Member& m : track_.members)
+    if (m.weight > 0.5)
+      members.push_back(m.index);
+  const auto count = static_cast<double>(members.size());
+  return fit(std::move(members), count);
+}
+
+bool
+TrackFitter::widen()
+{
+  const double wider = widening * distance_, narrower = distance_ / widening;
+  const double from = background_from * distance_, to = background_to * distance_;
+  const PointsAround around(scene_, start_, to);
+  const double inside = around.count(narrower, distance_);
+  const double outside = around.count(distance_, wider);
+  const double background =
+      around.count(from, to) * ringArea(distance_, wider) / ringArea(from, to);
+  const bool go_on =
+      outside > atMost(background) &&
+      inside / ringArea(narrower, distance_) >= outside / ringArea(distance_, wider);
+  if (go_on)
+    distance_ = wider;
+  return go_on;
+}
+
+TrackFit
+TrackFitter::fit(Indices indices, double background) const
 {
   TrackFit result;
-  const double spacing = node_spacing / track.density;
-  ModelCurve start = smoothPath(track, spacing);
-  start.scale = local_unit / track.density;
-  // Of few points, nodes lie far apart and cut the bends between them.
-  const double distance = track_reach * std::sqrt(track.noise * track.noise +
-                                                  squaredDeparture(track, start));
-  if (fit_to == FitTo::Members) {
-    for (const Track::Member& m : track.members)
-      if (m.weight > 0.5)
-        result.points.push_back(m.index);
-  }
-  else
-    result.points = pointsAround(scene, start, distance);
+  result.points = std::move(indices);
+  ModelCurve start = start_;
   const Point origin = start.nodes.front();
   for (Point& node : start.nodes)
     node -= origin;
   Points points;
   for (const Index i : result.points)
-    points.push_back(scene.points()[i] - origin);
+    points.push_back(scene_.points()[i] - origin);
   CloudFrame frame;
-  frame.scale_unit = local_unit / track.density;
+  frame.scale_unit = local_unit / track_.density;
   frame.diagonal = length(start);
-  frame.volume = M_PI * distance * distance * length(start);
+  frame.volume = M_PI * distance_ * distance_ * length(start);
   frame.dimensions = 3;
-  const UniformGrid grid(points, std::max(distance, 2 * track.noise));
-  EmFitter fitter(points, grid, frame, stop);
+  const UniformGrid grid(points, std::max(distance_, 2 * track_.noise));
+  EmFitter fitter(points, grid, frame, stop_);
   EmSettings settings;
-  double members = 0;
-  for (const Track::Member& m : track.members)
-    members += m.weight;
-  settings.outlier_share =
-      std::clamp(1 - members / static_cast<double>(points.size()), 0.01, 0.99);
-  settings.noise = track.noise;
-  settings.least_noise = least_noise * scene.unit;
-  settings.spacing = spacing;
+  const auto count = static_cast<double>(points.size());
+  settings.outlier_share = std::clamp(1 - track_.weight() / count, 0.01, 0.99);
+  settings.most_outliers = atMost(background) / count;
+  settings.noise = track_.noise;
+  settings.least_noise = least_noise * scene_.unit;
+  settings.spacing = node_spacing / track_.density;
   settings.bending = free_turn / frame.diagonal;
   result.fit = fitter.fit({start}, settings);
   const FitInput input = {points, grid, fitter, settings};
@@ -194,7 +230,7 @@ fitTrack(const TrackedScene& scene,
     const EmFit one = result.fit;
     const double gain = gainOverRibbons(one, input);
     takeLinesAlong(one, gain, input, result.fit);
-    if (clear) {
+    if (clear_) {
       // A free curve may wander between the lines; a stiff one keeps its course.
       stiff.noise = one.noise;
       const EmFit stiff_one = fitter.fit(one.curves, stiff);

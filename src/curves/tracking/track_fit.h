@@ -10,12 +10,6 @@
 
 namespace linelet {
 
-/** \brief The points that a track is refitted to. */
-enum class FitTo {
-  Surroundings, ///< all around it, against which a false curve loses
-  Members       ///< its members alone, if the others are so many that they hide it
-};
-
 /** \brief The result of refitting a track. */
 struct TrackFit {
   EmFit fit;                   ///< curves in the coordinates of the scene
@@ -23,17 +17,48 @@ struct TrackFit {
   std::vector<char> explained; ///< per such point whether a curve made it
 };
 
-/** \brief Fits the mixture to the points around \a track: one curve along it, or as
- * many as its cross-section shows lines (\ref linesAlong), free to bend or stiff,
- * whichever the criterion prefers. No curve if none explains the points better than
- * their background does.
- * \param[in] clear that the track is a curve beyond doubt, so that lines are looked for
- * along a stiff fit, too; in clutter they would be found by chance */
-TrackFit
-fitTrack(const TrackedScene& scene,
-         const Track& track,
-         FitTo fit_to,
-         bool clear,
-         const std::function<bool()>& stop);
+/** \brief Refits a track: the mixture is fitted to points around it, as one curve along
+ * it, or as many as its cross-section shows lines (\ref linesAlong), free to bend or
+ * stiff, whichever the criterion prefers. No curve if none explains the points better
+ * than their background does. */
+class TrackFitter {
+public:
+  /** \param[in] scene, track must outlive the fitter
+   * \param[in] clear that the track is a curve beyond doubt, so that lines are looked
+   * for along a stiff fit, too; in clutter they would be found by chance */
+  TrackFitter(const TrackedScene& scene,
+              const Track& track,
+              bool clear,
+              std::function<bool()> stop);
+
+  /** \brief Fits to all points around the track, against which a false curve loses.
+   * Not more of them are outliers than the density farther off suggests. */
+  TrackFit
+  toSurroundings() const;
+
+  /** \brief Fits to the members of the track alone, if the others are so many that they
+   * hide it. */
+  TrackFit
+  toMembers() const;
+
+  /** \brief Takes in more surroundings if the points go on beyond them, thinning out:
+   * their noise is wider than the track's. Those of another curve lie beyond a gap.
+   * \return whether it did */
+  bool
+  widen();
+
+private:
+  /** \brief Fits to the points of these \a indices.
+   * \param[in] background points that are expected to be of no curve */
+  TrackFit
+  fit(Indices indices, double background) const;
+
+  const TrackedScene& scene_;
+  const Track& track_;
+  bool clear_;
+  std::function<bool()> stop_;
+  ModelCurve start_;
+  double distance_; ///< of the points from the start, at most
+};
 
 } // namespace linelet

@@ -280,15 +280,12 @@ TEST(MixedReconstruction, ThickTracksAreClutterAmongThinCurves)
 // explain all of the undergrowth.
 TEST(MixedReconstruction, SmallCloudsOfClutterAndWiresAreScenes)
 {
-  constexpr unsigned clouds = 12;
-  double in_bushes = 0;
-  for (unsigned seed = 44; seed < 44 + clouds; ++seed) {
+  for (unsigned seed = 44; seed < 56; ++seed) {
     SCOPED_TRACE(seed);
     const CurveNetwork network = reconstructCurves(wiresOverBushes(seed, 200));
+    EXPECT_LE(lengthInBushes(network), 0.05 * 3 * 200);
     EXPECT_GE(shareNear(network, highWireAt, 3, 2, 198, 0.15), 0.9);
-    in_bushes += lengthInBushes(network);
   }
-  EXPECT_LE(in_bushes, 0.05 * clouds * 3 * 200);
 }
 
 class Stopped : public ProgressMonitor {
