@@ -21,6 +21,9 @@ constexpr double visible_points = 60, hidden_points = 12;
 // Chosen on simulated forests, not estimated; with 0, more wires are lost in crowns.
 constexpr double seen_through = 0.3;
 constexpr double least_gate_noise = 0.03; // of the D of the scene
+// Shares of the bending with which a promising curve is followed again: a stiff one is
+// found again behind a crown in which a freer one has lost its way.
+constexpr double stiffer[] = {0.1, 0.01};
 constexpr double widest_gate = 2; // of the spacing of the points, times the stretch
 constexpr std::size_t loop_points = 12;
 
@@ -147,7 +150,7 @@ private:
   }
 
   const TrackedScene& scene_;
-  const TrackBending& bending_;
+  TrackBending bending_;
   double patience_;
   unsigned most_points_;
   Indices first_;
@@ -205,23 +208,28 @@ followCurve(const TrackedScene& scene,
   first.run();
   if (first.members.size() < 3)
     return {};
-  Pass second(scene, bending, patience, most_points);
-  second.density = first.density;
-  second.noise = first.noise;
-  second.state = turned(first.last);
-  second.state.at -= 1e-3 * scene.unit * second.state.direction;
-  second.run();
+  const auto back = [&](const Pass& before, const TrackBending& how) {
+    Pass pass(scene, how, patience, most_points);
+    pass.density = before.density;
+    pass.noise = before.noise;
+    pass.state = turned(before.last);
+    pass.state.at -= 1e-3 * scene.unit * pass.state.direction;
+    pass.run();
+    return pass;
+  };
+  Pass second = back(first, bending);
   if (second.members.size() < 4)
     return {};
   if (second.evidence < promising * second.dispersion)
     return trackOf(std::move(second));
-  Pass third(scene, bending, patience, most_points);
-  third.density = second.density;
-  third.noise = second.noise;
-  third.state = turned(second.last);
-  third.state.at -= 1e-3 * scene.unit * third.state.direction;
-  third.run();
-  return trackOf(std::move(third));
+  Track best = trackOf(back(second, bending));
+  for (const double share : stiffer) {
+    const TrackBending stiff = {share * bending.turn, bending.points};
+    Track track = trackOf(back(back(second, stiff), stiff));
+    if (track.evidence > best.evidence)
+      best = std::move(track);
+  }
+  return best;
 }
 
 } // namespace linelet

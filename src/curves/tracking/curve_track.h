@@ -52,7 +52,8 @@ struct Track {
  * it by normal noise, over a background that is measured around every stretch;
  * stretches may be hidden by what stands above them, so that few of their points are
  * seen (a hidden Markov chain). The evidence is the log-likelihood ratio of this to the
- * background alone, divided by the dispersion of the background (quasi-likelihood); the
+ * background alone, divided by the dispersion of the background (quasi-likelihood); of
+ * curves as free as \a bending and stiffer ones, that of most evidence is returned. A
  * curve ends where continuing has lost more than \a patience of it, cut back to where
  * the evidence was greatest.
  * \param[in] most_points the curve ends after this many each way; 0: no limit

@@ -105,6 +105,38 @@ TEST(CurveTrack, HardlyGoesAstrayWhereLittleOfTheLineIsSeen)
   EXPECT_GE(far, runs / 2);
 }
 
+// A crown of 30 m over a wire of 4 points per meter, an eighth of which it shows: only
+// a curve that bends as evenly as the wire is found again behind it.
+TEST(CurveTrack, FollowsAnEvenCurveThroughACrown)
+{
+  constexpr unsigned runs = 50;
+  unsigned behind = 0, astray = 0;
+  for (unsigned seed = 1; seed <= runs; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::normal_distribution<double> noise(0, 0.03);
+    const auto height = [](double x) { return 0.001 * (x - 50) * (x - 50); };
+    Points points;
+    for (int k = 0; k < 400; ++k) {
+      const double x = 100 * unit(random);
+      if (x < 35 || x > 65 || unit(random) < 0.125)
+        points.emplace_back(x, noise(random), height(x) + noise(random));
+    }
+    for (int k = 0; k < 1500; ++k)
+      points.emplace_back(
+          35 + 30 * unit(random), 6 * unit(random) - 3, 6 * unit(random) - 3);
+    const TrackedScene scene(points, 0.5);
+    const Track track = followCurve(scene, seedAt({10, 0, 1.6}), {0.01, 10}, 12);
+    ASSERT_FALSE(track.path.empty());
+    const Point a = track.path.front(), b = track.path.back();
+    const Point end = a.x() > b.x() ? a : b;
+    behind += end.x() > 90;
+    astray += std::hypot(end.y(), end.z() - height(end.x())) > 0.25;
+  }
+  EXPECT_GE(behind, 3 * runs / 4);
+  EXPECT_LE(astray, runs / 20);
+}
+
 TEST(CurveTrack, CrossesAHiddenStretch)
 {
   Points points = lineInClutter(0.2, 8);
