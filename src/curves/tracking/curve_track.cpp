@@ -226,8 +226,9 @@ followCurve(const TrackedScene& scene,
   for (const double share : stiffer) {
     const TrackBending stiff = {share * bending.turn, bending.points};
     Track track = trackOf(back(back(second, stiff), stiff));
-    if (track.evidence > best.evidence)
-      best = std::move(track);
+    if (track.evidence <= best.evidence)
+      break;
+    best = std::move(track);
   }
   return best;
 }
