@@ -38,8 +38,6 @@ constexpr double least_evidence = 20, least_per_point = 0.5, patience = 12;
 constexpr double promising = 0.5;
 // In spacings of its points: the longest gap between visible stretches of a curve.
 constexpr double widest_gap = 150;
-// Points that failed starts passed this often do not start curves themselves.
-constexpr int most_failures = 2;
 // Share of its points that no other curve may have claimed.
 constexpr double least_free = 0.8;
 // A refit that loses more of the length than this was misled by its surroundings, if
@@ -178,10 +176,10 @@ public:
          double times_needed = 1)
   {
     needed_ = times_needed * least_;
-    failures_.assign(scene_.points().size(), 0);
+    failed_.assign(scene_.points().size(), 0);
     SeedGroups groups(seeds, group_side * scene_.unit);
     const auto is_open = [&](const TrackSeed& seed) {
-      return !scene_.taken[seed.index] && failures_[seed.index] < most_failures;
+      return !scene_.taken[seed.index] && !failed_[seed.index];
     };
     std::size_t tried = 0, told = 0; // to the monitor
     const std::size_t most =
@@ -221,6 +219,8 @@ private:
     std::vector<Track> tracks(group.size());
     forEachChunk(group.size(), 1, settings_.threads, [&](std::size_t k, std::size_t) {
       for (const double width : {1.0, narrower}) {
+        if (tracks[k].evidence >= clear_)
+          break;
         TrackSeed seed = group[k];
         seed.noise *= width;
         Track track = followCurve(scene_,
@@ -249,10 +249,10 @@ private:
         throw Canceled();
       if (take(tracks[k]))
         continue;
-      ++failures_[group[k].index];
+      failed_[group[k].index] = 1;
       for (const Track::Member& m : tracks[k].members)
         if (m.weight > 0.5 && !scene_.taken[m.index])
-          ++failures_[m.index];
+          failed_[m.index] = 1;
     }
   }
 
@@ -321,8 +321,8 @@ private:
   double least_; // evidence needed by any curve of the whole cloud
   double clear_ = very_sure * least_;
   ProgressMonitor* monitor_;
-  double needed_ = 0;         // evidence, of the curves that are followed now
-  std::vector<int> failures_; // per point
+  double needed_ = 0;        // evidence, of the curves that are followed now
+  std::vector<char> failed_; // per point, whether a failed start passed it
   ModelCurves curves_;
 };
 
