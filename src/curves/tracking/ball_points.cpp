@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/** \brief Writes those of \a count points that lie in the ball; what is written beyond
- * them has no meaning. \return how many they are */
+/** \brief Writes those of \a count points that lie in the ball; entries beyond them are
+ * undefined. \return their number */
 std::size_t
 pointsInBall(const double* middle,
              double squared_radius,
@@ -46,7 +46,8 @@ pointsInBall(const double* middle,
     x = hn::Sub(x, mx);
     y = hn::Sub(y, my);
     z = hn::Sub(z, mz);
-    // As Eigen sums, and not fused: every instruction set gives the same bits.
+    // Summed in the order of Eigen, without fused operations: every instruction set
+    // gives the same bits.
     const auto away = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
     const auto inside =
         hn::And(hn::Le(away, radius), hn::FirstN(d, std::min(lanes, count - i)));

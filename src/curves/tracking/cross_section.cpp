@@ -67,7 +67,7 @@ double
 logEven(double x, double half, double deviation)
 {
   const double s = std::sqrt(2.0) * deviation;
-  // Of the far side, to keep digits.
+  // From the far side, to keep digits.
   const double a = (std::abs(x) - half) / s, b = (std::abs(x) + half) / s;
   const double share = 0.5 * (std::erfc(a) - std::erfc(b));
   return std::log(std::max(share, std::numeric_limits<double>::min()) / (2 * half));
@@ -103,8 +103,8 @@ logNormal(const Offset& along, const Scatter& scatter)
   return logNormal(along[0], scatter.narrow) + logNormal(along[1], scatter.wide);
 }
 
-/** \brief Sum over \a offsets of the logarithm of their density, which is \a stray to
- * the share of \a strays, else exp(\a log_density). */
+/** \brief Sum over \a offsets of the logarithm of their density, a mixture of \a stray
+ * with weight \a strays and exp(\a log_density). */
 template <class LogDensity>
 double
 logLikelihood(const std::vector<Offset>& offsets,
@@ -129,7 +129,7 @@ ribbonLikelihood(const std::vector<Offset>& offsets,
   double best = logLikelihood(offsets, strays, stray, [&](const Offset& o) {
     return logNormal(scatter.along(o), scatter);
   });
-  // Even scatter over +-half and noise have the variance together; strays widen it.
+  // Even scatter over +-half and noise add up to the variance; strays inflate it.
   const double even =
       std::sqrt(3 * (scatter.wide * scatter.wide - scatter.narrow * scatter.narrow));
   for (const double share : {0.8, 0.9, 1.0, 1.1})

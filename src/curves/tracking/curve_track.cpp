@@ -14,8 +14,8 @@ constexpr double gate_width = 3;  // standard deviations
 constexpr double ring_width = 3;  // gates
 constexpr double stretch = 4;     // points expected on the stretch looked at
 constexpr double memory = 40;     // points over which density and noise are averaged
-constexpr double first_trust = 6; // points that the seed's values stand for
-// A curve is visible over so many points on average, then hidden over so many.
+constexpr double first_trust = 6; // points that the seed's values count as
+// Mean number of points over which a curve is visible, and then hidden.
 constexpr double visible_points = 60, hidden_points = 12;
 // Share of its points that are seen where it is hidden: crowns let some pulses through.
 // Chosen on simulated forests, not estimated; with 0, more wires are lost in crowns.
@@ -130,7 +130,7 @@ public:
       density = count / length;
       noise = std::max(std::sqrt(squares / weights), least_gate_noise * scene_.unit);
       pass(h - place);
-      // A loop that is joined after the first points never comes back to them.
+      // A track that enters a loop after its first points never comes back to them.
       const bool looping = looped || members.size() > scene_.points().size();
       if (looping || (most_points_ > 0 && members.size() >= most_points_))
         break;
@@ -168,7 +168,8 @@ trackOf(Pass&& pass)
   return track;
 }
 
-/** \brief \a state turned about, and less certain: the points it knows come again. */
+/** \brief \a state reversed, and less certain: the points it knows will be seen again.
+ */
 TrackState
 turned(TrackState state)
 {

@@ -24,8 +24,8 @@ struct TrackSeed {
 
 /** \brief How freely a curve may bend. */
 struct TrackBending {
-  double turn = 0.01; ///< standard deviation of its direction, radians, ...
-  double points = 10; ///< ... after so many points
+  double turn = 0.01; ///< standard deviation of its change of direction, radians, ...
+  double points = 10; ///< ... over this many points
 };
 
 /** \brief A curve that was followed through its surroundings. */

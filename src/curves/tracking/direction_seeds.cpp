@@ -20,9 +20,9 @@ namespace linelet {
 namespace {
 
 constexpr std::size_t neighbors = 6; // the nearest; one of them is the next of a curve
-// D; where they are nearer, a ball shows what there is.
+// D; where neighbors are nearer, a ball suffices.
 constexpr double sparse = 1;
-constexpr double growth = 1.4; // of the ball until it holds so many
+constexpr double growth = 1.4; // of the ball until it holds that many
 // Of the cylinder, in distances to the neighbor: half its length, over which a curve is
 // straight enough, and its radius.
 constexpr double half_length = 3.5, radius = 0.1;
@@ -62,14 +62,14 @@ struct OpenPoints {
 
 using Neighbors = std::vector<UniformGrid::Neighbor>; // by their sorted indices
 
-/** \brief What is found around a point, kept for its room. */
+/** \brief What is found around a point, kept to reuse its memory. */
 struct Around {
   Neighbors nearest;
   BallPoints in_ball;
 };
 
-/** \brief Finds the points around \a at. Those of other curves count, so that what
- * these leave behind is compared with them. */
+/** \brief Finds the points around \a at. Those of other curves count, too, as what
+ * these leave unexplained is judged against them. */
 void
 findPointsAround(const UniformGrid& grid,
                  const Point& at,
@@ -219,7 +219,7 @@ bestSeed(const OpenPoints& open, std::size_t i, Around& found)
     const double members = found_there.members;
     if (members < least_members)
       continue;
-    // Two of them chose the cylinder, which takes this share of the ball.
+    // Two of them define the cylinder.
     const double more = members - 2;
     const double expected = found_there.in_ball * 1.5 * wide * wide / (half * half);
     const double evidence = more * std::log(more / expected) - more + expected;
@@ -250,7 +250,7 @@ seedsAlongDirections(const TrackedScene& scene,
   if (monitor)
     monitor->begin("sparse curves", count);
   std::vector<TrackSeed> seeds;
-  // What the most of so many points would show by chance.
+  // What the best of so many points would show by chance.
   const double needed = std::log(std::max(points, 1.0));
   std::mutex seeds_mutex;
   forEachChunk(count, 64, threads, [&](std::size_t begin, std::size_t end) {

@@ -16,7 +16,7 @@ namespace linelet {
  *
  * Around every point that no surface and no curve explains, the cylinder through each
  * of its neighbors is compared with the ball that contains it: it must hold more points
- * than chance would bring into the best of so many.
+ * than the best of so many would by chance.
  * \param[in] points of the whole scene, by which chance is judged
  * \return at most one seed per point, the best first */
 std::vector<TrackSeed>

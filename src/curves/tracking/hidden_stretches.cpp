@@ -20,7 +20,7 @@ namespace linelet {
 
 namespace {
 
-constexpr std::size_t least_nodes = 4; // of a curve, to tell a parabola
+constexpr std::size_t least_nodes = 4; // of a curve, to determine a parabola
 // Cosine of the angle by which a curve may turn away from the gap before it.
 constexpr double facing = 0.9;
 

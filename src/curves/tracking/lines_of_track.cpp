@@ -116,7 +116,7 @@ private:
   std::vector<double> x_, y_;
 };
 
-/** \brief Where \a offsets gather on the scale \a width, the most of them first. */
+/** \brief Where \a offsets gather on the scale \a width, the densest first. */
 std::vector<Offset>
 modesOf(const std::vector<Offset>& offsets, double width)
 {

@@ -61,7 +61,7 @@ linearShare(const Points& points, double unit, unsigned threads)
   settings.max_radius = largest_radius * unit;
   settings.scale_unit = unit;
   settings.threads = threads;
-  // Scan lines are linear, too; that a surface runs through them shows from their own.
+  // Scan lines are linear, too, but their points see the surface that they lie on.
   const std::vector<double> radii = multiScaleRadii(points, settings).radii;
   const Points around = pointsNear(points, sample, settings.max_radius);
   std::vector<SurfaceScales> surfaces(count);

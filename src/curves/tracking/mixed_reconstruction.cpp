@@ -43,21 +43,22 @@ constexpr double least_free = 0.8;
 // A refit that loses more of the length than this was misled by its surroundings, if
 // the evidence is this many times what is needed.
 constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
-// Noise of a curve, in geometric means of its length and the spacing of its points, at
-// most, unless it stands out very clearly: the wider it is for its spacing, the longer
-// it must be. Of the tracks looked at, in scenes of two simulators, nine tenths of the
-// strips of surfaces and crowns lie above, and six hundredths of the wires.
+// Largest noise of a curve, in geometric means of its length and the spacing of its
+// points, unless it stands out very clearly: the wider it is for its spacing, the
+// longer it must be. Of the tracks looked at, in scenes of two simulators, nine tenths
+// of the strips of surfaces and crowns lie above, and 6 % of the wires.
 constexpr double widest = 1.0 / 30;
 
-// Noise of a curve, in that of its scene, at most, unless it stands out very clearly.
-// With 2 or 5 as many wires are found in simulated scenes; 5 leaves more clutter.
+// Largest noise of a curve, relative to that of its scene, unless it stands out very
+// clearly. With 2 or 5 as many wires are found in simulated scenes; 5 leaves more
+// clutter.
 constexpr double widest_of_scene = 3;
 
 // Times that a fit takes in more points around it, at most.
 constexpr int most_widenings = 3;
 
 // What runs along a surface is not a curve of its own either, unless it is very sure:
-// within so many D, and beyond the curve's own scatter, on most of its length.
+// within this many D, and beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
 
 // Points of a curve, at least, and in those of its track, at most: a fit of more has
@@ -87,8 +88,8 @@ countOf(const EmFit& fit)
 }
 
 // Share of \a curves right beside which a surface lies: such a curve is its edge, or a
-// row of its points. Points of its own are none, nor are those of curves found before,
-// although wires side by side look like a surface from them.
+// row of its points. Its own points are not counted, nor are those of curves found
+// before, although wires side by side look like a surface from them.
 double
 shareOnSurface(const TrackedScene& scene, const ModelCurves& curves, double noise)
 {
@@ -351,11 +352,11 @@ mixedCurves(const Points& all,
                             ? settings.whole.points
                             : static_cast<double>(scene.points().size());
   SceneCurves curves(scene, settings, points, monitor);
-  // First: what they explain misleads no other any more.
+  // These come first: what they explain no longer misleads the others.
   curves.follow(seeds.open, stiff);
   if (!settings.only_stiff)
     curves.follow(seeds.open, flexible);
-  // Very sure curves show that what looked like a sparse surface is none.
+  // Very clear curves show that what looked like a sparse surface is not one.
   for (const Index i : seeds.sparse_surfaces)
     scene.surface[i] = 0;
   curves.follow(seeds.on_sparse_surfaces, stiff, very_sure);

@@ -30,7 +30,7 @@ SeedGroups::next(std::size_t most, const std::function<bool(const TrackSeed&)>& 
   for (; best_ < seeds_.size() && group.empty() && most > 0; ++best_) {
     std::vector<std::size_t>& left = cells_[cell_of_[best_]];
     if (left.empty() || left.back() != best_)
-      continue; // was in another group
+      continue; // already in another group
     while (!left.empty() && group.size() < most) {
       const TrackSeed& seed = seeds_[left.back()];
       const bool is_first = group.empty();

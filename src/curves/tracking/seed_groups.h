@@ -29,7 +29,7 @@ public:
   std::vector<TrackSeed>
   next(std::size_t most, const std::function<bool(const TrackSeed&)>& is_open);
 
-  /** \brief How many have been handed out or left out. */
+  /** \brief Number of seeds handed out or left out. */
   std::size_t
   passed() const
   {

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint32_t least_planar = 8; // neighbors
 constexpr double planar = 0.5, again_linear = 0.7;
-// So many points of a surface are not even this linear by chance: the points of a curve
-// that scatter far are.
+// This many points of a surface are not even this linear by chance; widely scattered
+// points of a curve are.
 constexpr double hardly_linear = 0.55;
 constexpr std::uint32_t many = 12;
 // Of the cells of a disc that scattered points would occupy, a surface fills most, and

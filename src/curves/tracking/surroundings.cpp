@@ -14,9 +14,10 @@ namespace linelet {
 namespace {
 
 constexpr std::size_t sectors = 8, rings = 3;
-// Clutter gathers by chance: a curve is more than that much denser than what is around.
+// Clutter gathers by chance: a curve is denser than its surroundings by more than this
+// factor.
 constexpr double clumping = 1.5;
-constexpr double few = 0.5; // points that a ring without any stands for
+constexpr double few = 0.5; // points that an empty ring counts as
 
 /** \brief Two directions across \a direction. */
 std::array<Point, 2>

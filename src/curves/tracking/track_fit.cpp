@@ -20,21 +20,22 @@ constexpr double track_reach = 4; // standard deviations, of the points around a
 constexpr double node_spacing = 3.6; // spacings of the points, as of a cloud of curves
 constexpr double local_unit = 3;     // spacings: the sixth neighbor on a line, D there
 constexpr double least_noise = 0.02; // D of the scene
-// Squares of the angles by which a curve is thought to turn over its length, before its
-// points tell: freely, and like a wire that hangs in a span.
+// Prior variance of the angle by which a curve turns over its length: freely, and like
+// a wire that hangs in a span.
 constexpr double free_turn = 1, slight_turn = 1e-3;
 // Lines side by side are looked for where the noise is this many times the least, and
-// taken where each of them improves the criterion by so much: their offsets were chosen
+// taken if each of them improves the criterion by this much: their offsets were chosen
 // among many.
 constexpr double least_thick = 4, least_gain = 6;
-// Of the distance of the points fitted: where the background begins and ends, and to
-// what it grows if the noise proves wider than the filter took it for.
+// In largest distances of the fitted points: where the background begins and ends; and
+// the factor by which that distance grows if the noise is wider than the filter
+// assumed.
 constexpr double background_from = 2, background_to = 3, widening = 1.3;
-// Standard deviations by which a count differs from what is expected, and not by
-// chance.
+// A count that exceeds its expectation by this many standard deviations does not do so
+// by chance.
 constexpr double noticed = 3;
 
-/** \brief The way of the filter at equal steps, each the mean of the places there. */
+/** \brief The path of the filter at equal steps, each the mean of its places. */
 ModelCurve
 smoothPath(const Track& track, double spacing)
 {
@@ -115,9 +116,9 @@ gainOverRibbons(const EmFit& fit, const FitInput& input)
          0.5 * input.score(fit);
 }
 
-/** \brief Takes lines side by side along \a one, a single curve, where they tell more
- * than \a best and than ribbons, of which one has \a gain_of_one: either where each
- * goes its own way, or as modes of one cross-section. */
+/** \brief Takes lines side by side along \a one, a single curve, where they explain
+ * more than \a best and than ribbons, of which one has \a gain_of_one: either where
+ * each goes its own way, or as modes of one cross-section. */
 void
 takeLinesAlong(const EmFit& one, double gain_of_one, const FitInput& input, EmFit& best)
 {
@@ -150,7 +151,7 @@ TrackFitter::TrackFitter(const TrackedScene& scene,
       start_(smoothPath(track, node_spacing / track.density))
 {
   start_.scale = local_unit / track.density;
-  // Of few points, nodes lie far apart and cut the bends between them.
+  // With few points, nodes lie far apart and cut corners.
   distance_ = track_reach *
               std::sqrt(track.noise * track.noise + squaredDeparture(track, start_));
 }
@@ -242,7 +243,7 @@ TrackFitter::fit(Indices indices, double background) const
     }
   }
   if (!result.fit.curves.empty()) {
-    // Of few noisy points, a stiffer curve may say more.
+    // With few noisy points, a stiffer curve may score better.
     stiff.noise = result.fit.noise;
     EmFit fit = fitter.fit(result.fit.curves, stiff);
     if (!fit.curves.empty() && input.score(fit) < input.score(result.fit))

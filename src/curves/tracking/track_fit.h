@@ -31,13 +31,13 @@ public:
               bool clear,
               std::function<bool()> stop);
 
-  /** \brief Fits to all points around the track, against which a false curve loses.
-   * Not more of them are outliers than the density farther off suggests. */
+  /** \brief Fits to all points around the track, against which a false curve loses. No
+   * more of them can be outliers than the density farther off suggests. */
   TrackFit
   toSurroundings() const;
 
-  /** \brief Fits to the members of the track alone, if the others are so many that they
-   * hide it. */
+  /** \brief Fits to the members of the track alone, if there are so many others that
+   * they hide it. */
   TrackFit
   toMembers() const;
 
@@ -49,7 +49,7 @@ public:
 
 private:
   /** \brief Fits to the points of these \a indices.
-   * \param[in] background points that are expected to be of no curve */
+   * \param[in] background expected number of points that belong to no curve */
   TrackFit
   fit(Indices indices, double background) const;
 

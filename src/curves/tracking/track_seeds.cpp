@@ -29,7 +29,7 @@ seedAt(std::size_t i, const Point& at, const ScaleShape& shape, double radius)
   seed.direction = Point(shape.major_x, shape.major_y, shape.major_z);
   seed.radius = radius;
   seed.density = shape.neighbors / (2 * radius);
-  // Of a line through its middle, l3 is r^2 / 3; the query has as much noise as the
+  // For a line through its middle, l3 is r^2 / 3; the query has as much noise as the
   // neighbors around it.
   const double least = shape.sphericity / 3, middle = least + shape.planarity / 2;
   const double most = 1 - least - middle;

@@ -28,8 +28,8 @@ dot(const V (&a)[3], const V (&b)[3])
                  hn::Mul(a[2], b[2]));
 }
 
-/** \brief Writes those of \a count points that lie in the tube; what is written beyond
- * them has no meaning. \return how many they are */
+/** \brief Writes those of \a count points that lie in the tube; entries beyond them are
+ * undefined. \return their number */
 std::size_t
 pointsInTube(const Tube& tube,
              const double* xyz,
