@@ -16,10 +16,10 @@ namespace {
 
 constexpr const char* prefix = "random-";
 // Stretches pass each other at this many times the jitter, and never more closely than
-// that: closer ones would be one curve to any eye.
+// that: closer ones would look like one curve.
 constexpr double clear_jitters = 2.5, least_gap = 0.8;
 constexpr int student_freedom = 3;
-constexpr double least_width = 1.0 / 9; // of noise that varies, beside its widest
+constexpr double least_width = 1.0 / 9; // of varying noise, relative to its widest
 constexpr double ball = 0.6;            // radius of the outliers, in diagonals
 constexpr double farthest = 1000, smallest = 0.01, largest = 100; // of the placing
 

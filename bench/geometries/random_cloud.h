@@ -45,8 +45,8 @@ namespace linelet::bench {
 /** \brief A kind of random clouds; all else follows from seed and sampling. */
 struct RandomCloudKind {
   ShapeFamily family = ShapeFamily::Open;
-  /// In a plane, with outliers and noise; but noise of fixed radius, which would make
-  /// two curves of one there, and the outliers beside it are in space.
+  /// In a plane, as are outliers and noise, except noise of fixed radius, which would
+  /// turn one curve into two there, and its outliers.
   bool flat = false;
   NoiseKind noise = NoiseKind::Normal;
 };
@@ -73,7 +73,7 @@ struct RandomCloud {
  * jitter is the root mean square of the displacements in the unit of the shape; where
  * the noise varies, at its widest. The outliers are even in a ball (in a plane: a disc)
  * whose diameter is 1.2 times the diagonal of the shape's box. hole and out_of_plane
- * have no say. */
+ * are ignored. */
 RandomCloud
 randomCloud(const RandomCloudKind& kind, const SamplingSettings& sampling);
 

@@ -33,7 +33,7 @@ randomDirection(bool flat, Random& random)
   }
 }
 
-/** \brief \a direction turned by \a angle toward anywhere across it. */
+/** \brief \a direction turned by \a angle toward a random direction across it. */
 Point
 turnedAtRandom(const Point& direction, double angle, bool flat, Random& random)
 {

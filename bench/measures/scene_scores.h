@@ -14,7 +14,7 @@ namespace linelet::bench {
 struct SceneScoreSettings {
   double step = 0.5;    ///< spacing of samples
   double near = 0.10;   ///< a true wire is covered where something found is this near,
-  double noises = 3;    ///< ... or within so many standard deviations of its points,
+  double noises = 3;    ///< ... or within this many standard deviations of its points,
   double margin = 0.10; ///< ... or this near to its bundle
   double astray = 0.50; ///< a found wire is false if no wire (bundle) is this near
   double beside = 0.25; ///< a found curve is false where nothing long and thin (its
@@ -70,7 +70,7 @@ struct CalibrationBin {
   double confidence_sum = 0;
 };
 
-/** \brief Sorts found wires by their stated confidence.
+/** \brief Bins found wires by their stated confidence.
  * \param[in] found one curve per wire, in the frame of \a truth
  * \param[in] confidence one per wire, in [0, 1]
  * \param[in,out] bins results are added to them

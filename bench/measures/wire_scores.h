@@ -19,8 +19,8 @@ struct WireScoreSettings {
   double astray = 0.50; ///< a found wire is false if no true one is this near
   double whole = 0.25;  ///< distance and ...
   double share = 0.80;  ///< ... share of a span that one vector must cover to find it
-  double shortest = 10; ///< true wires shorter than this ask for nothing: rests of a
-                        ///< span at the border of a scan
+  double shortest = 10; ///< true wires shorter than this are not required: remnants of
+                        ///< a span at the border of a scan
 };
 
 /** \brief How well extracted wires match the truth. Lengths in meters. */

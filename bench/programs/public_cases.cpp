@@ -77,7 +77,7 @@ readTruth(const std::string& file)
       for (std::size_t i = 0; words >> i;)
         curve.points.push_back(vertices.at(i - 1));
       if (curve.points.size() > 2 && curve.points.front() == curve.points.back()) {
-        // These files list an open curve forth and back.
+        // These files list an open curve back and forth.
         const std::size_t half = curve.points.size() / 2;
         if (std::equal(curve.points.begin(),
                        curve.points.begin() + static_cast<std::ptrdiff_t>(half),

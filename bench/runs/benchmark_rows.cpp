@@ -22,7 +22,7 @@ format(const char* pattern, double value)
   return text;
 }
 
-/** \brief What \ref shapeName calls so. */
+/** \brief What \ref shapeName gives that name. */
 void
 setShape(BenchmarkRun& run, const std::string& name)
 {

@@ -19,8 +19,8 @@ struct RunSummary {
   double success = 0;                            ///< share of the runs, 0 to 1
   double e_v = 0, e_h = 0, e_len = 0, e_com = 0; ///< see measures.h
   double milliseconds = 0;                       ///< of a run
-  /// Of E_V: the values below which 5, 25, 50, 75 and 95 % of the runs lie. NaN of
-  /// none.
+  /// Of E_V: the values below which 5, 25, 50, 75 and 95 % of the runs lie. NaN without
+  /// runs.
   std::array<double, 5> e_v_quantiles{};
 
   /** \brief Standard error of \ref success; NaN below two runs. */

@@ -40,7 +40,7 @@ check(const CorridorSettings& s)
   within(s.length, 20, 20000, "length");
   within(s.width, 10, 2000, "width");
   demand(s.density > 0 && s.density <= 2000, "--density above 0, up to 2000");
-  demand(s.length * s.width * s.density <= 1e9, "at most a thousand million pulses");
+  demand(s.length * s.width * s.density <= 1e9, "at most 1e9 pulses");
   within(s.altitude, 90, 5000, "altitude");
   demand(s.divergence > 0 && s.divergence <= 5, "--divergence above 0, up to 5");
   within(s.strips, 1, 100, "strips");

@@ -15,7 +15,7 @@
 
 namespace linelet::bench {
 
-/** \brief How the cross-arms of a simulated pylon carry its six conductors. */
+/** \brief How the crossarms of a simulated pylon carry its six conductors. */
 enum class TowerType {
   Any,    ///< the seed decides
   Donau,  ///< two levels: four conductors below, two above
@@ -55,7 +55,7 @@ struct CorridorSettings {
   TowerType tower = TowerType::Any;
   double span = 0;          ///< mean span; 0: by voltage
   double catenary = 0;      ///< catenary constant a of the conductors; 0: by voltage
-  unsigned bundle = 0;      ///< sub-conductors, 1 or 2; 0: by voltage
+  unsigned bundle = 0;      ///< subconductors, 1 or 2; 0: by voltage
   unsigned earth_wires = 1; ///< 0 to 2
   double angle = 8;         ///< the line's change of direction at one pylon, degrees
   double wind = 0;          ///< angle by which wind swings the wires, degrees
@@ -120,7 +120,7 @@ struct CorridorWire {
   WireKind kind = WireKind::Conductor;
   int line = 0;   ///< 0: the high-voltage line, then the pole lines
   int span = 0;   ///< along its line
-  int number = 0; ///< across its span; sub-conductors of a bundle share it
+  int number = 0; ///< across its span; subconductors of a bundle share it
   Points points;  ///< vertices about 2 m apart, less than 1 mm off the catenary
   bool front_attached = false; ///< points.front() is an attachment (else: cut by the
                                ///< border of the scan)

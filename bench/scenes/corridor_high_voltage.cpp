@@ -13,7 +13,7 @@ namespace linelet::bench::corridor {
 
 namespace {
 
-/** A place on a cross-arm where a conductor is attached. */
+/** A place on a crossarm where a conductor is attached. */
 struct Arm {
   double offset, height;
 };
@@ -22,10 +22,10 @@ struct Arm {
  */
 struct TowerPlan {
   double scale;
-  double lowest_arm; ///< height of the lowest cross-arm above ground
+  double lowest_arm; ///< height of the lowest crossarm above ground
   double insulator;  ///< length of a suspension string
   std::vector<Arm> arms;
-  double peak; ///< above the lowest cross-arm
+  double peak; ///< above the lowest crossarm
 };
 
 TowerPlan
@@ -92,7 +92,7 @@ addPylon(Scene& scene, const TowerPlan& plan, const Pylon& pylon, unsigned earth
   addLattice(
       scene, middle, top, static_cast<int>(plan.peak / 1.6), 0.05 * f, PylonClass);
 
-  // A cross-arm: two lower chords and an upper one that meet at the tip, braced.
+  // A crossarm: two lower chords and an upper one that meet at the tip, braced.
   for (const Arm& a : plan.arms) {
     const double z = arm + a.height, side = a.offset < 0 ? -1 : 1;
     const Point tip = pylon.base + a.offset * pylon.across + z * Point::UnitZ();
@@ -129,7 +129,7 @@ addPylon(Scene& scene, const TowerPlan& plan, const Pylon& pylon, unsigned earth
   scene.keep_clear.emplace_back(pylon.base.x(), pylon.base.y(), 7 * f);
 }
 
-/** Pylons from before the start to behind the end; the line turns at one of them. */
+/** Pylons from before the start to beyond the end; the line turns at one of them. */
 std::vector<Pylon>
 placePylons(const Scene& scene,
             const CorridorSettings& settings,
@@ -181,7 +181,7 @@ attachment(const TowerPlan& plan, const Pylon& pylon, const Arm& arm, bool hangs
          (plan.lowest_arm + pylon.extension + arm.height - drop) * Point::UnitZ();
 }
 
-/** The loop that leads the current around a tension pylon, below the cross-arm. */
+/** The loop that leads the current around a tension pylon, below the crossarm. */
 void
 addJumper(Scene& scene,
           const std::vector<Pylon>& pylons,

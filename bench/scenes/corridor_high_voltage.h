@@ -7,7 +7,7 @@
 
 namespace linelet::bench::corridor {
 
-/** \brief The high-voltage line from before the scan's start to behind its end. */
+/** \brief The high-voltage line from before the scan's start to beyond its end. */
 void
 addHighVoltageLine(Scene& scene, const CorridorSettings& settings, Random& random);
 

@@ -169,7 +169,8 @@ addTree(Scene& scene, const Point& base, double height, Random& random)
              0.012 * height + 0.03,
              VegetationClass,
              0.4);
-  // A conifer is a stack that narrows upwards; a broad-leaved crown a few round masses.
+  // A conifer is a stack that narrows upward; a broad-leaved crown is a few round
+  // masses.
   const int parts = conifer ? 4 : 3;
   for (int i = 0; i < parts; ++i) {
     const double t = (i + 0.5) / parts, tall = (height - leafless) / parts;

@@ -76,7 +76,7 @@ Point
 planeNormal(const Representative& of)
 {
   const EigenSystem system = eigenAnalysis(of.tensor);
-  // Below this ratio rounding alone could make a plane of a row.
+  // Below this ratio, rounding alone could turn a row into a plane.
   constexpr double row = 1e-9;
   const bool is_plane = of.count >= 3 && system.values[1] > row * system.values[2];
   return is_plane ? system.normal() : Point::Zero();

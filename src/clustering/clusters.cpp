@@ -14,7 +14,7 @@ std::vector<double>
 clusterMeans(const Clusters& clusters, const std::vector<double>& values)
 {
   const std::size_t count = clusters.representatives.size();
-  // From the first value on, so that large numbers, times say, keep their digits.
+  // Relative to the first value, so that large numbers such as times keep their digits.
   std::vector<double> first(count, std::nan("")), sums(count);
   std::vector<std::size_t> numbers(count);
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -11,7 +11,7 @@ namespace linelet::clustering {
 
 namespace {
 
-constexpr std::int32_t reach = 2;  ///< cells; with 1, there are but 26 directions
+constexpr std::int32_t reach = 2;  ///< cells; with 1, there are only 26 directions
 constexpr double one_sided = 0.25; ///< of the mean direction; half of a half space's
 
 bool
@@ -36,8 +36,7 @@ normalOf(const Representative& of,
     for (std::int32_t dy = -reach; dy <= reach; ++dy)
       for (std::int32_t dz = -reach; dz <= reach; ++dz) {
         const Cell cell = {of.cell[0] + dx, of.cell[1] + dy, of.cell[2] + dz};
-        // What lies out of a camera's view is unknown; what lies outside of the box
-        // is empty.
+        // What is out of a camera's view is unknown; what is outside the box is empty.
         if (frame.perspective && !isWithin(cell, frame.cells))
           continue;
         const Index slot = directory.find(cell);

@@ -217,7 +217,7 @@ private:
   }
 
   /** \brief Calls work(begin, end, sums) for parts of the points, with sums per thread
-   * that are added up in the end. */
+   * that are added up at the end. */
   template <class Work>
   void
   forPartsWithSums(const Work& work)

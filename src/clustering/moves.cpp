@@ -20,7 +20,7 @@ populationShifts(const std::vector<std::uint32_t>& border_counts,
   const std::size_t slots = populations.size();
   std::vector<std::uint8_t> shifts(slots * faces);
   std::vector<std::int64_t> gains(slots);
-  // A point moves between two cells, over the face that it is near at home.
+  // A point moves between two cells, across the nearest face of its home cell.
   const auto flow = [&](std::size_t from, std::size_t to, std::uint32_t face) {
     // With six neighbors, more than a sixth of a difference could overshoot.
     std::int64_t allowed = (populations[from] - populations[to]) / faces;

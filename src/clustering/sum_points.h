@@ -13,8 +13,8 @@
 
 namespace linelet::clustering {
 
-/** \brief Adds integer offsets from the middle of a cell to its sums, or, with \a Sign
- * -1, takes them away. */
+/** \brief Adds integer offsets from the middle of a cell to its sums or, with \a Sign
+ * -1, subtracts them. */
 template <int Sign>
 void
 addOffsets(std::int64_t x, std::int64_t y, std::int64_t z, CellSums& sum)
@@ -31,7 +31,7 @@ addOffsets(std::int64_t x, std::int64_t y, std::int64_t z, CellSums& sum)
   sum.second[5] += Sign * (z * z);
 }
 
-/** \brief Adds \a p to the sums of the cell of \a origin, or takes it away. */
+/** \brief Adds \a p to the sums of the cell of \a origin, or subtracts it. */
 template <int Sign>
 void
 addPoint(const Point& p, const CellOrigin& origin, CellSums& sum)

@@ -51,7 +51,7 @@ ScaleSweep::clear()
 void
 ScaleSweep::add(const Point& offset, double squared)
 {
-  // Most neighbors belong to the last scales, whatever the cloud looks like.
+  // In any cloud, most neighbors belong to the last scales.
   std::size_t scale = radii_.size() - 1;
   while (scale > 0 && squared <= squared_radii_[scale - 1])
     --scale;

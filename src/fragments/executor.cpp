@@ -60,7 +60,7 @@ private:
       const std::lock_guard<std::mutex> lock(mutex_);
       if (!error_)
         error_ = std::current_exception();
-      ended_ = true; // the other queues, too, after what they compute
+      ended_ = true; // the other queues end, too, after their current fragment
     }
   }
 

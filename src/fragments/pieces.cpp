@@ -59,8 +59,8 @@ Pieces::path(std::size_t fragment, std::size_t input) const
   return (fs::path(folder_) / "pieces" / name).string();
 }
 
-/** Where an input keeps what fragment \a number may have; nothing where it has no
- * octree to go by. */
+/** Where an input keeps the points that fragment \a number may have; empty if it has no
+ * octree. */
 Pieces::Ranges
 Pieces::octreeRanges(std::size_t input, std::size_t number) const
 {
@@ -76,7 +76,7 @@ Pieces::octreeRanges(std::size_t input, std::size_t number) const
                          box.high[1] + reach_});
 }
 
-/** \return how many points came to it */
+/** \return number of points added */
 std::size_t
 Pieces::appendOfOctree(std::size_t input,
                        const std::vector<io::PointRange>& ranges,

@@ -85,8 +85,8 @@ endsLater(const Choice& a, const Choice& b)
   return a.completion > b.completion;
 }
 
-/** Between two equal devices all fragments suffer alike, except for rounding: then
- * the longest one is to be placed first. */
+/** With two equal devices all fragments suffer alike, except for rounding: the longest
+ * one then goes first. */
 bool
 suffersMore(const Choice& a, const Choice& b)
 {

@@ -80,7 +80,7 @@ Tiling::Tiling(std::vector<Cut> cuts) : cuts_(std::move(cuts))
     for (const int side : {cut.below, cut.above})
       if (side >= static_cast<int>(cuts_.size()) ||
           side < -1 - static_cast<int>(cuts_.size()) || cut.axis < 0 || cut.axis > 1)
-        throw std::invalid_argument("these cuts do not make a tiling");
+        throw std::invalid_argument("these cuts are not a tiling");
 }
 
 Tiling::Tiling(const std::vector<Extent>& inputs, const TilingSettings& settings)
@@ -88,7 +88,7 @@ Tiling::Tiling(const std::vector<Extent>& inputs, const TilingSettings& settings
   for (const double number : {settings.ghost, settings.chunk, settings.most_points})
     if (!(number >= 0) || !std::isfinite(number))
       throw std::invalid_argument(
-          "boxes cannot be cut by negative or infinite numbers");
+          "lengths and numbers of points must be finite and not negative");
   constexpr double none = std::numeric_limits<double>::infinity();
   Area all{{none, none}, {-none, -none}};
   for (const Extent& input : inputs)

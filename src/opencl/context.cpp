@@ -17,7 +17,7 @@ namespace linelet::opencl {
 namespace {
 
 // The driver may reorder sums and fuse multiplications: results hold to float accuracy.
-// Infinities and NaN keep their meaning, some weights pass through them.
+// Infinities and NaN keep their meaning: some weights pass through them.
 constexpr const char* build_options =
     "-cl-std=CL1.2 -cl-mad-enable -cl-no-signed-zeros -cl-unsafe-math-optimizations ";
 
@@ -81,7 +81,7 @@ allDevices()
       platform.getDevices(CL_DEVICE_TYPE_ALL, &some);
     }
     catch (const cl::Error&) {
-      continue; // a platform without devices says so by an error
+      continue; // a platform without devices reports an error
     }
     all.insert(all.end(), some.begin(), some.end());
   }
@@ -104,7 +104,7 @@ choose(const std::vector<cl::Device>& all, const std::string& wish)
 {
   if (all.empty())
     throw Error(
-        "OpenCL has no device here; install a driver (on Debian: apt-get install "
+        "no OpenCL device was found; install a driver (on Debian: apt-get install "
         "pocl-opencl-icd) or choose another engine",
         CL_DEVICE_NOT_FOUND);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -169,8 +169,8 @@ Context::built(const std::string& key,
   const auto known = programs_.find(key);
   if (known != programs_.end())
     return known->second;
-  // PoCL 3.1 counts the users of a kernel by its preprocessed source, and aborts where
-  // two of its devices run the same one at the same time: here, no two are the same.
+  // PoCL 3.1 counts the users of a kernel by its preprocessed source, and aborts when
+  // two devices run the same one at once: make sure that no two are the same.
   const std::string own = "typedef int device_" + std::to_string(number_) + ";\n";
   cl::Program program(context_, own + sources);
   try {

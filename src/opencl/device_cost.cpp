@@ -33,14 +33,13 @@ const char*
 unsupported(const TensorSettings& settings)
 {
   if (settings.centroid == Centroid::WeightedMedian)
-    return "the OpenCL engine has no weighted median, which among its several minima "
-           "float would choose by chance; choose the engine grid or tree";
+    return "the OpenCL engine has no weighted median: in float, chance would decide "
+           "between its minima; choose the engine grid or tree";
   if (isUnbounded(settings.weighting.kernel()) ||
       (settings.centroid == Centroid::WeightedMean &&
        isUnbounded(settings.centroid_weighting.kernel())))
-    return "the OpenCL engine has no unbounded weighting, for which float is too "
-           "coarse "
-           "near the centroid; choose the engine grid or tree";
+    return "the OpenCL engine has no unbounded weighting: float is too coarse near the "
+           "centroid; choose the engine grid or tree";
   return nullptr;
 }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t probes = 15; // queries by which the first radius is chosen
 constexpr int rounds = 4;          // each with twice the radius
 
-/** \brief Distance of the wanted point of the query in the middle of a few, by trying
- * all points. */
+/** \brief Median over a few queries of the distance to the wanted point, by brute
+ * force. */
 double
 usualRadius(const Points& surface,
             const Points& queries,

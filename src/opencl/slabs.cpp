@@ -20,10 +20,10 @@ std::size_t
 bytesNeeded(std::size_t points, std::size_t queries)
 {
   // Cell, offset, position, key, sorted position.
-  const std::size_t a_point = 16 + 12 + 24 + 8 + 12;
+  const std::size_t per_point = 16 + 12 + 24 + 8 + 12;
   // Cell, offset, position, key, slot, radii, tensor, count, record.
-  const std::size_t a_query = 16 + 12 + 24 + 8 + 8 + 12 + 24 + 4 + 76;
-  return a_point * points + a_query * queries + 16 * sort_block;
+  const std::size_t per_query = 16 + 12 + 24 + 8 + 8 + 12 + 24 + 4 + 76;
+  return per_point * points + per_query * queries + 16 * sort_block;
 }
 
 bool
@@ -84,7 +84,7 @@ Slabs::forEach(const Indices& points,
 }
 
 /** Cuts the queries at their median along the longest axis; each half takes the points
- * as far as the radius around it. */
+ * within the radius around it. */
 void
 Slabs::halve(const Indices& points,
              Indices& queries,

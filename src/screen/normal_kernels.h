@@ -32,7 +32,7 @@ struct PaddedSamples {
 /** \brief Pixels processed at a time. */
 constexpr int block = 64;
 
-/** \brief Rings of four pixels counter-clockwise, the first in the order of patterns.
+/** \brief Rings of four pixels counterclockwise, the first in the order of patterns.
  */
 constexpr int ring_places[6][4][2] = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}},
                                       {{2, 2}, {-2, 2}, {-2, -2}, {2, -2}},
@@ -48,8 +48,8 @@ ringsOf(unsigned samples)
   return static_cast<int>(samples - 1) / 4;
 }
 
-/** \brief Normals, not yet turned to the eye, of \ref block pixels from \a column on;
- * NaN where there are none. */
+/** \brief Normals, not yet turned toward the eye, of \ref block pixels from \a column
+ * on; NaN where there are none. */
 struct NormalBlock {
   float x[block], y[block], z[block];
 };

@@ -94,8 +94,8 @@ sampleLayers(const Points& points,
 {
   const std::vector<Place> places = placesOf(layers);
   if (!(point_size > 0) && !(diameter > 0))
-    throw std::invalid_argument("points of size " + textOf(point_size) +
-                                " cannot be seen");
+    throw std::invalid_argument("point size " + textOf(point_size) +
+                                " is not positive");
   if (camera.width < 1 || camera.height < 1)
     throw std::invalid_argument("a picture needs at least one pixel");
   const int count = threadCount(threads);

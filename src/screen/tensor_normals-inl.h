@@ -136,7 +136,7 @@ inline void
 tensorNormals(
     const PaddedSamples& s, int rings, float limit, std::ptrdiff_t at, NormalBlock& out)
 {
-  // The pixel's own samples differ from their mean along the ray, and would only turn
+  // The pixel's own samples differ from their mean along the ray, and would only tilt
   // the plane toward it.
   Tensors t = {};
   for (int ring = 0; ring < rings; ++ring)

@@ -70,8 +70,7 @@ constexpr std::size_t leaf_size = 24;
  * sorts by insertion, which takes minutes for thousands of neighbors. */
 class LeastDistances {
 public:
-  /** \param[in,out] heap memory to use; holds the squared distances in the end, the
-   * largest first */
+  /** \param[in,out] heap memory to use; afterwards a heap of the squared distances */
   LeastDistances(std::vector<double>& heap, std::size_t count)
       : heap_(heap), count_(count)
   {

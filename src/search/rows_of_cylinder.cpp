@@ -66,7 +66,7 @@ RowsOfCylinder::RowsOfCylinder(const Point& from,
 std::array<double, 2>
 RowsOfCylinder::alongRow(const Interval& y_of_row, const Interval& z_of_row) const
 {
-  // All from the middle, and within the box.
+  // Relative to the middle, clipped to the box.
   const Interval y{std::max(y_of_row[0], low.y()) - middle_.y(),
                    std::min(y_of_row[1], high.y()) - middle_.y()};
   const Interval z{std::max(z_of_row[0], low.z()) - middle_.z(),
@@ -85,7 +85,7 @@ RowsOfCylinder::alongRow(const Interval& y_of_row, const Interval& z_of_row) con
   const Interval by_y = times(axis_.y(), y), by_z = times(axis_.z(), z);
   const double least = by_y[0] + by_z[0], most = by_y[1] + by_z[1];
   x = cut(x, axis_.x(), -half_ - most, half_ - least);
-  // Around the part of its axis that comes near enough to the row.
+  // Around the part of its axis that is near enough to the row.
   Interval t{-1, 1};
   t = cut(t, axis_.y(), y[0] - radius_, y[1] + radius_);
   t = cut(t, axis_.z(), z[0] - radius_, z[1] + radius_);

@@ -21,7 +21,7 @@ mean(const Points& points)
   for (const Point& point : points)
     sum += point;
   const Point rough = sum / count;
-  // Remove the rounding error, so that coincident points have their own place as mean.
+  // Remove the rounding error, so that the mean of coincident points is their position.
   sum.setZero();
   for (const Point& point : points)
     sum += point - rough;
@@ -94,7 +94,7 @@ checkWeightings(Centroid centroid,
                                 std::string(nameOf(Centroid::QueryPoint)));
   if (centroid == Centroid::WeightedMedian && isUnbounded(centroid_weighting.kernel()))
     throw std::invalid_argument(
-        "a weighted median has no unbounded weighting such as " +
+        "a weighted median cannot use an unbounded weighting such as " +
         centroid_weighting.name() + "; use quadratic-inverse");
 }
 

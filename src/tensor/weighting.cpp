@@ -206,7 +206,7 @@ Weighting::Weighting(std::string_view text) : Weighting()
   else
     throw std::invalid_argument(
         "weighting '" + std::string(text) +
-        "' is not understood; with parameters there are fermi-dirac:M,T and step:S");
+        "' is unknown; those with parameters are fermi-dirac:M,T and step:S");
 }
 
 Weighting

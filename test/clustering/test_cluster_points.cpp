@@ -161,7 +161,7 @@ TEST(ClusterPoints, FindAGridForANumberOfRepresentatives)
   }
 }
 
-TEST(ClusterPoints, FillTheViewOfACameraWithCellsOfLikeProportions)
+TEST(ClusterPoints, FillTheViewOfACameraWithCellsOfSimilarProportions)
 {
   constexpr unsigned seed = 8;
   boost::random::mt19937 random(seed);

@@ -84,7 +84,7 @@ TEST(Schedulers, AnEmptyTableTakesNoTime)
   }
 }
 
-TEST(Schedulers, TimesThatAreNoneAreRefused)
+TEST(Schedulers, InvalidTimesAreRefused)
 {
   EXPECT_THROW(minMin(tableOf({{1, -1}})), std::invalid_argument);
   EXPECT_THROW(sufferage(tableOf({{1, std::nan("")}})), std::invalid_argument);
@@ -254,7 +254,7 @@ TEST(Schedulers, PublishedTable)
     }
 }
 
-TEST(Schedulers, SimpleHSIsBetterThanSimpleHInTheMean)
+TEST(Schedulers, SimpleHSIsBetterThanSimpleHOnAverage)
 {
   const unsigned seed = test::randomSeed();
   const auto mean = [&](Heuristic heuristic) {

@@ -87,7 +87,7 @@ TEST(Tiling, OnePlaceIsOneBox)
   EXPECT_EQ(tiling.boxes(), 1u);
 }
 
-TEST(Tiling, NumbersThatAreNoneAreRefused)
+TEST(Tiling, InvalidNumbersAreRefused)
 {
   const std::vector<Extent> some = {{{{0, 0}, {1, 1}}, 5}};
   EXPECT_THROW(Tiling(some, {-1, 0, 0}), std::invalid_argument);

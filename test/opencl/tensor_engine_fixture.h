@@ -68,7 +68,7 @@ protected:
   SetUp() override
   {
     if (opencl::devices().empty())
-      GTEST_SKIP() << "OpenCL has no device here";
+      GTEST_SKIP() << "no OpenCL device was found";
     engine = std::make_unique<opencl::TensorEngine>();
     ASSERT_TRUE(engine->device().double_precision);
   }

@@ -35,7 +35,7 @@ expectSame(const Clusters& a, const Clusters& b)
 TEST(OpenCLClusters, AreThoseOfTheProcessorBitForBit)
 {
   if (opencl::devices().empty())
-    GTEST_SKIP() << "OpenCL has no device here";
+    GTEST_SKIP() << "no OpenCL device was found";
   opencl::ClusterEngine engine;
   Points points = house(30000, 31);
   points[5].y() = std::nan("");
@@ -70,7 +70,7 @@ TEST(OpenCLClusters, AreThoseOfTheProcessorBitForBit)
 TEST(OpenCLClusters, OfNothingAreNothingAndNonsenseIsRefused)
 {
   if (opencl::devices().empty())
-    GTEST_SKIP() << "OpenCL has no device here";
+    GTEST_SKIP() << "no OpenCL device was found";
   opencl::ClusterEngine engine;
   EXPECT_TRUE(engine.cluster({}, settingsOf(1, 2)).representatives.empty());
   EXPECT_THROW(engine.cluster({}, ClusterSettings()), std::invalid_argument);

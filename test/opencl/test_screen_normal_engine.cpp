@@ -18,7 +18,7 @@ namespace {
 TEST(OpenCLScreenNormals, AreThoseOfTheProcessor)
 {
   if (opencl::devices().empty())
-    GTEST_SKIP() << "OpenCL has no device here";
+    GTEST_SKIP() << "no OpenCL device was found";
   opencl::ScreenNormalEngine engine;
   const Surface ball = [](const Point& ray) {
     return sphere(ray, Point(0.3, -0.2, 6), 2.2);

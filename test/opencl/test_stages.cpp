@@ -31,7 +31,7 @@ protected:
   SetUp() override
   {
     if (devices().empty())
-      GTEST_SKIP() << "OpenCL has no device here";
+      GTEST_SKIP() << "no OpenCL device was found";
     context = std::make_unique<Context>("", GetParam());
   }
 
@@ -143,7 +143,7 @@ TEST_P(Stages, KeysOrderPointsByRowThenAlongXThenByIndex)
   for (std::size_t place = 0; place < keys.size(); ++place) {
     const std::size_t i = keys[place] & mask;
     ASSERT_LT(i, points.size());
-    EXPECT_FALSE(seen[i]) << "point " << i << " stands at two places";
+    EXPECT_FALSE(seen[i]) << "point " << i << " appears at two places";
     seen[i] = true;
     if (place == 0)
       continue;
@@ -184,7 +184,7 @@ TEST_P(Stages, TableHoldsEveryPointWithinTheRadius)
     }
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end())
-        << "a point stands in two rows";
+        << "a point is in two rows";
     const Point& query = points[keys[place] & mask];
     for (std::size_t i = 0; i < points.size(); ++i)
       if ((points[i] - query).norm() <= radius) {

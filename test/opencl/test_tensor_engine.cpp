@@ -88,14 +88,14 @@ TEST_F(OpenCL, AdversarialCloudsGiveWhatTheReferenceGives)
     check(points, points, withRadius(40));
   }
   {
-    SCOPED_TRACE("a line, far from the origin, long beside its radius");
+    SCOPED_TRACE("a line, far from the origin, much longer than the radius");
     Points line;
     for (int i = 0; i < 3000; ++i)
       line.emplace_back(5e5 + i, 5e6 + 0.01 * (i % 7), 100 + 0.01 * (i % 3));
     check(line, line, withRadius(5));
   }
   {
-    SCOPED_TRACE("duplicates, not finite points, queries outside");
+    SCOPED_TRACE("duplicates, non-finite points, queries outside");
     Points points = box(200, Point(1, 1, 1), 8);
     points.insert(points.end(), 30, Point(5, 5, 5));
     points.emplace_back(not_known, 0, 0);
@@ -139,7 +139,7 @@ TEST_F(OpenCL, WithoutDoubleTheHostDecidesAtTheRadius)
   }
 }
 
-TEST_F(OpenCL, PointsAtOnePlaceHaveNoShapeInAnyCell)
+TEST_F(OpenCL, CoincidentPointsHaveNoShapeInAnyCell)
 {
   Points points = box(2000, Point(4000, 40, 40), 16);
   const Points once = points;

@@ -208,7 +208,7 @@ TEST(ScreenNormals, TheDistanceLimitKeepsStepsApart)
   }
 }
 
-TEST(ScreenNormals, AreUnitVectorsTowardsTheEyeForAnyNumberOfThreads)
+TEST(ScreenNormals, AreUnitVectorsTowardTheEyeForAnyNumberOfThreads)
 {
   const DepthPicture picture(101, 57, 8, ball, 0.01, 7);
   for (const Method method : methods) {
@@ -232,7 +232,7 @@ TEST(ScreenNormals, AreUnitVectorsTowardsTheEyeForAnyNumberOfThreads)
   }
 }
 
-TEST(ScreenNormals, AreUnknownWhereNothingIsSeen)
+TEST(ScreenNormals, AreNaNWhereNothingIsSeen)
 {
   const Surface nothing = [](const Point&) { return Hit(); };
   const DepthPicture empty(20, 10, 2, nothing);

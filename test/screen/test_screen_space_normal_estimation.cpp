@@ -31,7 +31,7 @@ tiltedPlane()
   return cloud;
 }
 
-TEST(ScreenSpaceNormalEstimation, GivesNormalsTowardsTheSensor)
+TEST(ScreenSpaceNormalEstimation, GivesNormalsTowardTheSensor)
 {
   const Cloud::Ptr cloud = tiltedPlane();
   ScreenSpaceNormalEstimation<pcl::PointXYZ> estimation;

@@ -106,8 +106,8 @@ TEST(ShadedFaces, AreLitTheSameFromEitherSide)
   face.normal = -face.normal;
   EXPECT_EQ(one.pixels, drawFaces({face}, colors, camera).pixels);
   // Facing the light is brighter than seen at a slant.
-  const Point towards = camera.axes.transpose() * Point(-0.4, -0.6, -0.7).normalized();
-  face.normal = towards;
+  const Point to_light = camera.axes.transpose() * Point(-0.4, -0.6, -0.7).normalized();
+  face.normal = to_light;
   EXPECT_GT(drawFaces({face}, colors, camera).at(80, 60)[0], one.at(80, 60)[0]);
   EXPECT_NEAR(drawFaces({face}, colors, camera).at(80, 60)[0], 1, 1e-6);
 }

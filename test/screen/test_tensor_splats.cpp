@@ -79,7 +79,7 @@ protected:
   boost::random::mt19937 random_{17};
 };
 
-TEST_F(Splats, InsideOfAFilledCuboidNothingIsSeen)
+TEST_F(Splats, AreInvisibleInsideAFilledCuboid)
 {
   // As published: extent 1, radius .2, about a hundred neighbors.
   Points points;

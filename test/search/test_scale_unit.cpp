@@ -84,7 +84,7 @@ TEST(ScaleUnit, DoesNotMoveWithThePointsAndGrowsWithThem)
   EXPECT_NEAR(scaleUnit(moved), 8 * scaleUnit(points), 1e-8);
 }
 
-TEST(ScaleUnit, OfFewCoincidentOrUnknownPoints)
+TEST(ScaleUnit, OfFewCoincidentOrNonFinitePoints)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(scaleUnit({})));

@@ -77,7 +77,7 @@ TEST(EigenFeatures, GiveThoseOfRawEigenvalues)
   EXPECT_NEAR(sum * (ours.eigenentropy - std::log(sum)), entropy, 1e-12);
 }
 
-TEST(EigenFeatures, OfAnEmptyNeighborhoodAreUnknown)
+TEST(EigenFeatures, OfAnEmptyNeighborhoodAreNaN)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Eigen::Vector3d& l :

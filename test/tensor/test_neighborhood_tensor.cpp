@@ -96,7 +96,7 @@ TEST(NeighborhoodTensor, OfInverseSquaredDistanceIsTheSumOfDirections)
       neighborhoodTensor({{1, 1, 1}}, Point(1, 1, 1), 4, Kernel::InverseDistance).xx));
 }
 
-TEST(NeighborhoodTensor, IsNotKnownWithoutWeight)
+TEST(NeighborhoodTensor, IsNaNWithoutWeight)
 {
   EXPECT_TRUE(std::isnan(
       neighborhoodTensor({}, Point::Zero(), 1, Kernel::Const, Normalization::Count)
@@ -183,7 +183,7 @@ TEST(ShapeFactors, OfALineADiscABallAndBetween)
   EXPECT_DOUBLE_EQ(mixed.sphericity, 0.3);
 }
 
-TEST(ShapeFactors, AreNotKnownForOnePlace)
+TEST(ShapeFactors, AreNaNForCoincidentPoints)
 {
   for (const Eigen::Vector3d& values :
        {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(unknown, unknown, unknown)}) {

@@ -173,7 +173,7 @@ addWoodPole(World& world, const LinePlan& plan, const Support& s)
   world.taken.push_back({s.base.x(), s.base.y(), 1});
 }
 
-/** The loop around a tension pylon, below the cross-arm. */
+/** The loop around a tension pylon, below the crossarm. */
 void
 addJumper(World& world,
           const Point& tip,

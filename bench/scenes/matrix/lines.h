@@ -11,7 +11,7 @@
 
 namespace linelet::bench::scenes {
 
-/** \brief A place on a cross-arm where a conductor is attached. */
+/** \brief A place on a crossarm where a conductor is attached. */
 struct Arm {
   double offset, height; ///< across the line; above the lowest arm
 };

@@ -64,7 +64,7 @@ public:
       const double u = -reach + line_step * static_cast<double>(line);
       const double phase = random_.uniform(0, pulse_step);
       for (double v = -reach + phase; v < reach; v += pulse_step) {
-        // An oscillating mirror lays alternately leaning lines.
+        // An oscillating mirror scans lines that lean alternately.
         const double lean =
             zigzag_ ? (line % 2 == 0 ? 0.5 : -0.5) * line_step * v / reach : 0;
         const double aside = random_.normal(0.1 * pulse_step);
@@ -194,7 +194,7 @@ scan(const World& world,
     shared += flight.offset / plan.strips;
   }
   for (Flight& flight : flights) {
-    flight.offset -= shared; // no strip shows what is wrong with all
+    flight.offset -= shared; // an offset shared by all strips is not visible
     scanner.fly(flight, monitor);
   }
 }

@@ -89,7 +89,7 @@ addWire(World& world,
     wire.points.push_back(at(span * i / pieces));
 
   const auto index = static_cast<std::int32_t>(world.wires.size());
-  // Four form two columns, and a pulse hears either the upper or the lower one of a
+  // Four form two columns, and a pulse sees either the upper or the lower one of a
   // column.
   const bool square = strung.conductors == 4;
   const double answers =

@@ -18,7 +18,7 @@ namespace LINELET_PUBLIC linelet {
  * sees. Pixel (0, 0) spans 0 to 1 at the upper left. */
 struct Camera {
   Point eye = Point::Zero();
-  /// Rows: to the right, downwards, away from the eye; orthonormal.
+  /// Rows: right, down, away from the eye; orthonormal.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   double field_of_view = 60; ///< vertical, degrees in (0, 180); 0: parallel projection
   double view_height = 1;    ///< parallel projection: height of what is seen

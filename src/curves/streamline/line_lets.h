@@ -22,7 +22,7 @@ struct LineLetVertex {
 
   Point position = Point::Zero();
   Index line = none;     ///< the line-let it belongs to
-  double order = 0;      ///< steps from the line-let's start, negative backwards
+  double order = 0;      ///< steps from the line-let's start, negative going back
   Index previous = none; ///< toward the back end
   Index next = none;     ///< toward the front end
   bool dropped = false;  ///< cut away by pruning

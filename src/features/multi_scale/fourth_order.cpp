@@ -102,7 +102,7 @@ FourthOrderTensor::fromComponents(const std::array<double, 21>& components)
 FourthOrderTensor
 FourthOrderTensor::rotated(const Eigen::Matrix3d& q) const
 {
-  // What Q does to second-order tensors is an orthogonal 6x6 matrix in this notation.
+  // In this notation, rotating second-order tensors by Q is an orthogonal 6x6 matrix.
   Matrix turn;
   for (int column = 0; column < 6; ++column) {
     const Eigen::Matrix3d unit = fromMandel(MandelVector::Unit(column));

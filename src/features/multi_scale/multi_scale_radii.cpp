@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_radii = 4096;
 
-/// Rounding must not lose the radius that is meant to be the largest.
+/// So that rounding does not drop the largest radius.
 constexpr double tolerance = 1 + 1e-12;
 
 } // namespace

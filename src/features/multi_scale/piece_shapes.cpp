@@ -18,8 +18,8 @@ pieceShapes(const Points& points,
 {
   checkRadii(settings.radii);
   if (settings.stop_change > 0)
-    throw std::invalid_argument("the stop rule looks at all points of a cloud, not at "
-                                "a piece; give the radii");
+    throw std::invalid_argument("the stop rule needs all points of a cloud, not a "
+                                "piece; give the radii");
   const auto begin = static_cast<std::ptrdiff_t>(piece.begin),
              end = static_cast<std::ptrdiff_t>(piece.end);
   MultiScaleSettings chosen = settings;

@@ -18,15 +18,15 @@ struct ScaleCost {
   double grid, sweep;
 };
 
-/** \brief Costs as they were measured on lines and planes of 300 to 20,000 points with
+/** \brief Costs as measured on lines and planes of 300 to 20,000 points with
  * 6 to 1,900 neighbors, Fermi-Dirac weights around the query: right within a factor of
- * two; const weights cost less and other points of reference more, on both.
- * \param[in] thinness points of the surface for a query
+ * two; constant weights cost less and other centroids more, on both.
+ * \param[in] thinness points of the surface per query
  * \param[in] neighbors of a query within the largest radius */
 ScaleCost
 scaleCost(double thinness, double neighbors)
 {
-  // A leaf of the grid looks at all that any of its queries reaches.
+  // A leaf of the grid tests every point that any of its queries reaches.
   const double reached = std::sqrt(neighbors) +
                          std::sqrt(static_cast<double>(grid::leaf_queries) * thinness);
   return {0.3 + 0.0015 * reached * reached, 0.5 + 0.04 * neighbors};
@@ -62,8 +62,8 @@ chosenScaleEngine(const Points& surface,
     return settings.engine;
   if (queries.size() < least_queries || surface.size() < least_points)
     return ScaleEngine::Sweep;
-  // Where queries lie as close as points, the grid takes between a half and a
-  // twentieth of the time, the less the more neighbors there are.
+  // Where queries are as dense as points, the grid takes half to a twentieth of the
+  // time, less with more neighbors.
   const double thinness =
       static_cast<double>(surface.size()) / static_cast<double>(queries.size());
   if (thinness <= 10)

@@ -27,7 +27,7 @@ constexpr double least_change_on_grid = 1e-3;
 
 /** \brief Changes of the shapes of points from one scale to the next. */
 struct Change {
-  double largest = 0;   ///< of a factor; 1 for a point that has only now got a shape
+  double largest = 0;   ///< of a factor; 1 for a point that had no shape before
   bool defined = false; ///< any point has a shape
 
   void
@@ -49,7 +49,7 @@ class Changes {
 public:
   explicit Changes(std::size_t scales) : changes_(scales) {}
 
-  /** \brief Those that one thread sees; hands them over when it ends. */
+  /** \brief Those that one thread sees; merged when it ends. */
   class Collector {
   public:
     explicit Collector(Changes& all) : seen(all.changes_.size()), all_(all) {}

@@ -16,7 +16,7 @@ namespace linelet {
 
 namespace {
 
-/** \brief A size of grid cell that suits most of the radii. */
+/** \brief A grid cell size that suits most of the radii. */
 double
 usualRadius(const TensorSettings& settings, const NeighborhoodSizes& sizes)
 {

@@ -108,7 +108,7 @@ cellTable(global const ulong* queries,
     return;
   const uint row = get_global_id(0) % ROWS;
   const ulong cell = cellOf(layout, queries[slot_place[slot]]);
-  // The host leaves the outermost cells of every axis empty, so no step leads around them.
+  // The host leaves the outermost cells of every axis empty, so no step wraps around.
   const long y = (long)(row % SIDE) - REACH, z = (long)(row / SIDE) - REACH;
   const ulong first_cell =
       (ulong)((long)cell + (z * (long)layout.ny + y) * (long)layout.nx - REACH);

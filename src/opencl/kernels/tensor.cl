@@ -16,7 +16,7 @@
 #define MEDIAN_STEP 1e-7f // a shorter step, in units of the radius, ends the iteration
 #define UNDECIDED 0xffffffffu // instead of a count: the host is to decide
 
-// The centroid by which this program was built; see linelet::centroid.
+// The centroid that this program was built for; see linelet::centroid.
 INLINE void
 findCentroid(const Walk* walk, const bool exact, float* cx, float* cy, float* cz)
 {

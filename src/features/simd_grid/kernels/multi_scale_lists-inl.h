@@ -232,7 +232,7 @@ order(PointList& list,
   for (std::size_t k = count - 1; k-- > 0;) {
     const V limit = constant(scales[k].far);
     std::size_t near = 0, far = 0;
-    // The last vector is written whole; the points of larger scales stand behind it.
+    // The last vector is written whole; the points of larger scales come after it.
     const V x_behind = hn::LoadU(f, list.x + end),
             y_behind = hn::LoadU(f, list.y + end),
             z_behind = hn::LoadU(f, list.z + end),

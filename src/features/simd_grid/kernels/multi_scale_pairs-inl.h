@@ -107,7 +107,7 @@ constPairs(const PointList& list,
   }
 }
 
-/** \brief Sums of a chunk at one scale, by weights that are there.
+/** \brief Sums of a chunk at one scale, by weights already computed.
  * \tparam relative: to the queries, see LeafScale
  * \tparam second: with second moments
  * \tparam open: not all points are neighbors of all queries */
@@ -177,7 +177,7 @@ weightedPairs(const PointList& list,
     while (ends[smallest] <= begin)
       ++smallest;
     const float nearest = smallest > 0 ? scales[smallest - 1].radius : 0;
-    std::size_t largest = smallest; // that the points are all within reach of
+    std::size_t largest = smallest; // within reach of which all points lie
     while (ends[largest] < end)
       ++largest;
     const float farthest = scales[largest].far;

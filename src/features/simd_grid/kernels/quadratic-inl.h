@@ -65,7 +65,7 @@ struct ProductSums {
     zzz = hn::MulAdd(pz, pzz, zzz);
   }
 
-  /** \brief As the moments of so many points. */
+  /** \brief As the moments of \a count points. */
   HWY_INLINE QuadraticMoments
   moments(std::size_t count) const
   {

@@ -19,7 +19,7 @@ namespace linelet::grid {
 using Float3 = std::array<float, 3>;
 
 /** \brief Squared radii between which rounding may decide: below \a low a point is a
- * neighbor, above \a high it is none, between them the distance in double decides. */
+ * neighbor, above \a high it is not, and in between the distance in double decides. */
 struct Band {
   float low, high;
 };

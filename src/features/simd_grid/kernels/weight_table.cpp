@@ -90,7 +90,7 @@ WeightTable::fit(const Weighting& weighting, int with_degree)
   };
   const double relative = std::min(allowed.relative, 1e-6);
   coefficients = {};
-  std::size_t first = 0; // interval that is good, as are all behind it
+  std::size_t first = 0; // interval that is accurate enough, as are all after it
   for (std::size_t interval = 0; interval < intervals; ++interval) {
     const auto w = [&](double t) {
       return weighting(std::sqrt(argument(interval, t)));

@@ -22,7 +22,7 @@ struct WeightTable {
   explicit WeightTable(const Weighting& weighting);
 
   int degree = 0; ///< 0: none is good enough
-  /// U below which they must not be used: roots have no polynomial there
+  /// U below which they must not be used: near 0 no polynomial follows a root
   float from = 0;
   std::array<std::array<float, intervals>, most_degree + 1> coefficients{};
 

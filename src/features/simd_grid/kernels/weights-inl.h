@@ -189,7 +189,7 @@ struct Weight {
     else if constexpr (kernel == Kernel::Cubic) // 1 - x^3
       return hn::Mul(y, quadratic(x, 1, 1));
     else if constexpr (kernel == Kernel::Sph3) {
-      // Of a = 2x: 1/4 (2-a)_+^3 - (1-a)_+^3.
+      // With a = 2x: 1/4 (2-a)_+^3 - (1-a)_+^3.
       const V a = hn::Add(x, x);
       return hn::NegMulAdd(
           one, truncated<3>(1, a), hn::Mul(constant(0.25F), truncated<3>(2, a)));
@@ -270,7 +270,7 @@ struct Weight {
     const V one = constant(1);
     const V rest = hn::NegMulAdd(constant(4), u, one);
     const V twice = hn::Add(x, x);
-    // Of s = 1 - x: (2x - 1) (3 - 2x).
+    // With s = 1 - x: (2x - 1) (3 - 2x).
     const V mirrored =
         hn::Div(hn::Mul(rest, hn::Sub(twice, constant(3))), hn::Add(twice, one));
     return eased(x, [&](V s) HWY_ATTR {
@@ -319,7 +319,7 @@ struct ClampedWeight : Weight<kernel> {
   }
 };
 
-/** \brief All of Fermi-Dirac are one. */
+/** \brief All Fermi-Dirac kernels share one functor. */
 constexpr Kernel
 vectorForm(Kernel kernel)
 {

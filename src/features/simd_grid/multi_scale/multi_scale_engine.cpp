@@ -14,7 +14,7 @@ namespace linelet::grid {
 
 namespace {
 
-// Edge of a block in largest radii; whatever the density, see grid_tensor_engine.cpp.
+// Edge of a block in largest radii, for any density; see grid_tensor_engine.cpp.
 constexpr double block_edge = 1;
 
 /// Queries of one piece of work: few enough to keep all threads busy.
@@ -50,7 +50,7 @@ MultiScaleEngine::MultiScaleEngine(const Points& surface,
   if (&surface != &queries)
     extent.add(queries);
   unit_ = std::min(largest_radius, reachOf(extent));
-  // Neighbors lie in the next block at most, for all rounding of its place.
+  // Despite rounding, neighbors are at most one block away.
   const double edge = block_edge * unit_ * (1 + 1e-6);
   if (bounds.empty() || !BlockFrame::fits(whole.low, whole.high, edge))
     return;

@@ -82,7 +82,7 @@ MultiScaleSweep::centered(const Part& queries)
                          center_sums_.data(),
                          doubts_);
   settle(queries, center_weight_.weighting, center_sums_);
-  std::size_t next = 0; // doubts are by scale
+  std::size_t next = 0; // doubts are sorted by scale
   for (std::size_t k = 0; k < radii_.size(); ++k) {
     ScaleSums& sums = sums_[k];
     const ScaleSums& center = center_sums_[k];

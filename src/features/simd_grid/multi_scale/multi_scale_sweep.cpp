@@ -15,7 +15,7 @@ namespace {
 // Radii below need coordinates with more digits than those relative to the block.
 constexpr double sharp_radius = 0.125;
 
-// Parts of a part: cut in two so many times.
+// A part is cut in two this many times.
 constexpr int cuts = 2;
 
 constexpr auto no_block = std::numeric_limits<std::size_t>::max();

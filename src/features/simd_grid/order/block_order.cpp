@@ -132,8 +132,8 @@ void
 BlockOrder::select(
     Entry* begin, Entry* middle, Entry* end, std::size_t axis, float low, float high)
 {
-  // Where points are spread about evenly, the border between the halves is soon found
-  // by interpolation, in passes without unpredictable branches.
+  // If points are spread about evenly, interpolation soon finds the border between the
+  // halves, in passes without unpredictable branches.
   constexpr int passes = 4;
   for (int pass = 0; pass < passes && end - begin > 4; ++pass) {
     const float border = low + (high - low) * static_cast<float>(middle - begin) /

@@ -12,9 +12,8 @@ namespace linelet::grid {
 
 namespace {
 
-// By hand, as VQSort of keys packed with their places is 1.3 to 2.8 times as fast on
-// one thread but has no second, and needs twice the width where they do not fit 64
-// bits.
+// By hand: VQSort of keys packed with their places is 1.3 to 2.8 times as fast, but
+// uses only one thread, and twice the width where they do not fit 64 bits.
 constexpr int digit_bits = 11;
 constexpr std::size_t digits = std::size_t{1} << digit_bits;
 using Histogram = std::array<std::size_t, digits>;

@@ -13,14 +13,14 @@ namespace linelet::grid {
 
 namespace {
 
-// Parts of a part: cut in two so many times.
+// A part is cut in two this many times.
 constexpr int cuts = 3;
 
 // Lists leave out, or sum up, what is certain by more than rounding.
 constexpr double margin = 1e-5;
 
-// Fewer points are weighted for each query of a leaf in less time than all of their
-// moments take.
+// It takes less time to weight fewer points for each query of a leaf than to sum all of
+// their moments.
 constexpr std::size_t worth_moments = 64;
 
 constexpr double float_rounding = 0x1p-24;
@@ -334,8 +334,8 @@ BlockSweep::decide(std::size_t query, const BandedQuery& around)
 BandedQuery
 BlockSweep::banded(const Part& queries, std::size_t query) const
 {
-  // The steps in which a point of the list came to its coordinates: a query that is a
-  // point of the list is at distance 0 from itself.
+  // Rounded in the same steps as points of the list, so that a query that is one of
+  // them is at distance 0 from itself.
   const Float3 q = toFloat(queries_[query]), c = toFloat(queries.center);
   // Rounding of a coordinate of the list and of the query, and of their differences to
   // the center; each changes the distance, which is about the radius.

@@ -104,7 +104,7 @@ private:
   bool
   stopped() const;
 
-  /** \brief As the points came, not as they are in the lists. */
+  /** \brief In the unit of the input, not of the lists. */
   double
   radiusOf(std::size_t query) const;
   double

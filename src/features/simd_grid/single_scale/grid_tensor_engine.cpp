@@ -26,12 +26,12 @@ namespace grid {
 
 namespace {
 
-// Edge of a block in radii: of 1 to 4 the best for thin clouds and for dense ones. It
-// does not follow the density, so that a part of a cloud has the blocks of the whole.
+// Edge of a block in radii: of 1 to 4 the best for thin clouds and for dense ones.
+// Independent of the density, so that a part of a cloud has the blocks of the whole.
 constexpr double block_edge = 2;
 
 /** \brief No more threads than have something to do: for few queries, waking a thread
- * costs more than it does. */
+ * costs more than it saves. */
 int
 usefulThreads(unsigned requested, std::size_t queries)
 {
@@ -84,7 +84,7 @@ public:
       plain(radius, chosen);
       return;
     }
-    // Neighbors lie in the next block at most, for all rounding of its place.
+    // Despite rounding, neighbors are at most one block away.
     const BlockFrame frame(bounds_.low, bounds_.high, block_edge * radius);
     const BlockOrder surface(surface_, nullptr, frame, threads_);
     if (&surface_ == &queries_ && chosen == nullptr)
@@ -264,7 +264,7 @@ gridMargin(const TensorSettings& settings, const NeighborhoodSizes& sizes)
   for (const double radius : sizes.radii)
     if (isRadius(radius))
       longest = std::max(longest, grid::powerAbove(radius));
-  // Beyond all rounding of the places of blocks.
+  // With a margin for the rounding of block positions.
   return 2 * grid::block_edge * longest * (1 + 1e-6);
 }
 
