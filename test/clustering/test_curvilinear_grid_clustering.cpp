@@ -107,6 +107,33 @@ TEST(CurvilinearGridClustering, FollowsTheRulesOfFilters)
   EXPECT_EQ(alias->size(), all.size());
 }
 
+TEST(CurvilinearGridClustering, IsCanceledByItsMonitorAndWorksAgain)
+{
+  class Impatient : public ProgressMonitor {
+  public:
+    bool
+    canceled() const override
+    {
+      return stop;
+    }
+    bool stop = true;
+  } monitor;
+  const Cloud::Ptr cloud = houseCloud();
+  CurvilinearGridClustering<pcl::PointXYZI> clustering;
+  clustering.setInputCloud(cloud);
+  clustering.setLeafSize(0.5);
+  clustering.setProgressMonitor(&monitor);
+  Cloud result;
+  EXPECT_THROW(clustering.filter(result), Canceled);
+  monitor.stop = false;
+  clustering.filter(result);
+  clustering.setProgressMonitor(nullptr);
+  Cloud unwatched;
+  clustering.filter(unwatched);
+  EXPECT_GT(result.size(), 0u);
+  EXPECT_EQ(result.size(), unwatched.size());
+}
+
 TEST(CurvilinearGridClustering, ReportsErrorsAndReturnsNothing)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);

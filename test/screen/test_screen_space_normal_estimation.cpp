@@ -83,6 +83,24 @@ TEST(ScreenSpaceNormalEstimation, FollowsTheRulesOfFeatures)
   EXPECT_EQ(some[2].normal_z, all[700].normal_z);
 }
 
+TEST(ScreenSpaceNormalEstimation, TakesItsSettingsAtOnce)
+{
+  ScreenSpaceNormalEstimation<pcl::PointXYZ> one_by_one, at_once;
+  one_by_one.setMethod(ScreenNormalMethod::PlaneDiagonals);
+  one_by_one.setPattern(25);
+  one_by_one.setSmoothing(2);
+  at_once.setSettings(one_by_one.getSettings());
+  EXPECT_EQ(at_once.getPattern(), 25u);
+  pcl::PointCloud<pcl::Normal> expected, normals;
+  one_by_one.setInputCloud(tiltedPlane());
+  one_by_one.compute(expected);
+  at_once.setInputCloud(tiltedPlane());
+  at_once.compute(normals);
+  ASSERT_EQ(normals.size(), expected.size());
+  EXPECT_EQ(normals(9, 9).normal_x, expected(9, 9).normal_x);
+  EXPECT_EQ(normals(9, 9).normal_z, expected(9, 9).normal_z);
+}
+
 TEST(ScreenSpaceNormalEstimation, ReportsErrorsAndReturnsNothing)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);

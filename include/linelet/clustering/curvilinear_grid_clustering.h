@@ -10,6 +10,7 @@
 #include <pcl/point_types.h>
 
 #include <linelet/clustering/cluster_points.h>
+#include <linelet/support/progress_monitor.h>
 #include <linelet/support/visibility.h>
 
 namespace LINELET_PUBLIC linelet {
@@ -146,6 +147,14 @@ public:
     return settings_;
   }
 
+  /** \brief May cancel filter, which then throws linelet::Canceled. Null (default):
+   * none. It must outlive filter. */
+  void
+  setProgressMonitor(ProgressMonitor* monitor)
+  {
+    monitor_ = monitor;
+  }
+
   /** \brief Result of the last filter: count, center and covariance of every point of
    * the output, in its order, and the representative of every point of the input,
    * Clusters::none for points that are not among the indices or were removed. */
@@ -171,6 +180,7 @@ private:
   applyFilter(PointCloud& output) override;
 
   ClusterSettings settings_;
+  ProgressMonitor* monitor_ = nullptr;
   std::vector<double> field_;
   Clusters clusters_;
 };

@@ -96,6 +96,17 @@ public:
     return settings_.threads;
   }
 
+  void
+  setSettings(const ScreenNormalSettings& settings)
+  {
+    settings_ = settings;
+  }
+  const ScreenNormalSettings&
+  getSettings() const
+  {
+    return settings_;
+  }
+
 protected:
   using Base::feature_name_;
   using Base::getClassName;

@@ -29,7 +29,7 @@ Clusters
 CurvilinearGridClustering<PointT>::cluster(const Points& points,
                                            const std::vector<double>& field)
 {
-  return clusterPoints(points, settings_, field);
+  return clusterPoints(points, settings_, field, monitor_);
 }
 
 template <typename PointT>
@@ -51,6 +51,10 @@ CurvilinearGridClustering<PointT>::applyFilter(PointCloud& output)
       points[static_cast<std::size_t>(index)] = Point(point.x, point.y, point.z);
     }
     clusters_ = cluster(points, field_);
+  }
+  catch (const Canceled&) {
+    this->deinitCompute(); // as PCL's filter would after this
+    throw;
   }
   catch (const std::exception& error) {
     PCL_ERROR("[linelet::%s::filter] %s\n", filter_name_.c_str(), error.what());
