@@ -12,6 +12,8 @@ namespace linelet {
 
 namespace {
 
+// By hand: Highway's VQSort is faster below some 500 indices, but takes 1.2 to 5 times
+// as long from 1,000 on.
 constexpr int most_digit_bits = 10;
 
 // Fewer sort faster by comparison.
