@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the linelet authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# cpack -G DEB: the tool (linelet), headers and libraries to link with (liblinelet-dev),
-# and the shared libraries if they are built (liblinelet0.1).
+# cmake --workflow --preset package: the tool (linelet), headers and libraries to link
+# with (liblinelet-dev), and the shared libraries if they are built (liblinelet0.1).
 set(CPACK_PACKAGE_NAME linelet)
 set(CPACK_PACKAGE_VENDOR "the linelet authors")
 set(CPACK_PACKAGE_CONTACT "the linelet authors <linelet@localhost>")
