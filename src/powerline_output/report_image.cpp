@@ -3,67 +3,69 @@
 
 #include "report_image.h"
 
-#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
 
 namespace linelet::powerline::report {
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-void
-bigEndian(Bytes& out, std::uint32_t value)
+GDALDriverH
+driver(const char* name)
 {
-  for (int shift = 24; shift >= 0; shift -= 8)
-    out.push_back(static_cast<std::uint8_t>(value >> shift));
+  GDALAllRegister();
+  const GDALDriverH found = GDALGetDriverByName(name);
+  if (found == nullptr)
+    throw std::runtime_error(std::string("GDAL has no driver ") + name +
+                             " for the report's plan; install a GDAL that has it");
+  return found;
 }
 
-std::uint32_t
-crc(const std::uint8_t* begin, const std::uint8_t* end)
-{
-  std::uint32_t value = 0xffffffffU;
-  for (; begin != end; ++begin) {
-    value ^= *begin;
-    for (int bit = 0; bit < 8; ++bit)
-      value = (value >> 1) ^ ((value & 1) != 0 ? 0xedb88320U : 0);
+struct Closer {
+  void
+  operator()(GDALDatasetH dataset) const
+  {
+    GDALClose(dataset);
   }
-  return ~value;
-}
+};
+using Dataset = std::unique_ptr<void, Closer>;
 
-void
-addChunk(Bytes& png, std::string_view kind, const Bytes& data)
+/** A picture in memory, with its palette. */
+Dataset
+pictureOf(std::size_t width,
+          std::size_t height,
+          std::vector<std::uint8_t> pixels,
+          const std::vector<std::array<std::uint8_t, 3>>& palette)
 {
-  bigEndian(png, static_cast<std::uint32_t>(data.size()));
-  const std::size_t begin = png.size();
-  png.insert(png.end(), kind.begin(), kind.end());
-  png.insert(png.end(), data.begin(), data.end());
-  bigEndian(png, crc(png.data() + begin, png.data() + png.size()));
-}
-
-/** A zlib stream of stored blocks: the pictures are small, and no library is needed. */
-Bytes
-stored(const Bytes& data)
-{
-  Bytes out = {0x78, 0x01};
-  std::uint32_t low = 1, high = 0; // Adler-32
-  for (const std::uint8_t byte : data) {
-    low = (low + byte) % 65521;
-    high = (high + low) % 65521;
+  const int columns = static_cast<int>(width), rows = static_cast<int>(height);
+  Dataset picture(GDALCreate(driver("MEM"), "", columns, rows, 1, GDT_Byte, nullptr));
+  const GDALRasterBandH band = GDALGetRasterBand(picture.get(), 1);
+  const GDALColorTableH colors = GDALCreateColorTable(GPI_RGB);
+  for (std::size_t k = 0; k < palette.size(); ++k) {
+    const GDALColorEntry entry = {palette[k][0], palette[k][1], palette[k][2], 255};
+    GDALSetColorEntry(colors, static_cast<int>(k), &entry);
   }
-  for (std::size_t at = 0; at < data.size();) {
-    const std::size_t size = std::min<std::size_t>(65535, data.size() - at);
-    out.push_back(at + size == data.size() ? 1 : 0);
-    for (const std::size_t half : {size, ~size}) {
-      out.push_back(static_cast<std::uint8_t>(half & 0xff));
-      out.push_back(static_cast<std::uint8_t>((half >> 8) & 0xff));
-    }
-    out.insert(out.end(),
-               data.begin() + static_cast<std::ptrdiff_t>(at),
-               data.begin() + static_cast<std::ptrdiff_t>(at + size));
-    at += size;
-  }
-  bigEndian(out, high << 16 | low);
-  return out;
+  GDALSetRasterColorTable(band, colors);
+  GDALDestroyColorTable(colors);
+  if (GDALRasterIO(band,
+                   GF_Write,
+                   0,
+                   0,
+                   columns,
+                   rows,
+                   pixels.data(),
+                   columns,
+                   rows,
+                   GDT_Byte,
+                   0,
+                   0) != CE_None)
+    throw std::runtime_error("GDAL cannot fill the picture of the report's plan");
+  return picture;
 }
 
 } // namespace
@@ -71,19 +73,9 @@ stored(const Bytes& data)
 std::string
 base64(const std::vector<std::uint8_t>& data)
 {
-  static constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve(data.size() * 4 / 3 + 4);
-  for (std::size_t i = 0; i < data.size(); i += 3) {
-    const std::size_t left = std::min<std::size_t>(3, data.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8 | (k < left ? data[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k <= left ? letters[(word >> (18 - 6 * k)) & 63] : '=';
-  }
-  return out;
+  const std::unique_ptr<char, void (*)(void*)> text(
+      CPLBase64Encode(static_cast<int>(data.size()), data.data()), VSIFree);
+  return text.get();
 }
 
 std::string
@@ -92,25 +84,18 @@ pngBase64(std::size_t width,
           const std::vector<std::uint8_t>& pixels,
           const std::vector<std::array<std::uint8_t, 3>>& palette)
 {
-  Bytes png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  Bytes header;
-  bigEndian(header, static_cast<std::uint32_t>(width));
-  bigEndian(header, static_cast<std::uint32_t>(height));
-  header.insert(header.end(), {8, 3, 0, 0, 0}); // 8 bits, palette
-  addChunk(png, "IHDR", header);
-  Bytes colors;
-  for (const auto& color : palette)
-    colors.insert(colors.end(), color.begin(), color.end());
-  addChunk(png, "PLTE", colors);
-  Bytes rows;
-  for (std::size_t row = 0; row < height; ++row) {
-    rows.push_back(0); // no filter
-    const auto begin = pixels.begin() + static_cast<std::ptrdiff_t>(row * width);
-    rows.insert(rows.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
-  }
-  addChunk(png, "IDAT", stored(rows));
-  addChunk(png, "IEND", {});
-  return base64(png);
+  const Dataset picture = pictureOf(width, height, pixels, palette);
+  const std::string path =
+      "/vsimem/report" +
+      std::to_string(reinterpret_cast<std::uintptr_t>(picture.get()));
+  Dataset(GDALCreateCopy(
+      driver("PNG"), path.c_str(), picture.get(), FALSE, nullptr, nullptr, nullptr));
+  vsi_l_offset size = 0;
+  const std::unique_ptr<GByte, void (*)(void*)> png(
+      VSIGetMemFileBuffer(path.c_str(), &size, TRUE), VSIFree);
+  if (!png)
+    throw std::runtime_error("GDAL cannot write the picture of the report's plan");
+  return base64({png.get(), png.get() + size});
 }
 
 } // namespace linelet::powerline::report

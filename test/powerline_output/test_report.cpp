@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal_priv.h>
 #include <nlohmann/json.hpp>
 
 #include "report_page.h"
@@ -46,6 +49,41 @@ TEST_F(Report, ShowsEverySpanWithItsProfileAndWires)
   for (const char* said :
        {"by_hand.las", "55 points", "P1 to P2", "P2 to P3", "0.300 km"})
     EXPECT_NE(text.find(said), std::string::npos) << said;
+}
+
+// As GDAL reads it: as wide and high as drawn, darkest where the highest tree stands.
+TEST_F(Report, PlanShowsHeightsAboveGround)
+{
+  const std::string text = page();
+  const std::regex image("<image [^>]*width=\"([0-9.]+)\" height=\"([0-9.]+)\"[^>]*"
+                         "data:image/png;base64,([A-Za-z0-9+/=]+)\"");
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(text, match, image));
+  std::string png = match[3];
+  auto* bytes = reinterpret_cast<GByte*>(png.data());
+  const int size = CPLBase64DecodeInPlace(bytes);
+  const char* path = "/vsimem/plan.png";
+  VSIFCloseL(VSIFileFromMemBuffer(path, bytes, static_cast<vsi_l_offset>(size), FALSE));
+  const GDALDatasetUniquePtr plan(GDALDataset::Open(path, GDAL_OF_RASTER));
+  ASSERT_TRUE(plan);
+  const int columns = plan->GetRasterXSize(), rows = plan->GetRasterYSize();
+  EXPECT_NEAR(std::stod(match[1]) / std::stod(match[2]),
+              static_cast<double>(columns) / rows,
+              0.01);
+  std::vector<GByte> pixels(static_cast<std::size_t>(columns) *
+                            static_cast<std::size_t>(rows));
+  ASSERT_EQ(
+      plan->GetRasterBand(1)->RasterIO(
+          GF_Read, 0, 0, columns, rows, pixels.data(), columns, rows, GDT_Byte, 0, 0),
+      CE_None);
+  const Point tree = network_.wires[1].vegetation.other;
+  const double height = tree.z() - network_.ground.heightAt(tree.x(), tree.y());
+  const int darkest = *std::max_element(pixels.begin(), pixels.end());
+  EXPECT_EQ(darkest, 1 + std::clamp(static_cast<int>(height), 0, 23));
+  const GDALColorTable* colors = plan->GetRasterBand(1)->GetColorTable();
+  ASSERT_NE(colors, nullptr);
+  EXPECT_EQ(colors->GetColorEntry(0)->c2, 255); // nothing: white
+  EXPECT_LT(colors->GetColorEntry(darkest)->c1, colors->GetColorEntry(darkest)->c2);
 }
 
 TEST_F(Report, ClearancesBelowTheLimitAreRed)
