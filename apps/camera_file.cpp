@@ -13,7 +13,7 @@ namespace linelet::apps {
 namespace {
 
 Point
-place(const nlohmann::json& json, const char* name)
+place(const nlohmann::ordered_json& json, const char* name)
 {
   const auto& values = json.at(name);
   if (!values.is_array() || values.size() != 3)
@@ -31,7 +31,7 @@ readCamera(const std::string& path, const Point& shift)
     throw std::runtime_error(path + ": the camera cannot be read");
   Camera camera;
   try {
-    const nlohmann::json json = nlohmann::json::parse(file);
+    const nlohmann::ordered_json json = nlohmann::ordered_json::parse(file);
     for (const auto& item : json.items()) {
       const std::string& key = item.key();
       if (key != "eye" && key != "target" && key != "up" && key != "field_of_view" &&

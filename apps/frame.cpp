@@ -291,6 +291,18 @@ Frame::settings() const
   return all;
 }
 
+std::vector<std::string>
+Frame::changedOptions(const std::string& heading) const
+{
+  std::vector<std::string> changed;
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_group() == heading && option->count() > 0 &&
+        option->results() != std::vector<std::string>{option->get_default_str()} &&
+        !(option->get_expected_max() == 0 && option->as<std::string>() == "false"))
+      changed.push_back(option->get_name());
+  return changed;
+}
+
 void
 Frame::warn(const std::string& sentence)
 {

@@ -122,6 +122,11 @@ public:
   std::vector<std::pair<std::string, std::string>>
   settings() const;
 
+  /** \brief The options under \a heading that are set to other values than their
+   * defaults: an option file has all of them. */
+  std::vector<std::string>
+  changedOptions(const std::string& heading) const;
+
   /** \brief Reports a loss or an oddity in one sentence, on stderr and in the
    * summary. */
   void

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <linelet/curves/curve_blocks.h>
@@ -26,16 +25,6 @@
 namespace linelet::apps {
 
 namespace {
-
-/** \brief Whether \a option was set although only the published preset uses it; an
- * option file has all options, most with their defaults. */
-bool
-isOfPublishedPreset(const CLI::Option* option)
-{
-  return option->get_group() == "published" && option->count() > 0 &&
-         option->results() != std::vector<std::string>{option->get_default_str()} &&
-         !(option->get_expected_max() == 0 && option->as<std::string>() == "false");
-}
 
 bool
 isHdf5(const std::string& path)
@@ -92,8 +81,8 @@ void
 CurvesJob::warnOfUnusedOptions()
 {
   if (!isPublished(settings_.preset))
-    for (const CLI::Option* option : frame_.app.get_options(isOfPublishedPreset))
-      frame_.warn(option->get_name() + " has no effect without --preset published");
+    for (const std::string& option : frame_.changedOptions("published"))
+      frame_.warn(option + " has no effect without --preset published");
 }
 
 int

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <linelet/fragments/dispatcher.h>
 #include <linelet/fragments/gantt.h>
 #include <linelet/io/file_error.h>
@@ -16,6 +14,7 @@
 
 #include "commands.h"
 #include "frame.h"
+#include "options.h"
 
 namespace linelet::apps {
 
@@ -115,14 +114,14 @@ runSchedule(const std::vector<std::string>& arguments)
               "seconds per device, named in the first line; an optional column points "
               "holds the sizes, and a column fragment is ignored.");
   std::string etc, gantt;
-  frame.app.add_option("--etc", etc, "CSV file of expected times to compute, seconds")
-      ->type_name("FILE")
-      ->required();
-  frame.app.add_option("--gantt", gantt, "draw the schedules into this SVG file")
-      ->type_name("FILE");
+  const OptionAdder add(frame.app);
+  add("etc", etc, "CSV file of expected times to compute, seconds; required");
+  add("gantt", gantt, "SVG file to draw the schedules into");
   frame.reads(etc);
   frame.writes(gantt);
   frame.parse(arguments);
+  if (etc.empty())
+    throw std::invalid_argument("--etc is required");
   if (!gantt.empty())
     io::checkWritable(gantt);
 

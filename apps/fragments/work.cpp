@@ -1,17 +1,29 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.h"
 #include "fragment_run.h"
+#include "options.h"
 
 namespace linelet::apps {
 
 namespace {
+
+std::size_t
+numberIn(const std::string& text, const char* option)
+{
+  std::size_t number = 0;
+  const char* end = text.data() + text.size();
+  const auto [behind, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || behind != end)
+    throw std::invalid_argument(std::string(option) + " is '" + text +
+                                "', it must be the number of a fragment");
+  return number;
+}
 
 /** \brief Two numbers separated by \a between: "A-B" or "K/N". */
 std::pair<std::size_t, std::size_t>
@@ -36,30 +48,26 @@ runWork(const std::vector<std::string>& arguments)
               "number of workers may run at once, on machines that share the files; "
               "finished fragments are skipped, and two workers on one fragment write "
               "the same. Fragments are numbered from 0.");
-  std::string place, range, every;
-  std::size_t task = 0;
+  std::string place, task, range, every;
   frame.addArgument("OUTPUT", place, "what was planned as the output");
-  auto* one = frame.app.add_option("--task", task, "only this fragment; 0: all")
-                  ->type_name("N");
-  frame.app.add_option("--tasks", range, "only fragments A to B")
-      ->type_name("A-B")
-      ->excludes(one);
-  frame.app
-      .add_option("--every",
-                  every,
-                  "worker K of N, counting from 1: every N-th fragment; auto: K and N "
-                  "as mpirun or Slurm set them")
-      ->type_name("K/N")
-      ->excludes(one);
+  const OptionAdder add(frame.app);
+  add("task", task, "only the fragment of this number");
+  add("tasks", range, "only fragments A to B, as A-B");
+  add("every",
+      every,
+      "only every N-th fragment, as worker K of N: K/N, counting from 1; auto: K and N "
+      "as mpirun or Slurm set them");
   frame.parse(arguments);
+  if (!task.empty() && !(range.empty() && every.empty()))
+    throw std::invalid_argument("--task excludes --tasks and --every");
   std::unique_ptr<FragmentJob> job;
   FragmentRun run = FragmentRun::open(place, job);
   if (frame.threads > 0)
     job->frame().threads = frame.threads;
   const std::size_t count = run.plan().tiling.boxes();
   std::size_t first = 0, last = count - 1, step = 1;
-  if (one->count() > 0)
-    first = last = task;
+  if (!task.empty())
+    first = last = numberIn(task, "--task");
   if (!range.empty())
     std::tie(first, last) = pairIn(range, '-', "--tasks");
   if (first >= count)

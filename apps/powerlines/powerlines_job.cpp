@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <limits>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.h"
 #include "fragments/run_job.h"
 #include "options.h"
@@ -16,7 +14,30 @@
 #include "run_date.h"
 #include "version.h"
 
-namespace linelet::apps {
+namespace linelet {
+
+namespace apps {
+
+namespace {
+
+enum class ClassifiedEnding { AsInput, Las, Laz };
+
+} // namespace
+
+} // namespace apps
+
+template <>
+struct Names<apps::ClassifiedEnding> {
+  static constexpr std::string_view kind = "ending";
+  static constexpr std::array<std::pair<apps::ClassifiedEnding, std::string_view>, 3>
+      table = {{
+          {apps::ClassifiedEnding::AsInput, "as input"},
+          {apps::ClassifiedEnding::Las, "las"},
+          {apps::ClassifiedEnding::Laz, "laz"},
+      }};
+};
+
+namespace apps {
 
 using powerline::PowerLineNetwork;
 
@@ -69,17 +90,12 @@ PowerlinesJob::PowerlinesJob(const std::vector<std::string>& arguments)
       buffer_,
       "Fragments: overlap, meters: at least the longest span with the supports at its "
       "ends");
-  std::string classified = "as input";
-  frame_.app
-      .add_option("--classified",
-                  classified,
-                  "ending of the classified cloud: las, laz, or as input")
-      ->check(CLI::IsMember({"as input", "las", "laz"}).description(""))
-      ->type_name("NAME")
-      ->group("Options");
+  ClassifiedEnding ending = ClassifiedEnding::AsInput;
+  add("classified", ending, "ending of the classified cloud");
   frame_.parse(arguments);
   output_.compress =
-      classified == "laz" || (classified != "las" && isLaz(input_.files().front()));
+      ending == ClassifiedEnding::Laz ||
+      (ending == ClassifiedEnding::AsInput && isLaz(input_.files().front()));
   frame_.checkOutputs(powerline::powerLineFiles(folder_, output_.compress));
   powerline::check(output_.classes);
   powerline::check(hazards_);
@@ -139,4 +155,6 @@ runPowerlines(const std::vector<std::string>& arguments)
   return runJob(job, "powerlines", arguments);
 }
 
-} // namespace linelet::apps
+} // namespace apps
+
+} // namespace linelet

@@ -70,12 +70,16 @@ TEST_F(FragmentsTest, VerbsDoTheSameInWorkersOfTheirOwn)
   expectOneLineOf("merge " + path("b"), "--partial");
   runWell("work " + path("b") + " --task 0");
   runWell("work " + path("b") + " --tasks 1-2");
+  expectOneLineOf("work " + path("b") + " --task 0 --tasks 1-2", "excludes");
+  expectOneLineOf("work " + path("b") + " --task one", "number of a fragment");
   // Two workers on the same tasks, then each on its half.
   const pid_t one = start({"work", path("b")}), other = start({"work", path("b")});
   runWell("work " + path("b") + " --every 1/2");
   runWell("work " + path("b") + " --every 2/2");
   EXPECT_EQ(waitFor(one), 0);
   EXPECT_EQ(waitFor(other), 0);
+  write("work.toml", runWell("work " + path("b") + " --print-config").out);
+  runWell("work --config " + path("work.toml"));
   runWell("status " + path("b") + " --json " + path("s.json"));
   EXPECT_EQ(json(path("s.json"))["left"], 0);
   runWell("merge " + path("b"));
