@@ -121,7 +121,8 @@ runSchedule(const std::vector<std::string>& arguments)
   frame.writes(gantt);
   frame.parse(arguments);
   if (etc.empty())
-    throw std::invalid_argument("--etc is required");
+    throw std::invalid_argument(
+        "--etc is required; it names the CSV file of expected times");
   if (!gantt.empty())
     io::checkWritable(gantt);
 

@@ -19,7 +19,7 @@ struct EmSettings {
   double bending = 1;         ///< q: variance of the direction per length, 1 / length
   double least_spacing = 0.7; ///< of the nodes, in standard deviations
   double outlier_share = 0.1; ///< of the points, initially
-  double most_outliers = 1;   ///< share of the points
+  double most_outliers = 1;   ///< of the points, at most: what the background allows
   double fixed_radius = 0;    ///< initial radius of fixed-radius noise; 0: normal noise
   bool even_curvature = false; ///< whether curves are assumed to bend evenly
   bool varied_noise = false;   ///< whether the noise varies along the curves

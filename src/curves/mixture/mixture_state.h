@@ -65,7 +65,7 @@ struct MixtureState {
   double outlier_share = 0, most_outliers = 1; ///< shares of the points
   double log_likelihood = 0, freedom = 0;
 
-  /** \brief \a share of outliers, kept off 0, 1 and beyond the most. */
+  /** \brief \a share of outliers, at most \ref most_outliers and away from 0 and 1. */
   double
   boundedShare(double share) const
   {

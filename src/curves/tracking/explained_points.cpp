@@ -43,16 +43,11 @@ explainPoints(TrackedScene& scene, const Track& track, const TrackFit& fit, bool
     if (m.weight > 0.5 && !scene.taken[m.index])
       left.push_back(m.index);
   std::sort(left.begin(), left.end());
-  const double reach = tails * fit.fit.noise;
   for (const ModelCurve& curve : fit.fit.curves)
-    for (std::size_t e = 0; e < curve.edges() && !left.empty(); ++e)
-      scene.grid.forEachRunInCylinder(
-          curve.from(e), curve.to(e), reach, [&](std::size_t begin, std::size_t end) {
-            auto i = std::lower_bound(left.begin(), left.end(), begin);
-            for (; i != left.end() && *i < end; ++i)
-              if (squaredDistance(curve, e, scene.points()[*i]) <= reach * reach)
-                scene.taken[*i] = 1;
-          });
+    forEachPointNear(scene, curve, tails * fit.fit.noise, [&](std::size_t i) {
+      if (std::binary_search(left.begin(), left.end(), static_cast<Index>(i)))
+        scene.taken[i] = 1;
+    });
   if (!clear)
     return;
   for (const ModelCurve& curve : fit.fit.curves)

@@ -49,9 +49,9 @@ constexpr double least_kept = 0.7, sure = 1.6, very_sure = 5;
 // of the strips of surfaces and crowns lie above, and 6 % of the wires.
 constexpr double widest = 1.0 / 30;
 
-// Largest noise of a curve, relative to that of its scene, unless it stands out very
-// clearly. With 2 or 5 as many wires are found in simulated scenes; 5 leaves more
-// clutter.
+// Largest noise of a curve, relative to that of its scene; a noisier one must stand out
+// very clearly, and by as many times more as it is noisier. With 2 or 5 as many wires
+// are found in simulated scenes; 5 leaves more clutter.
 constexpr double widest_of_scene = 3;
 
 // Times that a fit takes in more points around it, at most.
@@ -61,8 +61,10 @@ constexpr int most_widenings = 3;
 // within this many D, and beyond the curve's own scatter, on most of its length.
 constexpr double beside = 1.5, most_on_surface = 0.5;
 
-// Points of a curve, at least, and in those of its track, at most: a fit of more has
-// left the track for what lies around it.
+// Points of a curve, at least, and relative to those of its track, at most: a fit of
+// more has left the track for what lies around it. In scenes of a second simulator, 117
+// m of 194 km of true curves had fewer than 6 points, and so had 15 of 48 false ones;
+// none explained more than three times its track's.
 constexpr double fewest_points = 6, most_beyond = 3;
 
 // A single curve that explains more than this share of a track's points, with less than
