@@ -219,7 +219,7 @@ extractPowerLines(const Points& points,
     const bool terrain = !network.ground.heights.empty();
     dropUnlikely(with_ends, growth, underside, terrain, settings);
     throwIfCanceled(monitor);
-    addStubs(with_ends, growth, seeds, underside, terrain, settings);
+    addStubs(with_ends, growth, seeds, curves, underside, terrain, settings);
     matchEnds(with_ends);
     if (mendBreaks(with_ends, growth, settings))
       matchEnds(with_ends);

@@ -104,27 +104,31 @@ TEST_F(Classes, SurviveAnOptionFile)
 TEST_F(Classes, BirdsUnderAWireAreNotAHazard)
 {
   io::Cloud cloud = io::readCloud(corridor_);
-  runWell("powerlines " + corridor_ + " " + path("plain"));
+  auto& classes =
+      std::get<std::vector<std::uint8_t>>(cloud.find("classification")->values);
+  // Ground points, which are missing from the ground in both runs, none of them at the
+  // border of the cloud, ...
+  std::vector<std::size_t> birds;
+  for (std::size_t i = cloud.points.size() / 4; birds.size() < 400; ++i)
+    if (classes[i] == 2) {
+      classes[i] = birds.size() % 2 == 0 ? 18 : 7;
+      birds.push_back(i);
+    }
+  io::writeCloud(path("plain.las"), cloud);
+  runWell("powerlines " + path("plain.las") + " " + path("plain"));
   const auto before = json(path("plain/summary.json"))["wires"];
   ASSERT_FALSE(before.empty());
-  // A dense patch half a meter below the middle of every wire.
-  std::size_t birds = 0;
-  for (std::size_t i = 0; i < cloud.points.size() && birds < 400; ++i) {
-    auto& classes =
-        std::get<std::vector<std::uint8_t>>(cloud.find("classification")->values);
-    if (classes[i] != 2)
-      continue;
-    const auto& wire = before[birds % before.size()];
+  // ... become a dense patch half a meter below the middle of every wire.
+  for (std::size_t k = 0; k < birds.size(); ++k) {
+    const auto& wire = before[k % before.size()];
     const auto &front = wire["from"], &back = wire["to"];
     Point middle;
     for (int axis = 0; axis < 3; ++axis)
       middle[axis] = (front[static_cast<std::size_t>(axis)].get<double>() +
                       back[static_cast<std::size_t>(axis)].get<double>()) /
                      2;
-    middle.z() -= wire["sag"].get<double>() + 0.5 + 0.01 * static_cast<double>(birds);
-    cloud.points[i] = middle - cloud.shift;
-    classes[i] = birds % 2 == 0 ? 18 : 7;
-    ++birds;
+    middle.z() -= wire["sag"].get<double>() + 0.5 + 0.01 * static_cast<double>(k);
+    cloud.points[birds[k]] = middle - cloud.shift;
   }
   io::writeCloud(path("birds.las"), cloud);
   runWell("powerlines " + path("birds.las") + " " + path("birds"));

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "powerline/false_positives/scan_scatter.h"
+#include "powerline/pieces/scan_scatter.h"
 
 using namespace linelet::powerline;
 

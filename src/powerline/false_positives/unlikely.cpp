@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "powerline/false_positives/scan_scatter.h"
 #include "powerline/false_positives/wire_family.h"
 #include "powerline/line_priors.h"
 #include "powerline/pieces/bend.h"
@@ -17,8 +16,10 @@
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/open_below.h"
 #include "powerline/pieces/parallel.h"
+#include "powerline/pieces/scan_scatter.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/wire_groups.h"
+#include "powerline/spans/wire_scatter.h"
 #include "powerline/spans/wire_with_ends.h"
 #include "powerline/terrain/underside.h"
 
@@ -159,23 +160,6 @@ accompanies(const SpanModel& other, const SpanModel& m)
   return true;
 }
 
-ScanScatter::Sample
-scatterOf(const WireWithEnds& wire, const Evidence& evidence)
-{
-  return {evidence.rms, static_cast<double>(wire.strand.piece.members.size())};
-}
-
-// How single wires scatter in this scan.
-ScanScatter
-scatterOf(const std::vector<WireWithEnds>& wires, const std::vector<Evidence>& evidence)
-{
-  std::vector<ScanScatter::Sample> samples;
-  for (std::size_t w = 0; w < wires.size(); ++w)
-    if (wires[w].strand.piece.thickness == 0)
-      samples.push_back(scatterOf(wires[w], evidence[w]));
-  return ScanScatter(samples);
-}
-
 // Drops wires that are hardly seen where one beside them is: they are its scatter.
 // \param[in] seen share of the length of every wire
 void
@@ -236,7 +220,8 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
   evidence_of.reserve(wires.size());
   for (const WireWithEnds& wire : wires)
     evidence_of.push_back(weighAnew(growth, wire.strand.piece, any_length));
-  const ScanScatter scatter = scatterOf(wires, evidence_of);
+  const Points& points = growth.candidates().points;
+  const ScanScatter scatter = scatterOf(wires, points);
   for (std::size_t w = 0; w < wires.size(); ++w) {
     ++families[family_of.root(w)].wires;
     if (chainLength(wires, w) >= long_line)
@@ -249,7 +234,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     const std::size_t root = family_of.root(w);
     const bool at_begin = leaves(wires[w], 0, root, lines);
     const bool at_end = leaves(wires[w], 1, root, lines);
-    const Bend bend = bendOf(wires[w].strand.piece, growth.candidates().points);
+    const Bend bend = bendOf(wires[w].strand.piece, points);
     const bool drop = at_begin != at_end && wires[w].strand.piece.thickness == 0 &&
                       bend.value > priors.spread * bend.spread;
     wires[w].leaves = {drop && at_begin, drop && at_end};
@@ -258,7 +243,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     family.single = std::max(family.single, m.length());
     family.joined = family.joined || beyond.joined;
     family.border = family.border || beyond.border;
-    addBend(family, wires[w], growth.candidates().points, underside);
+    addBend(family, wires[w], points, underside);
     addDescent(family, wires, w, underside);
     addJoints(family, wires, w);
     family.open += m.length() * openBelow(m, underside);
@@ -269,7 +254,7 @@ dropUnlikely(std::vector<WireWithEnds>& wires,
     // A line also predicts how its wires scatter.
     const double excess = wires[w].strand.piece.thickness > 0
                               ? 0
-                              : scatter.excess(scatterOf(wires[w], evidence));
+                              : scatter.excess(sampleOf(wires[w].strand.piece, points));
     const bool company =
         (beyond.joined || family.wires >= many) && excess <= priors.spread;
     if (evidence.bins > 0 && evidence.likelihood + logPriorOfScatter(excess) <

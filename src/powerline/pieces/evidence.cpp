@@ -68,14 +68,10 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   const Candidates& candidates = growth.candidates();
   if (piece.members.empty() || m.length() < settings.min_length)
     return e;
-  double squares = 0;
-  for (const Index i : piece.members) {
-    squares += std::pow(m.distance(candidates.points[i]), 2);
+  for (const Index i : piece.members)
     e.height += static_cast<double>(candidates.height[i]);
-  }
-  const double n = static_cast<double>(piece.members.size());
-  e.rms = std::sqrt(squares / n);
-  e.height /= n;
+  e.height /= static_cast<double>(piece.members.size());
+  const double rms = rootMeanSquare(m, candidates.points, piece.members);
   e.chord = std::abs(m.rise((m.begin + m.end) / 2));
   e.slope = std::abs(m.z[2]) * m.length();
   e.sag = m.z[2] * m.length() * m.length() / 4;
@@ -105,7 +101,7 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
       }
   e.likelihood = likelihoodOf(smooth);
   e.hangs = piece.members.size() >= least_points &&
-            e.rms <= (piece.thickness > 0 ? bundle_rms : largest_rms * m.widest) &&
+            rms <= (piece.thickness > 0 ? bundle_rms : largest_rms * m.widest) &&
             e.slope <= steepest_end && e.chord <= steepest_chord && e.sag >= -hump &&
             e.height >= least_height;
   e.sound = e.hangs && e.clean >= clean_part * e.occupied &&

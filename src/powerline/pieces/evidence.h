@@ -14,7 +14,6 @@ struct Evidence {
   int bins = 0;      ///< of 2 m, begin to end
   int occupied = 0;  ///< with points of the wire
   int clean = 0;     ///< occupied, and hardly anything right around the wire
-  double rms = 0;    ///< of the members, meters
   double sag = 0;    ///< of the model between its ends, meters; negative: bulges upward
   double slope = 0;  ///< at the ends, against the chord
   double chord = 0;  ///< slope from end to end

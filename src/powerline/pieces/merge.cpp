@@ -21,16 +21,6 @@ constexpr double explained_part = 0.85; // of the points of each part
 constexpr double largest_overlap =
     0.3; // of the shorter part, unless they are one anyway
 
-double
-rmsOf(const SpanModel& model, const Points& points, const Indices& members)
-{
-  double squares = 0;
-  for (const Index i : members)
-    squares += std::pow(model.distance(points[i]), 2);
-  return std::sqrt(squares /
-                   static_cast<double>(std::max<std::size_t>(1, members.size())));
-}
-
 // Share of \a members that \a wire explains.
 double
 explained(const Piece& wire, const Points& points, const Indices& members)
@@ -84,9 +74,9 @@ join(
       explained(joined, points, longer.members) < explained_part ||
       explained(joined, points, shorter.members) < explained_part)
     return false;
-  const double apart =
-      std::max(rmsOf(l, points, longer.members), rmsOf(s, points, shorter.members));
-  return rmsOf(m, points, joined.members) <= std::max(0.06, 1.3 * apart) &&
+  const double apart = std::max(rootMeanSquare(l, points, longer.members),
+                                rootMeanSquare(s, points, shorter.members));
+  return rootMeanSquare(m, points, joined.members) <= std::max(0.06, 1.3 * apart) &&
          findKinks(joined, points).empty();
 }
 

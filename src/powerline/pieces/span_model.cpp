@@ -103,4 +103,14 @@ fit(SpanModel& model, const Points& points, const Indices& members, double cut)
   return true;
 }
 
+double
+rootMeanSquare(const SpanModel& model, const Points& points, const Indices& members)
+{
+  double squares = 0;
+  for (const Index i : members)
+    squares += std::pow(model.distance(points[i]), 2);
+  return std::sqrt(squares /
+                   static_cast<double>(std::max<std::size_t>(1, members.size())));
+}
+
 } // namespace linelet::powerline

@@ -141,4 +141,8 @@ fit(SpanModel& model,
     const Indices& members,
     double cut = usual_cut);
 
+/** \brief Root mean square distance of points from a wire, meters; 0 without points. */
+double
+rootMeanSquare(const SpanModel& model, const Points& points, const Indices& members);
+
 } // namespace linelet::powerline

@@ -8,14 +8,17 @@
 
 #include "powerline/line_priors.h"
 #include "powerline/pieces/candidates.h"
+#include "powerline/pieces/curve_pieces.h"
 #include "powerline/pieces/data_border.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/find_pieces.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/open_below.h"
+#include "powerline/pieces/scan_scatter.h"
 #include "powerline/pieces/span_model.h"
 #include "powerline/spans/beside_company.h"
 #include "powerline/spans/joints.h"
+#include "powerline/spans/wire_scatter.h"
 #include "powerline/spans/wire_with_ends.h"
 #include "powerline/terrain/underside.h"
 
@@ -101,6 +104,7 @@ void
 addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,
          const std::vector<Seed>& seeds,
+         const std::vector<Curve>& curves,
          const Underside& underside,
          bool terrain,
          const PowerLineSettings& settings)
@@ -108,6 +112,21 @@ addStubs(std::vector<WireWithEnds>& wires,
   PowerLineSettings relaxed = settings;
   relaxed.min_length = std::min(least_stub, settings.min_length);
   const Points& points = growth.candidates().points;
+  const ScanScatter scatter = scatterOf(wires, points);
+  const auto addIfStub = [&](Piece& piece) {
+    WireWithEnds stub;
+    stub.strand.piece = std::move(piece);
+    const Piece& found = stub.strand.piece;
+    if ((!weigh(growth, found, relaxed).accepted &&
+         !becomesBundle(growth, stub.strand.piece, relaxed)) ||
+        (found.thickness == 0 &&
+         scatter.excess(sampleOf(found, points)) > priors.spread) ||
+        !goesOn(wires, stub, underside) ||
+        (terrain && !isOpenBelow(stub.model(), underside)))
+      return;
+    growth.claim(found, 0);
+    wires.push_back(std::move(stub));
+  };
   std::vector<char> tried(points.size(), 0);
   const std::size_t count = wires.size();
   for (const Seed& seed : seeds) {
@@ -126,17 +145,11 @@ addStubs(std::vector<WireWithEnds>& wires,
     for (Piece& piece : growth.grow(seed)) {
       for (const Index i : piece.members)
         tried[i] = 1;
-      WireWithEnds stub;
-      stub.strand.piece = std::move(piece);
-      if ((!weigh(growth, stub.strand.piece, relaxed).accepted &&
-           !becomesBundle(growth, stub.strand.piece, relaxed)) ||
-          !goesOn(wires, stub, underside) ||
-          (terrain && !isOpenBelow(stub.model(), underside)))
-        continue;
-      growth.claim(stub.strand.piece, 0);
-      wires.push_back(std::move(stub));
+      addIfStub(piece);
     }
   }
+  // What is dense all around spoils seeds, but not always curves.
+  forEachPieceAlong(curves, growth, settings.threads, addIfStub);
 }
 
 } // namespace linelet::powerline

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <linelet/curves/curve_network.h>
 #include <linelet/powerline/power_line_settings.h>
 
 #include "powerline/pieces/candidates.h"
@@ -26,6 +27,7 @@ void
 addStubs(std::vector<WireWithEnds>& wires,
          Growth& growth,
          const std::vector<Seed>& seeds,
+         const std::vector<Curve>& curves,
          const Underside& underside,
          bool terrain,
          const PowerLineSettings& settings);

@@ -5,6 +5,10 @@
 
 #include <vector>
 
+#include <linelet/support/points.h>
+
+#include "powerline/pieces/piece.h"
+
 namespace linelet::powerline {
 
 /** \brief How far the points of single wires scatter in a scan.
@@ -30,6 +34,10 @@ private:
   double usual_ = 0; // median of ln(rms), over the points
   double spread_ = 0;
 };
+
+/** \brief How the points of a single wire scatter. */
+ScanScatter::Sample
+sampleOf(const Piece& wire, const Points& points);
 
 /** \brief Logarithm of the prior of a wire whose scatter has this \a excess, relative
  * to the usual scatter: a Student distribution with 3 degrees of freedom, as some are

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the linelet authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "powerline/false_positives/scan_scatter.h"
+#include "powerline/pieces/scan_scatter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "powerline/line_priors.h"
+#include "powerline/pieces/span_model.h"
 
 namespace linelet::powerline {
 
@@ -55,6 +56,13 @@ ScanScatter::excess(const Sample& wire) const
   // The deviation of ln(rms) of 2 n normal coordinates is 1 / (2 sqrt(n)).
   const double deviation = std::hypot(spread_, 0.5 / std::sqrt(wire.points));
   return std::max(0.0, (std::log(wire.rms) - usual_) / deviation);
+}
+
+ScanScatter::Sample
+sampleOf(const Piece& wire, const Points& points)
+{
+  return {rootMeanSquare(wire.model, points, wire.members),
+          static_cast<double>(wire.members.size())};
 }
 
 double
