@@ -154,6 +154,24 @@ TEST(ExtractPowerLines, SparseWiresCarryALowerConfidence)
   }
 }
 
+// An earth wire is thin: of 300 m, a national scan shows 50 points.
+TEST(ExtractPowerLines, FindsAnEarthWireOfFewPoints)
+{
+  SceneBuilder scene{43};
+  scene.ground(-10, -30, 310, 30, 2);
+  for (const double y : {-6.0, 0.0, 6.0})
+    scene.wire({0, y, 21}, {300, y, 22}, TwoSpans::a, 0.6, 0.04);
+  const std::pair<Point, Point> earth = {{0, 0, 36}, {300, 0, 37}};
+  scene.wire(earth.first, earth.second, TwoSpans::a, 0.17, 0.04);
+  const PowerLineNetwork n = extractPowerLines(scene.points);
+  ASSERT_EQ(n.wires.size(), 4u);
+  const Wire& highest = *std::max_element(
+      n.wires.begin(), n.wires.end(), [](const Wire& x, const Wire& y) {
+        return x.front.z() < y.front.z();
+      });
+  EXPECT_LT(farthest(highest, earth), 0.1);
+}
+
 TEST(ExtractPowerLines, MeasuresClearances)
 {
   TwoSpans line;

@@ -30,12 +30,10 @@ struct RefinedSettings {
   /// directions agree, gaps of up to 2.5 D or 15 % of the joined length are bridged; in
   /// a scene, hidden stretches of up to 150 point spacings.
   double distance_cutoff = 0;
-  bool follow_hidden = true; ///< in a scene, join curves across a hidden stretch where
-                             ///< a parabola continues them
-  bool only_stiff = false;   ///< in a scene, leave out curves that turn more than a few
-                             ///< degrees over ten of their points
-  unsigned threads = 0;      ///< 0: all
-  CloudTraits whole;         ///< traits of the cloud, if known
+  bool only_stiff = false; ///< in a scene, leave out curves that turn more than a few
+                           ///< degrees over ten of their points
+  unsigned threads = 0;    ///< 0: all
+  CloudTraits whole;       ///< traits of the cloud, if known
 };
 
 } // namespace linelet

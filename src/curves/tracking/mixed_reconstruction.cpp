@@ -367,13 +367,10 @@ mixedCurves(const Points& all,
   if (monitor)
     monitor->begin("sparse curves", sparse.size());
   curves.follow(sparse, stiff, sure);
-  ModelCurves found = curves.release();
-  if (!settings.follow_hidden)
-    return found;
   return settings.distance_cutoff > 0
              ? joinHiddenStretches(
-                   std::move(found), widest_gap, settings.distance_cutoff)
-             : joinHiddenStretches(std::move(found), widest_gap);
+                   curves.release(), widest_gap, settings.distance_cutoff)
+             : joinHiddenStretches(curves.release(), widest_gap);
 }
 
 } // namespace linelet

@@ -13,6 +13,8 @@
 
 #include <linelet/curves/refined_reconstruction.h>
 
+#include "powerline/line_priors.h"
+#include "powerline/pieces/bend.h"
 #include "powerline/pieces/evidence.h"
 #include "powerline/pieces/growth.h"
 #include "powerline/pieces/parallel.h"
@@ -244,6 +246,15 @@ isRemainder(const Piece& bundle, const std::vector<Piece>& wires)
   });
 }
 
+// Whether points too few to cover a wire show one. Rows of other points line up, too,
+// but they do not hang.
+bool
+isSparseWire(const Piece& piece, const Evidence& evidence, const Points& points)
+{
+  return evidence.even && evidence.likelihood >= priors.alone &&
+         bendOf(piece, points).isAbove(flattest);
+}
+
 } // namespace
 
 std::vector<Curve>
@@ -259,8 +270,6 @@ curvesOf(const Candidates& candidates,
     return {};
   RefinedSettings curve_settings;
   curve_settings.threads = settings.threads;
-  // A hidden stretch may hide a support, with another span beyond it.
-  curve_settings.follow_hidden = false;
   curve_settings.only_stiff = true; // as wires are
   std::vector<Curve> curves =
       reconstructRefined(points, curve_settings, monitor).curves;
@@ -290,7 +299,8 @@ growAlong(const std::vector<Curve>& curves,
 {
   forEachPieceAlong(curves, growth, settings.threads, [&](Piece& piece) {
     const Evidence evidence = weigh(growth, piece, settings);
-    if (!evidence.accepted ||
+    if ((!evidence.accepted &&
+         !isSparseWire(piece, evidence, growth.candidates().points)) ||
         (piece.thickness > 0 &&
          (evidence.height < bundle_height || isRemainder(piece, wires))))
       return;

@@ -26,6 +26,7 @@ constexpr double hump = 0.10;        // meters of negative sag that noise may ca
 constexpr double clean_length = 6;   // meters that must at least be clean
 constexpr double clean_part = 0.5;   // of the occupied bins
 constexpr double least_cover = 0.35; // of the bins
+constexpr double least_even = 0.5;   // of the bins that as many random points occupy
 constexpr double crowd = 0.35;       // guard ring points per tube point in a clean bin
 constexpr std::size_t least_points = 8;
 constexpr double largest_log = 500; // of an exponent, within the range of a double
@@ -81,11 +82,13 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
   const double reach = std::max(ring_radius, 2 * tolerance);
   const double larger = reach * reach / (tolerance * tolerance) - 1;
   std::vector<Counts> counts(static_cast<std::size_t>(e.bins));
+  double tube = 0;
   for (int k = 0; k < e.bins; ++k) {
     const Bin bin =
         growth.look(m, m.begin + k * step, m.begin + (k + 1) * step, tolerance);
     counts[static_cast<std::size_t>(k)] = {
         static_cast<double>(bin.tube), static_cast<double>(bin.ring), larger};
+    tube += static_cast<double>(bin.tube);
     if (bin.tube == 0)
       continue;
     ++e.occupied;
@@ -106,6 +109,8 @@ weigh(const Growth& growth, const Piece& piece, const PowerLineSettings& setting
             e.height >= least_height;
   e.sound = e.hangs && e.clean >= clean_part * e.occupied &&
             e.clean * bin_length >= clean_length;
+  e.even =
+      e.sound && e.occupied >= least_even * e.bins * (1 - std::exp(-tube / e.bins));
   e.accepted = e.sound && e.occupied >= least_cover * e.bins &&
                e.likelihood >= LinePriors().in_company;
   return e;
