@@ -20,7 +20,6 @@ constexpr double visible_points = 60, hidden_points = 12;
 // Share of its points that are seen where it is hidden: crowns let some pulses through.
 // Chosen on simulated forests, not estimated; with 0, more wires are lost in crowns.
 constexpr double seen_through = 0.3;
-constexpr double least_gate_noise = 0.03; // of the D of the scene
 // Shares of the bending with which a promising curve is followed again: a stiff one is
 // found again behind a crown in which a freer one has lost its way.
 constexpr double stiffer[] = {0.1, 0.01};
@@ -128,7 +127,7 @@ public:
           first_.push_back(near.index);
       }
       density = count / length;
-      noise = std::max(std::sqrt(squares / weights), least_gate_noise * scene_.unit);
+      noise = std::max(std::sqrt(squares / weights), least_track_noise * scene_.unit);
       pass(h - place);
       // A track that enters a loop after its first points never comes back to them.
       const bool looping = looped || members.size() > scene_.points().size();
@@ -199,7 +198,7 @@ followCurve(const TrackedScene& scene,
 {
   Pass first(scene, bending, patience, most_points);
   first.density = seed.density;
-  first.noise = std::max(seed.noise, least_gate_noise * scene.unit);
+  first.noise = std::max(seed.noise, least_track_noise * scene.unit);
   first.state.at = seed.at;
   first.state.direction = seed.direction;
   const double turn = std::max(0.02, 2 * first.noise / seed.radius);

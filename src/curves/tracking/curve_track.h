@@ -22,6 +22,9 @@ struct TrackSeed {
   double quality = 0; ///< by which seeds are ordered, the best largest
 };
 
+/// Least standard deviation of points about a curve, in D of the scene.
+inline constexpr double least_track_noise = 0.03;
+
 /** \brief How freely a curve may bend. */
 struct TrackBending {
   double turn = 0.01; ///< standard deviation of its change of direction, radians, ...

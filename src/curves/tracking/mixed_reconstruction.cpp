@@ -11,6 +11,7 @@
 #include "direction_seeds.h"
 #include "explained_points.h"
 #include "hidden_stretches.h"
+#include "parallel_seeds.h"
 #include "seed_groups.h"
 #include "support/parallel_chunks.h"
 #include "track_fit.h"
@@ -202,6 +203,12 @@ public:
       monitor_->advance(seeds.size() - told);
   }
 
+  const ModelCurves&
+  found() const
+  {
+    return curves_;
+  }
+
   ModelCurves
   release()
   {
@@ -367,6 +374,11 @@ mixedCurves(const Points& all,
   if (monitor)
     monitor->begin("sparse curves", sparse.size());
   curves.follow(sparse, stiff, sure);
+  const std::vector<TrackSeed> parallel =
+      seedsAlongCurves(scene, curves.found(), widest_gap, settings.threads);
+  if (monitor)
+    monitor->begin("parallel curves", parallel.size());
+  curves.follow(parallel, stiff);
   return settings.distance_cutoff > 0
              ? joinHiddenStretches(
                    curves.release(), widest_gap, settings.distance_cutoff)
