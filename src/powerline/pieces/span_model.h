@@ -107,6 +107,13 @@ struct SpanModel {
             height(s)};
   }
 
+  /** \brief Unit tangent; the wire is taken as straight in plan. */
+  Point
+  tangent(double s) const
+  {
+    return Point(direction.x(), direction.y(), rise(s)).normalized();
+  }
+
   double
   length() const
   {

@@ -23,7 +23,7 @@ namespace linelet::powerline {
 namespace {
 
 constexpr double least_seen = 4; // visible meters of a drop
-constexpr double own_way = 0.95; // cosine to its line, at most
+constexpr double own_way = 0.95; // cosine to its line where they meet, at most
 constexpr double step = 0.25;    // meters, on the way to a house
 constexpr double eaves = 1;      // meters around the end of a drop, of its house ...
 constexpr double a_roof = 3;     // ... points there
@@ -68,15 +68,19 @@ wayTo(const SpanModel& m, int side, const std::vector<Stretch>& lines)
 {
   double nearest = -1;
   for (const auto& [line, low, high] : lines) {
+    // Where they cross in plan, or next to the end of m if they are nearly parallel.
     const double cosine = m.direction.dot(line->direction);
-    if (std::abs(cosine) > own_way)
-      continue;
     const Eigen::Vector2d between = m.origin - line->origin;
     const double on_line =
-        (between.dot(line->direction) - cosine * between.dot(m.direction)) /
-        (1 - cosine * cosine);
-    const Point from = line->at(std::clamp(on_line, low, high));
+        std::abs(cosine) > own_way
+            ? line->along(m.at(side == 0 ? m.begin : m.end))
+            : (between.dot(line->direction) - cosine * between.dot(m.direction)) /
+                  (1 - cosine * cosine);
+    const double place = std::clamp(on_line, low, high);
+    const Point from = line->at(place);
     const double s = m.along(from);
+    if (std::abs(m.tangent(s).dot(line->tangent(place))) > own_way)
+      continue;
     const double on = side == 0 ? m.begin - s : s - m.end;
     if (on < -1 || on > priors.drop_reach || (nearest >= 0 && on >= nearest))
       continue;
