@@ -23,9 +23,12 @@ namespace {
 constexpr double least_bend = 1e-4;   // z2 of a wire, 1/meters: a = 5 km
 constexpr double rather_straight = 2; // nats, 7 to 1
 constexpr double clean_part = 0.75;   // of the length of short wires at the border
-constexpr double lone_length = 18;    // meters of a lone wire in the clear
-constexpr double lone_clean = 0.8;    // of its bins
-constexpr double lone_open = 0.8;     // of its length, with nothing but deep below
+// Standard deviations by which a lone wire must bend: of a thousand straight rows of
+// other points, which a scene may have, six bend by 2.5 by chance, and none by 4.
+constexpr double lone_spread = 4;
+constexpr double lone_length = 18; // meters of a lone wire in the clear
+constexpr double lone_clean = 0.8; // of its bins
+constexpr double lone_open = 0.8;  // of its length, with nothing but deep below
 
 // A wire that is visible except for a hidden end shows most of its span.
 double
@@ -99,7 +102,7 @@ plausible(const Family& family, bool terrain)
            (family.wires >= many || family.clean >= clean_part * family.occupied) &&
            (family.wires > 1 || family.single >= priors.short_line);
   // A lone wire must visibly hang.
-  return family.bends > priors.spread * std::sqrt(family.precision) &&
+  return family.bends > lone_spread * std::sqrt(family.precision) &&
          (family.clear || (family.single >= priors.short_line && bend >= clear_bend &&
                            family.occupied >= lone_cover * family.bins &&
                            family.clean >= clean_part * family.occupied));
