@@ -104,7 +104,13 @@ EmFitter::fit(const ModelCurves& curves, const EmSettings& settings, double riva
     else if (pairs_.areStale(mixture_))
       pairs_.collect(mixture_);
     expect();
-    maximize(mixture_, pairs_, fixed_radius_, system_, settings);
+    const bool settled = i > 0 && i % settings.resample_every == 0;
+    maximize(mixture_,
+             pairs_,
+             fixed_radius_,
+             system_,
+             settings,
+             settings.straight && settled);
   }
   expect();
   if (free_ends_.prune(mixture_, pairs_)) {

@@ -25,8 +25,9 @@ namespace linelet {
  * (q spacing^3) is estimated per curve over the posterior of the bends: smooth curves
  * stay round, corners survive. Its mean is zero, or the mean of the neighboring bends
  * (\ref EmSettings::even_curvature). Every few iterations, open ends grow by one edge
- * and are cut back where that improves the likelihood. One object fits one cloud many
- * times and reuses its memory. */
+ * and are cut back where that improves the likelihood, and curves may become straight
+ * (\ref EmSettings::straight). One object fits one cloud many times and reuses its
+ * memory. */
 class EmFitter {
 public:
   /** \param[in] points finite points; must outlive the fitter, as must \a grid

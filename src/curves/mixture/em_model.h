@@ -23,6 +23,7 @@ struct EmSettings {
   double fixed_radius = 0;    ///< initial radius of fixed-radius noise; 0: normal noise
   bool even_curvature = false; ///< whether curves are assumed to bend evenly
   bool varied_noise = false;   ///< whether the noise varies along the curves
+  bool straight = false;       ///< whether curves may become straight (\ref straighten)
   /// Local factor of spacing and noise; null: 1 everywhere
   const ScaleField* scales = nullptr;
   int iterations = 15;

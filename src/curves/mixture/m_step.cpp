@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bending_prior.h"
+#include "straightening.h"
 #include "varied_noise.h"
 
 namespace linelet {
@@ -102,17 +103,20 @@ maximizeCurve(MixtureState& mixture,
               EdgePairs& pairs,
               const FixedRadiusNoise& fixed_radius,
               NodeSystem& system,
-              const EmSettings& settings)
+              const EmSettings& settings,
+              bool may_straighten)
 {
   const ModelCurve& curve = state.curve;
   system.matrix.reset(curve.nodes.size(), curve.closed);
   pullTowardPoints(mixture, state, pairs, fixed_radius, system);
+  if (may_straighten)
+    straighten(mixture, state, system);
   const double spacing =
       std::max(0.1 * settings.spacing,
                mixture.scaledLength(state) / static_cast<double>(curve.edges()));
   state.bend_mean.assign(curve.nodes.size(), Point::Zero());
   state.mean_freedom = 0;
-  if (settings.even_curvature)
+  if (settings.even_curvature && !state.straight)
     measureEvenCurvature(mixture, state, spacing);
   stiffen(mixture, state, spacing, system);
   moveNodes(mixture, state, system);
@@ -163,12 +167,14 @@ maximize(MixtureState& mixture,
          EdgePairs& pairs,
          const FixedRadiusNoise& fixed_radius,
          NodeSystem& system,
-         const EmSettings& settings)
+         const EmSettings& settings,
+         bool may_straighten)
 {
   mixture.freedom = mixture.noise.square = mixture.noise.share =
       mixture.noise.width_cost = 0;
   for (MixtureCurve& state : mixture.curves)
-    maximizeCurve(mixture, state, pairs, fixed_radius, system, settings);
+    maximizeCurve(
+        mixture, state, pairs, fixed_radius, system, settings, may_straighten);
 
   if (mixture.noise.fixed_radius > 0)
     fixed_radius.measure(mixture, pairs);

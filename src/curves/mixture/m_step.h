@@ -10,12 +10,14 @@
 namespace linelet {
 
 /** \brief The M-step: moves the nodes to where the points pull them, and estimates
- * bending, noise and weights. */
+ * bending, noise and weights.
+ * \param[in] may_straighten whether curves may become straight now (\ref straighten) */
 void
 maximize(MixtureState& mixture,
          EdgePairs& pairs,
          const FixedRadiusNoise& fixed_radius,
          NodeSystem& system,
-         const EmSettings& settings);
+         const EmSettings& settings,
+         bool may_straighten = false);
 
 } // namespace linelet

@@ -34,6 +34,7 @@ struct MixtureCurve {
   ModelCurve curve;
   std::size_t first_edge = 0;
   double bending = 1, first_bending = 1;
+  bool straight = false; ///< \ref straighten
   std::vector<double> bend_variance, bend_weight;
   Points bend_mean;                 ///< of the prior
   double mean_freedom = 0;          ///< effective parameters of these means
