@@ -74,6 +74,11 @@ public:
   {
     return scale_unit_;
   }
+  const CloudFrame&
+  frame() const
+  {
+    return frame_;
+  }
   int
   dimensions() const
   {

@@ -9,6 +9,7 @@
 
 #include <linelet/search/scale_unit.h>
 
+#include "curves/network/bridging.h"
 #include "curves/network/corners.h"
 #include "curves/network/curve_similarity.h"
 #include "curves/network/doubling.h"
@@ -16,6 +17,7 @@
 #include "curves/network/simpler_networks.h"
 #include "curves/ridges/connected_components.h"
 #include "curves/ridges/ridge_trace.h"
+#include "curves/ridges/straight_segments.h"
 
 namespace linelet {
 
@@ -54,6 +56,11 @@ constexpr double least_even_curvature = 6;
 constexpr double pair_share = 0.7;    // of the noise of the single curve, initially
 constexpr double most_kurtosis = 2.2; // 2 for normal noise
 constexpr std::size_t least_rest = 8;
+// Segments stand out from at least this share of the points, spread evenly. Their least
+// length in standard deviations and in D, and the distance at which their ends meet.
+constexpr double least_background = 0.02;
+constexpr double segment_noises = 4, segment_units = 2;
+constexpr double meeting_noises = 4, meeting_units = 1;
 
 /** \brief The kurtosis of normal noise (\ref EmFit): fourth moment over squared second
  * moment of the distance from a line. */
@@ -99,6 +106,44 @@ rejoinOnce(ComponentModel& component)
       }
   }
   return better;
+}
+
+/** \brief The place on \a curve nearest to \a p. */
+Point
+nearestOn(const ModelCurve& curve, const Point& p)
+{
+  Point nearest = curve.nodes.front();
+  for (std::size_t e = 0; e < curve.edges(); ++e) {
+    const Point way = curve.to(e) - curve.from(e);
+    const double t = way.dot(p - curve.from(e)) / std::max(way.squaredNorm(), 1e-300);
+    const Point place = curve.from(e) + std::clamp(t, 0.0, 1.0) * way;
+    if ((place - p).squaredNorm() < (nearest - p).squaredNorm())
+      nearest = place;
+  }
+  return nearest;
+}
+
+/** \brief \a curves with their free ends led to the nearest other curve within
+ * \a reach. */
+ModelCurves
+attached(const ModelCurves& curves, double reach)
+{
+  ModelCurves result = curves;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (std::size_t end = 0; end < 2 && !curves[c].closed; ++end) {
+      Point& tip = end == 0 ? result[c].nodes.front() : result[c].nodes.back();
+      const Point from = tip;
+      double nearest = reach;
+      for (std::size_t other = 0; other < curves.size(); ++other) {
+        const Point place = nearestOn(curves[other], from);
+        if (other == c || (place - from).norm() > nearest)
+          continue;
+        nearest = (place - from).norm();
+        tip = place;
+        result[c].junction[end] = 0;
+      }
+    }
+  return result;
 }
 
 /** \brief \a fitted with every curve doubled whose points lie on two sides of it,
@@ -274,6 +319,37 @@ evenCurvature(ComponentModel& component)
   settings.even_curvature = true;
   settings.noise = best.noise;
   component.take(component.fit(best.curves, settings), settings, least_gain);
+}
+
+bool
+trySegments(ComponentModel& component)
+{
+  const EmFit& best = component.best().fit;
+  if (best.curves.size() < 2)
+    return false;
+  const double n = static_cast<double>(component.points().size());
+  const double noise = best.deviation(), unit = component.scaleUnit();
+  SegmentSettings search;
+  search.noise = noise;
+  search.density = n * (1 - best.outlier_share) / length(best.curves);
+  search.background =
+      n * std::max(best.outlier_share, least_background) / component.frame().volume;
+  search.dimensions = component.dimensions();
+  search.least_length = std::max(segment_noises * noise, segment_units * unit);
+  ModelCurves segments = straightSegments(component.points(), search);
+  const double meeting = std::max(meeting_noises * noise, meeting_units * unit);
+  for (ModelCurve& segment : segments)
+    segment.scale = 0.5 * meeting;
+  EmSettings settings = component.best().settings;
+  settings.noise = best.noise;
+  settings.fixed_radius = best.fixed_radius;
+  settings.iterations = EmSettings().iterations;
+  bool better = component.improve(segments, settings, 0);
+  const ModelCurves joined = bridgeGaps(segments, meeting, 0, meeting, M_PI);
+  better = component.improve(joined, settings, 0) || better;
+  if (better)
+    component.improve(attached(best.curves, meeting), settings, 0);
+  return better;
 }
 
 void

@@ -49,6 +49,13 @@ fitFixedRadius(ComponentModel& component, const EmFit& other);
 void
 evenCurvature(ComponentModel& component);
 
+/** \brief Where there are several curves, tries straight segments (\ref
+ * straightSegments), as they are and joined where their ends meet: ridges have no
+ * direction where curves meet, cross, or pass each other closely.
+ * \return whether they are better */
+bool
+trySegments(ComponentModel& component);
+
 /** \brief Tries sharp corners where the curves bend strongly. */
 void
 sharpen(ComponentModel& component);

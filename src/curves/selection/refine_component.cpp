@@ -113,13 +113,15 @@ reviseBoth(ComponentModel& component, const ScaleField* scales)
 {
   const std::optional<Fitted> runner_up = component.runnerUp(most_behind);
   finish(component, revise(component, scales));
-  if (!runner_up)
-    return;
-  const Fitted best = component.best();
-  component.goOnFrom(*runner_up);
-  finish(component, revise(component, scales));
-  if (best.score <= component.best().score)
-    component.goOnFrom(best);
+  if (runner_up) {
+    const Fitted best = component.best();
+    component.goOnFrom(*runner_up);
+    finish(component, revise(component, scales));
+    if (best.score <= component.best().score)
+      component.goOnFrom(best);
+  }
+  if (trySegments(component))
+    finish(component, revise(component, scales));
 }
 
 /** \brief Fits a share of \a points whose curves are thick compared with their spacing;
