@@ -337,6 +337,8 @@ trySegments(ComponentModel& component)
   search.dimensions = component.dimensions();
   search.least_length = std::max(segment_noises * noise, segment_units * unit);
   ModelCurves segments = straightSegments(component.points(), search);
+  if (segments.empty())
+    return false;
   const double meeting = std::max(meeting_noises * noise, meeting_units * unit);
   for (ModelCurve& segment : segments)
     segment.scale = 0.5 * meeting;

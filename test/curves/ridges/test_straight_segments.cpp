@@ -9,6 +9,8 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <gtest/gtest.h>
 
+#include <linelet/curves/refined_reconstruction.h>
+
 #include "curves/ridges/straight_segments.h"
 
 using namespace linelet;
@@ -20,6 +22,8 @@ constexpr double noise = 0.2;
 /** \brief Noisy points of segments, and points anywhere in the box [-10, 10]^3. */
 class Scatter {
 public:
+  explicit Scatter(double deviation = noise) : normal_(0, deviation) {}
+
   void
   addSegment(const Point& from, const Point& to, int count)
   {
@@ -46,7 +50,7 @@ public:
 
 private:
   boost::random::mt19937 random_{5};
-  boost::random::normal_distribution<double> normal_{0, noise};
+  boost::random::normal_distribution<double> normal_;
   boost::random::uniform_real_distribution<double> uniform_{0, 1};
 };
 
@@ -120,4 +124,24 @@ TEST(StraightSegments, AreNotFoundAmongScatteredPoints)
   scatter.addAnywhere(300);
   EXPECT_TRUE(straightSegments(scatter.points, settingsOf(6, 300)).empty());
   EXPECT_TRUE(straightSegments({}, settingsOf(6, 300)).empty());
+}
+
+// Four lines that cross each other, whose points scatter by a twentieth of their
+// length: without segments, ridges lead around the corners.
+TEST(StraightSegments, MakeUpNoisyNetworks)
+{
+  Scatter scatter(0.4);
+  scatter.addSegment({-5, -3, 0}, {5, -1, 1}, 60);
+  scatter.addSegment({-5, 3, 1}, {5, -3, 0}, 60);
+  scatter.addSegment({-3, -5, 0}, {-1, 5, 1}, 60);
+  scatter.addSegment({4, -5, 1}, {0, 5, 0}, 60);
+  const CurveNetwork found = reconstructRefined(scatter.points, {});
+  ASSERT_EQ(found.curves.size(), 4u);
+  ModelCurves curves(4);
+  for (std::size_t c = 0; c < 4; ++c)
+    curves[c].nodes = found.curves[c].points;
+  EXPECT_LT(distanceTo(curves, {-5, -3, 0}, {5, -1, 1}), 1);
+  EXPECT_LT(distanceTo(curves, {-5, 3, 1}, {5, -3, 0}), 1);
+  EXPECT_LT(distanceTo(curves, {-3, -5, 0}, {-1, 5, 1}), 1);
+  EXPECT_LT(distanceTo(curves, {4, -5, 1}, {0, 5, 0}), 1);
 }
