@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+#include "support/append-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace linelet {
 namespace HWY_NAMESPACE {
@@ -28,12 +30,12 @@ pointsInBall(const double* middle,
              std::uint64_t* index,
              double* squared)
 {
-  const hn::ScalableTag<double> d;
+  const hn::CappedTag<double, BallPoints::padding> d;
   const hn::RebindToUnsigned<decltype(d)> u;
   const std::size_t lanes = hn::Lanes(d);
   const auto mx = hn::Set(d, middle[0]), my = hn::Set(d, middle[1]),
              mz = hn::Set(d, middle[2]), radius = hn::Set(d, squared_radius);
-  HWY_ALIGN double rest[3 * HWY_MAX_BYTES / sizeof(double)] = {};
+  HWY_ALIGN double rest[3 * BallPoints::padding] = {};
   std::size_t found = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
     const double* from = xyz + 3 * i;
@@ -53,9 +55,9 @@ pointsInBall(const double* middle,
         hn::And(hn::Le(away, radius), hn::FirstN(d, std::min(lanes, count - i)));
     if (hn::AllFalse(d, inside))
       continue;
-    hn::CompressStore(
-        hn::Iota(u, first + i), hn::RebindMask(u, inside), u, index + found);
-    found += hn::CompressStore(away, inside, d, squared + found);
+    appendWide(u, hn::Iota(u, first + i), hn::RebindMask(u, inside), index + found);
+    appendWide(d, away, inside, squared + found);
+    found += hn::CountTrue(d, inside);
   }
   return found;
 }
@@ -85,8 +87,7 @@ appendPointsInBall(const Point& middle,
                    BallPoints& found)
 {
   static const auto kernel = HWY_DYNAMIC_DISPATCH(kernelOfBalls)();
-  constexpr std::size_t padding = HWY_MAX_BYTES / sizeof(double);
-  if (const std::size_t room = found.count + (end - begin) + padding;
+  if (const std::size_t room = found.count + (end - begin) + BallPoints::padding;
       found.index.size() < room) {
     found.index.resize(2 * room);
     found.squared.resize(2 * room);

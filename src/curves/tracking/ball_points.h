@@ -13,6 +13,9 @@ namespace linelet {
 
 /** \brief Points in a ball, in the order in which they were tested. */
 struct BallPoints {
+  /// Doubles of a vector, at most: as many entries beyond the last may be written.
+  static constexpr std::size_t padding = 8;
+
   std::size_t count = 0;
   std::vector<std::uint64_t> index;
   std::vector<double> squared; ///< squares of their distances from the middle

@@ -11,12 +11,14 @@
 
 #include <algorithm>
 
+#include "support/append-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace linelet {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::ScalableTag<double>;
+using D = hn::CappedTag<double, TubePoints::padding>;
 using V = hn::Vec<D>;
 
 /** \brief The sum of squares or products as Eigen forms it: products are not fused with
@@ -49,7 +51,7 @@ pointsInTube(const Tube& tube,
     curvature[k] = hn::Set(d, tube.curvature[k]);
   }
   const V length = hn::Set(d, tube.length), radius = hn::Set(d, tube.squared_radius);
-  HWY_ALIGN double rest[3 * HWY_MAX_BYTES / sizeof(double)] = {};
+  HWY_ALIGN double rest[3 * TubePoints::padding] = {};
   std::size_t found = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
     const double* from = xyz + 3 * i;
@@ -72,10 +74,10 @@ pointsInTube(const Tube& tube,
         hn::And(hn::Le(away, radius), hn::FirstN(d, std::min(lanes, count - i))));
     if (hn::AllFalse(d, inside))
       continue;
-    hn::CompressStore(
-        hn::Iota(u, first + i), hn::RebindMask(u, inside), u, index + found);
-    hn::CompressStore(along, inside, d, place + found);
-    found += hn::CompressStore(away, inside, d, squared + found);
+    appendWide(u, hn::Iota(u, first + i), hn::RebindMask(u, inside), index + found);
+    appendWide(d, along, inside, place + found);
+    appendWide(d, away, inside, squared + found);
+    found += hn::CountTrue(d, inside);
   }
   return found;
 }
@@ -104,8 +106,7 @@ appendPointsInTube(const Tube& tube,
                    TubePoints& found)
 {
   static const auto kernel = HWY_DYNAMIC_DISPATCH(kernelOfTubes)();
-  constexpr std::size_t padding = HWY_MAX_BYTES / sizeof(double);
-  if (const std::size_t room = found.count + (end - begin) + padding;
+  if (const std::size_t room = found.count + (end - begin) + TubePoints::padding;
       found.index.size() < room) {
     found.index.resize(2 * room);
     found.place.resize(2 * room);

@@ -22,6 +22,9 @@ struct Tube {
 
 /** \brief Points in a tube, in the order in which they were tested. */
 struct TubePoints {
+  /// Doubles of a vector, at most: as many entries beyond the last may be written.
+  static constexpr std::size_t padding = 8;
+
   std::size_t count = 0;
   std::vector<std::uint64_t> index;
   std::vector<double> place;   ///< along the tangent, > 0

@@ -13,13 +13,15 @@
 
 #include <hwy/highway.h>
 
-#include "append-inl.h"
 #include "sums-inl.h"
+#include "support/append-inl.h"
 #include "sweep_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
+
+using linelet::HWY_NAMESPACE::append;
 
 /** \brief As PointList::pad, for readers by vectors. */
 HWY_INLINE void

@@ -15,13 +15,15 @@
 
 #include <hwy/highway.h>
 
-#include "append-inl.h"
 #include "multi_scale_kernels.h"
+#include "support/append-inl.h"
 #include "weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace linelet::grid {
 namespace HWY_NAMESPACE {
+
+using linelet::HWY_NAMESPACE::append;
 
 template <class Mask>
 HWY_INLINE std::uint32_t

@@ -4,11 +4,11 @@
 // Storing some lanes of a vector one after the other. Included once per instruction
 // set, so it has a guard that toggles.
 
-#if defined(LINELET_GRID_APPEND_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef LINELET_GRID_APPEND_INL
-#undef LINELET_GRID_APPEND_INL
+#if defined(LINELET_APPEND_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LINELET_APPEND_INL
+#undef LINELET_APPEND_INL
 #else
-#define LINELET_GRID_APPEND_INL
+#define LINELET_APPEND_INL
 #endif
 
 #include <array>
@@ -18,7 +18,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace linelet::grid {
+namespace linelet {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -81,8 +81,9 @@ packed(Tag tag, Vector vector, Mask mask)
 
 #endif
 
-/** \brief Stores the lanes of \a mask one after the other; a whole vector is written.
- * (Packing in a register is fast everywhere, packing into memory is not.) */
+/** \brief Stores the lanes of \a mask, of 32 bits each, one after the other; a whole
+ * vector is written. (Packing in a register is fast everywhere, packing into memory is
+ * not.) */
 template <class Tag, class Vector, class Mask>
 HWY_INLINE void
 append(Tag tag, Vector vector, Mask mask, hn::TFromD<Tag>* at)
@@ -90,8 +91,23 @@ append(Tag tag, Vector vector, Mask mask, hn::TFromD<Tag>* at)
   hn::StoreU(packed(tag, vector, mask), tag, at);
 }
 
+/** \brief The same for lanes of 64 bits. */
+template <class Tag, class Vector, class Mask>
+HWY_INLINE void
+appendWide(Tag tag, Vector vector, Mask mask, hn::TFromD<Tag>* at)
+{
+#if HWY_TARGET == HWY_SCALAR
+  append(tag, vector, mask, at);
+#else
+  const hn::Repartition<std::uint32_t, Tag> halves;
+  const auto both = hn::MaskFromVec(hn::BitCast(halves, hn::VecFromMask(tag, mask)));
+  const auto pairs = packed(halves, hn::BitCast(halves, vector), both);
+  hn::StoreU(hn::BitCast(tag, pairs), tag, at);
+#endif
+}
+
 } // namespace HWY_NAMESPACE
-} // namespace linelet::grid
+} // namespace linelet
 HWY_AFTER_NAMESPACE();
 
 #endif
