@@ -65,13 +65,17 @@ WireCurve::within(const Point& p, double radius) const
 {
   const Point d = p - lowest_;
   const double x = forward_.dot(d), y = up_.dot(d), z = across_.dot(d);
+  const double limit = radius * radius;
+  // Most points are farther to the side of the wire, or farther below its lowest point.
+  if (z * z > limit || (y < 0 && y * y > limit))
+    return {1, 0};
   const double middle = nearestAlong(x, y);
   const auto squared = [&](double s) {
     const double half = std::sinh(s / (2 * a_));
     const double dx = s - x, dy = 2 * a_ * half * half - y;
     return dx * dx + dy * dy + z * z;
   };
-  const double limit = radius * radius, least = squared(middle);
+  const double least = squared(middle);
   if (!(least <= limit))
     return {1, 0};
   // The squared distance rises on both sides, so Newton's method starts outside.
