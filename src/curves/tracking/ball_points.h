@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,6 +19,7 @@ struct BallPoints {
 
   std::size_t count = 0;
   std::vector<std::uint64_t> index;
+  std::array<std::vector<double>, 3> offset; ///< from the middle, by axis
   std::vector<double> squared; ///< squares of their distances from the middle
 };
 
@@ -31,5 +33,14 @@ appendPointsInBall(const Point& middle,
                    std::size_t begin,
                    std::size_t end,
                    BallPoints& found);
+
+/** \brief How many of \a points lie in a cylinder through the middle of their ball.
+ * \param[in] direction of its axis, a unit vector
+ * \param[in] squared_half its points lie as near to the middle as this allows */
+std::size_t
+countInCylinder(const BallPoints& points,
+                const Point& direction,
+                double squared_half,
+                double squared_radius);
 
 } // namespace linelet

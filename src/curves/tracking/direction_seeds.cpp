@@ -174,6 +174,39 @@ private:
   Offsets::Column off_, member_;
 };
 
+/** \brief Whether a cylinder through the middle of \a ball and one of its nearest
+ * points may hold enough points for a seed. This spares most places the sorting. */
+bool
+mayHoldSeed(const OpenPoints& open, const BallPoints& ball)
+{
+  constexpr double rounding = 1.01;                 // of floats, which decide later
+  std::array<std::size_t, neighbors + 1> nearest{}; // the middle first
+  std::size_t known = 0;
+  for (std::size_t k = 0; k < ball.count; ++k) {
+    if (known == nearest.size() &&
+        !(ball.squared[k] < ball.squared[nearest[known - 1]]))
+      continue;
+    known = std::min(known + 1, nearest.size());
+    std::size_t at = known - 1;
+    for (; at > 0 && ball.squared[k] < ball.squared[nearest[at - 1]]; --at)
+      nearest[at] = nearest[at - 1];
+    nearest[at] = k;
+  }
+  for (std::size_t n = 1; n < known; ++n) {
+    const std::size_t k = nearest[n];
+    const double squared = ball.squared[k];
+    const Point way(ball.offset[0][k], ball.offset[1][k], ball.offset[2][k]);
+    if (open.free[ball.index[k]] != 0 &&
+        static_cast<double>(
+            countInCylinder(ball,
+                            way / std::sqrt(squared),
+                            rounding * half_length * half_length * squared,
+                            rounding * radius * radius * squared)) >= least_members)
+      return true;
+  }
+  return false;
+}
+
 /** \brief The best cylinder through point \a i, with its evidence as quality. */
 TrackSeed
 bestSeed(const OpenPoints& open, std::size_t i, Around& found)
@@ -189,6 +222,8 @@ bestSeed(const OpenPoints& open, std::size_t i, Around& found)
   findPointsAround(open.grid, at, 2 * reach, in_ball);
   if (in_ball.count <= most_points)
     findPointsAround(open.grid, at, visible, in_ball);
+  if (!mayHoldSeed(open, in_ball))
+    return best;
   Neighbors& around = found.nearest;
   around.clear();
   for (std::size_t k = 0; k < in_ball.count; ++k)

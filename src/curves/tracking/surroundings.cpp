@@ -28,18 +28,13 @@ axesAcross(const Point& direction)
 }
 
 /** \brief Which of the eight equal sectors about the origin holds (x, y), counted from
- * the x axis to the y axis. */
+ * the x axis to the y axis. Without branches, which would often be mispredicted. */
 std::size_t
 sectorOf(double x, double y)
 {
-  const bool below = y < 0;
-  if (below) {
-    x = -x;
-    y = -y;
-  }
-  const bool left = x < 0;
-  const bool steep = left ? -x <= y : y >= x;
-  const std::size_t half = left ? (steep ? 2 : 3) : (steep ? 1 : 0);
+  const bool below = y < 0, left = below ? x > 0 : x < 0; // once turned upward
+  const bool steep = std::abs(y) >= std::abs(x);
+  const std::size_t half = static_cast<std::size_t>(steep) ^ (left ? 3U : 0U);
   return half + (below ? sectors / 2 : 0);
 }
 
@@ -80,8 +75,8 @@ lookAhead(const TrackedScene& scene,
     if (squared > squared_gate) {
       outside += 1;
       std::size_t r = 0;
-      while (squared > outer[r])
-        ++r;
+      for (std::size_t n = 0; n + 1 < rings; ++n)
+        r += squared > outer[n] ? 1 : 0;
       const Point off = scene.points()[i] - state.at -
                         place * (state.direction + 0.5 * place * state.curvature);
       around[sectorOf(axes[0].dot(off), axes[1].dot(off))][r] += 1;
