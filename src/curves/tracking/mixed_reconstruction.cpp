@@ -293,7 +293,8 @@ private:
     if (free < least_free * total)
       return true; // of another curve, found meanwhile
     const bool clear = track.evidence >= clear_;
-    TrackFitter fitter(scene_, track, clear, [this] { return stopped(); });
+    TrackFitter fitter(
+        scene_, track, clear, settings_.threads, [this] { return stopped(); });
     TrackFit fit = fitter.toSurroundings();
     const bool misled = length(fit.fit.curves) < least_kept * lengthOf(track.path) &&
                         track.evidence > sure * needed_;

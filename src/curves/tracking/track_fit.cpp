@@ -4,13 +4,17 @@
 #include "track_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <utility>
 
 #include "cross_section.h"
 #include "curves/mixture/model_score.h"
 #include "lines_of_track.h"
 #include "points_around.h"
+#include "support/parallel_chunks.h"
 
 namespace linelet {
 
@@ -93,12 +97,47 @@ atMost(double count)
   return count + noticed * std::sqrt(std::max(count, 1.0));
 }
 
+/** \brief Fits the same points in several threads at a time, each with a fitter whose
+ * memory is used again. */
+class SharedFitter {
+public:
+  explicit SharedFitter(std::function<std::unique_ptr<EmFitter>()> make)
+      : make_(std::move(make))
+  {
+  }
+
+  EmFit
+  fit(const ModelCurves& curves, const EmSettings& settings)
+  {
+    std::unique_ptr<EmFitter> fitter;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!idle_.empty()) {
+        fitter = std::move(idle_.back());
+        idle_.pop_back();
+      }
+    }
+    if (!fitter)
+      fitter = make_();
+    EmFit result = fitter->fit(curves, settings);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(fitter));
+    return result;
+  }
+
+private:
+  std::function<std::unique_ptr<EmFitter>()> make_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<EmFitter>> idle_;
+};
+
 /** \brief The points around a track, and how they are fitted. */
 struct FitInput {
   const Points& points;
   const UniformGrid& grid;
-  EmFitter& fitter;
+  SharedFitter& fitter;
   const EmSettings& settings;
+  unsigned threads;
 
   double
   score(const EmFit& fit) const
@@ -116,26 +155,72 @@ gainOverRibbons(const EmFit& fit, const FitInput& input)
          0.5 * input.score(fit);
 }
 
-/** \brief Takes lines side by side along \a one, a single curve, where they explain
- * more than \a best and than ribbons, of which one has \a gain_of_one: either where
- * each goes its own way, or as modes of one cross-section. */
-void
-takeLinesAlong(const EmFit& one, double gain_of_one, const FitInput& input, EmFit& best)
+/** \brief A single curve, and lines side by side along it. */
+struct CurveAndLines {
+  EmFit one;
+  double gain = 0; ///< of ribbons along it
+  std::vector<ParallelLines> lines;
+  std::vector<EmFit> fits; ///< of each of these
+};
+
+/** \brief Looks for lines along \a one and fits them. */
+CurveAndLines
+linesBeside(EmFit one, const FitInput& input)
 {
-  const double least = input.settings.least_noise;
-  for (const ParallelLines& lines :
-       linesAlong(one.curves.front(), input.points, one.noise, least)) {
+  CurveAndLines result;
+  result.gain = gainOverRibbons(one, input);
+  result.lines = linesAlong(
+      one.curves.front(), input.points, one.noise, input.settings.least_noise);
+  result.fits.resize(result.lines.size());
+  forEachChunk(result.lines.size(), 1, input.threads, [&](std::size_t k, std::size_t) {
     EmSettings thin = input.settings;
-    thin.noise = lines.width;
-    EmFit fit = input.fitter.fit(lines.curves, thin);
+    thin.noise = result.lines[k].width;
+    result.fits[k] = input.fitter.fit(result.lines[k].curves, thin);
+  });
+  result.one = std::move(one);
+  return result;
+}
+
+/** \brief Takes the lines along a curve where they explain more than \a best and than
+ * ribbons, of which one has \a gain_of_one: either where each goes its own way, or as
+ * modes of one cross-section. */
+void
+takeLines(CurveAndLines& along, double gain_of_one, const FitInput& input, EmFit& best)
+{
+  for (std::size_t k = 0; k < along.fits.size(); ++k) {
+    EmFit& fit = along.fits[k];
     if (fit.curves.empty())
       continue;
     const double needed = least_gain * (static_cast<double>(fit.curves.size()) - 1);
     if (input.score(fit) < input.score(best) - needed &&
         (gainOverRibbons(fit, input) > gain_of_one + 0.5 * needed ||
-         modesGain(one, lines.offsets, input.points, input.grid, least) > 0.5 * needed))
+         modesGain(along.one,
+                   along.lines[k].offsets,
+                   input.points,
+                   input.grid,
+                   input.settings.least_noise) > 0.5 * needed))
       best = std::move(fit);
   }
+}
+
+/** \brief The best of \a single and of lines side by side along it. */
+EmFit
+linesInstead(const EmFit& single,
+             bool clear,
+             const EmSettings& stiff,
+             const FitInput& input)
+{
+  std::array<CurveAndLines, 2> along;
+  forEachChunk(clear ? 2 : 1, 1, input.threads, [&](std::size_t k, std::size_t) {
+    // A free curve may wander between the lines; a stiff one keeps its course.
+    EmFit one = k == 0 ? single : input.fitter.fit(single.curves, stiff);
+    if (one.curves.size() == 1)
+      along[k] = linesBeside(std::move(one), input);
+  });
+  EmFit best = single;
+  takeLines(along[0], along[0].gain, input, best);
+  takeLines(along[1], std::max(along[0].gain, along[1].gain), input, best);
+  return best;
 }
 
 } // namespace
@@ -143,10 +228,12 @@ takeLinesAlong(const EmFit& one, double gain_of_one, const FitInput& input, EmFi
 TrackFitter::TrackFitter(const TrackedScene& scene,
                          const Track& track,
                          bool clear,
+                         unsigned threads,
                          std::function<bool()> stop)
     : scene_(scene),
       track_(track),
       clear_(clear),
+      threads_(threads),
       stop_(std::move(stop)),
       start_(smoothPath(track, node_spacing / track.density))
 {
@@ -213,7 +300,8 @@ TrackFitter::fit(Indices indices, double background) const
   frame.volume = M_PI * distance_ * distance_ * length(start);
   frame.dimensions = 3;
   const UniformGrid grid(points, std::max(distance_, 2 * track_.noise));
-  EmFitter fitter(points, grid, frame, stop_);
+  SharedFitter fitter(
+      [&] { return std::make_unique<EmFitter>(points, grid, frame, stop_); });
   EmSettings settings;
   const auto count = static_cast<double>(points.size());
   settings.outlier_share = std::clamp(1 - track_.weight() / count, 0.01, 0.99);
@@ -222,26 +310,14 @@ TrackFitter::fit(Indices indices, double background) const
   settings.least_noise = least_noise * scene_.unit;
   settings.spacing = node_spacing / track_.density;
   settings.bending = free_turn / frame.diagonal;
+  const FitInput input = {points, grid, fitter, settings, threads_};
   result.fit = fitter.fit({start}, settings);
-  const FitInput input = {points, grid, fitter, settings};
   EmSettings stiff = settings;
   stiff.bending = slight_turn / frame.diagonal;
+  stiff.noise = result.fit.noise;
   if (result.fit.curves.size() == 1 &&
-      result.fit.noise >= least_thick * settings.least_noise) {
-    const EmFit one = result.fit;
-    const double gain = gainOverRibbons(one, input);
-    takeLinesAlong(one, gain, input, result.fit);
-    if (clear_) {
-      // A free curve may wander between the lines; a stiff one keeps its course.
-      stiff.noise = one.noise;
-      const EmFit stiff_one = fitter.fit(one.curves, stiff);
-      if (stiff_one.curves.size() == 1)
-        takeLinesAlong(stiff_one,
-                       std::max(gain, gainOverRibbons(stiff_one, input)),
-                       input,
-                       result.fit);
-    }
-  }
+      result.fit.noise >= least_thick * settings.least_noise)
+    result.fit = linesInstead(result.fit, clear_, stiff, input);
   if (!result.fit.curves.empty()) {
     // With few noisy points, a stiffer curve may score better.
     stiff.noise = result.fit.noise;

@@ -25,10 +25,12 @@ class TrackFitter {
 public:
   /** \param[in] scene, track must outlive the fitter
    * \param[in] clear that the track is a curve beyond doubt, so that lines are looked
-   * for along a stiff fit, too; in clutter they would be found by chance */
+   * for along a stiff fit, too; in clutter they would be found by chance
+   * \param[in] stop as of \ref EmFitter; called by several threads */
   TrackFitter(const TrackedScene& scene,
               const Track& track,
               bool clear,
+              unsigned threads,
               std::function<bool()> stop);
 
   /** \brief Fits to all points around the track, against which a false curve loses. No
@@ -56,6 +58,7 @@ private:
   const TrackedScene& scene_;
   const Track& track_;
   bool clear_;
+  unsigned threads_;
   std::function<bool()> stop_;
   ModelCurve start_;
   double distance_; ///< of the points from the start, at most

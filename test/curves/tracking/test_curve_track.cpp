@@ -184,7 +184,7 @@ TEST(TrackFit, ASparseNoisyWireIsKnownBetterThanItsPoints)
     const Track track = followCurve(scene, start, {0.01, 10}, 12);
     ASSERT_GT(track.members.size(), 60U) << seed;
     const TrackFit fit =
-        TrackFitter(scene, track, false, [] { return false; }).toSurroundings();
+        TrackFitter(scene, track, false, 1, [] { return false; }).toSurroundings();
     ASSERT_EQ(fit.fit.curves.size(), 1U) << seed;
     for (const Point& p : fit.fit.curves.front().nodes) {
       squares += p.y() * p.y() + std::pow(p.z() - height(p.x()), 2);
