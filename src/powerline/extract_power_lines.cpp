@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 #include <linelet/io/usable_points.h>
 #include <linelet/powerline/metric_frame.h>
 #include <linelet/support/text.h>
+#include <linelet/support/threads.h>
 
 #include "powerline/false_positives/false_positives.h"
 #include "powerline/false_positives/misled.h"
@@ -50,6 +52,7 @@
 #include "powerline/terrain/find_ground.h"
 #include "powerline/terrain/shows_terrain.h"
 #include "powerline/terrain/underside.h"
+#include "support/quiet_monitor.h"
 
 namespace linelet::powerline {
 
@@ -175,12 +178,17 @@ extractPowerLines(const Points& points,
     const Underside underside(points);
     stages.begin("seeds");
     const std::vector<Seed> seeds = findSeeds(candidates, settings.threads, monitor);
-    stages.begin("wires");
-    Growth growth(candidates, settings, seeds);
-    std::vector<Piece> pieces = growAll(growth, seeds, settings, monitor);
     stages.begin("curves");
-    growth.release();
+    Growth growth(candidates, settings, seeds);
+    QuietMonitor quiet(monitor);
+    // In parallel with the curves; what grows depends on what grew before.
+    auto grown = std::async(threadCount(settings.threads) > 1 ? std::launch::async
+                                                              : std::launch::deferred,
+                            [&] { return growAll(growth, seeds, settings, &quiet); });
     std::vector<Curve> curves = curvesOf(candidates, settings, monitor);
+    stages.begin("wires");
+    std::vector<Piece> pieces = grown.get();
+    growth.release();
     std::vector<Piece> along;
     growAlong(curves, growth, along, settings);
     pieces = likelierPieces(growth, std::move(pieces), std::move(along), settings);

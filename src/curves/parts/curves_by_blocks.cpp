@@ -15,6 +15,7 @@
 #include "curves/ridges/distinct_points.h"
 #include "curves/tracking/mixed_reconstruction.h"
 #include "support/parallel_failure.h"
+#include "support/quiet_monitor.h"
 
 namespace linelet {
 
@@ -22,21 +23,6 @@ namespace {
 
 // In D: how far past a cut the course of a curve is kept.
 constexpr double noted = 20;
-
-/** \brief Passes on cancellation; progress is reported per block. */
-class BlockMonitor : public ProgressMonitor {
-public:
-  explicit BlockMonitor(const ProgressMonitor* outer) : outer_(outer) {}
-
-  bool
-  canceled() const override
-  {
-    return outer_ != nullptr && outer_->canceled();
-  }
-
-private:
-  const ProgressMonitor* outer_;
-};
 
 /** \brief The points that each block uses, in input order. */
 std::vector<Indices>
@@ -69,7 +55,7 @@ curvesByBlocks(const Points& points,
   // Within a block, threads often wait for each other; with fewer blocks than threads,
   // some would be idle.
   const bool side_by_side = blocks.count() >= threads;
-  BlockMonitor inner(monitor);
+  QuietMonitor inner(monitor); // progress is reported per block
   ParallelFailure failure;
   std::vector<CurvePart> parts(blocks.count());
 #pragma omp parallel for schedule(dynamic)                                             \
