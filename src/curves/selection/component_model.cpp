@@ -173,7 +173,7 @@ ComponentModel::tryTraces(const Traces& traces, double b, double gain)
   settings.least_noise = 0.1 * unit();
   settings.bending = 1 / frame_.diagonal;
   settings.varied_noise = varied_noise_;
-  settings.straight = true;
+  settings.straight = user_.may_be_straight;
   settings.even_curvature = best_.settings.even_curvature;
   EmFit fit = fitter_.fit(start, settings, best_.score);
   const double score = scoreOf(fit, points_.size());

@@ -109,7 +109,7 @@ finish(ComponentModel& component, const EmFit& rejected)
 /** \brief Revises the runner-up of the bandwidths as well as the best fit, since it
  * often wins in the end. */
 void
-reviseBoth(ComponentModel& component, const ScaleField* scales)
+reviseBoth(ComponentModel& component, const ScaleField* scales, bool may_be_straight)
 {
   const std::optional<Fitted> runner_up = component.runnerUp(most_behind);
   finish(component, revise(component, scales));
@@ -120,7 +120,7 @@ reviseBoth(ComponentModel& component, const ScaleField* scales)
     if (best.score <= component.best().score)
       component.goOnFrom(best);
   }
-  if (trySegments(component))
+  if (may_be_straight && trySegments(component))
     finish(component, revise(component, scales));
 }
 
@@ -179,7 +179,7 @@ refineComponent(const Points& points,
     followNoise(component, scales);
   }
   if (points.size() <= revised_component)
-    reviseBoth(component, scales);
+    reviseBoth(component, scales, user.may_be_straight);
   else {
     const EmFit rejected = revise(component, scales);
     if (!sampled)
