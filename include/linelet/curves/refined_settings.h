@@ -32,8 +32,8 @@ struct RefinedSettings {
   double distance_cutoff = 0;
   bool only_stiff = false; ///< in a scene, leave out curves that turn more than a few
                            ///< degrees over ten of their points
-  bool may_be_straight = true; ///< in a cloud of curves alone; otherwise all curves
-                               ///< bend, as wires do
+  bool may_be_straight = true; ///< in a cloud of curves alone, try straight curves;
+                               ///< off where all sag, as wires do
   unsigned threads = 0;        ///< 0: all
   CloudTraits whole;           ///< traits of the cloud, if known
 };

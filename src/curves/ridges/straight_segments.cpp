@@ -43,6 +43,15 @@ struct Line {
   }
 };
 
+/** \brief The best segments of a line up to one of its points. */
+struct Step {
+  double begin;       ///< of the segment that is open here
+  double open;        ///< best gain with a segment open at this point
+  double shut;        ///< best gain with none
+  bool ends;          ///< whether that one ends here
+  std::size_t before; ///< number of points before the open segment
+};
+
 class StraightSearch {
 public:
   StraightSearch(const Points& points, const SegmentSettings& settings)
@@ -87,6 +96,7 @@ private:
   std::vector<double> intensity_;
   // Of the points near a line: where along it, and what each gains.
   std::vector<std::pair<double, double>> gains_;
+  std::vector<Step> steps_; // at these points
 };
 
 /** \brief Sets the intervals of \a line that gain most, by dynamic programming. */
@@ -101,14 +111,7 @@ StraightSearch::findIntervals(Line& line)
       gains_.emplace_back(along, std::log1p(added / intensity_[i]));
   }
   std::sort(gains_.begin(), gains_.end());
-  struct Step {
-    double begin;       // of the segment that is open here
-    double open;        // best gain with a segment open at this point
-    double shut;        // best gain with none
-    bool ends;          // whether that one ends here
-    std::size_t before; // the step after which the open segment began
-  };
-  static thread_local std::vector<Step> steps;
+  std::vector<Step>& steps = steps_;
   steps.clear();
   for (std::size_t k = 0; k < gains_.size(); ++k) {
     const auto [place, gain] = gains_[k];
@@ -132,13 +135,14 @@ StraightSearch::findIntervals(Line& line)
   line.gain = -line_cost_;
   line.intervals.clear();
   for (std::size_t k = steps.size(); k > 0;) {
-    const Step& end = steps[k - 1];
+    const std::size_t last = k - 1;
+    const Step& end = steps[last];
     if (!end.ends) {
       --k;
       continue;
     }
     k = end.before;
-    const double place = gains_[static_cast<std::size_t>(&end - steps.data())].first;
+    const double place = gains_[last].first;
     if (place - end.begin < settings_.least_length)
       continue;
     line.intervals.push_back({end.begin, place});

@@ -376,7 +376,7 @@ mixedCurves(const Points& all,
     monitor->begin("sparse curves", sparse.size());
   curves.follow(sparse, stiff, sure);
   const std::vector<TrackSeed> parallel =
-      seedsAlongCurves(scene, curves.found(), widest_gap, settings.threads);
+      seedsAlongCurves(scene, curves.found(), widest_gap, settings.threads, monitor);
   if (monitor)
     monitor->begin("parallel curves", parallel.size());
   curves.follow(parallel, stiff);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -110,6 +111,14 @@ public:
     return along(offset.x()) * cells_ + along(offset.y());
   }
 
+  /** \brief Rows or columns between two cells, whichever are more. */
+  int
+  apart(int a, int b) const
+  {
+    return std::max(std::abs(a / cells_ - b / cells_),
+                    std::abs(a % cells_ - b % cells_));
+  }
+
   void
   add(int cell)
   {
@@ -175,9 +184,7 @@ seedIn(int cell,
   double squares = 0, members = 0;
   const Beside* middle = nullptr;
   for (const Beside& p : points) {
-    const int rows = p.cell / counts.cells() - cell / counts.cells();
-    const int columns = p.cell % counts.cells() - cell % counts.cells();
-    if (std::max(std::abs(rows), std::abs(columns)) > block)
+    if (counts.apart(p.cell, cell) > block)
       continue;
     sum += p.offset;
     squares += p.offset.squaredNorm();
@@ -235,10 +242,9 @@ addSeeds(const TrackedScene& scene,
   });
   std::vector<int> chosen;
   for (const auto& [evidence, cell] : best) {
+    // Blocks that overlap a better one are of the same curve.
     if (std::any_of(chosen.begin(), chosen.end(), [&, c = cell](int other) {
-          return std::max(std::abs(c / counts.cells() - other / counts.cells()),
-                          std::abs(c % counts.cells() - other % counts.cells())) <=
-                 2 * block;
+          return counts.apart(c, other) <= 2 * block;
         }))
       continue;
     chosen.push_back(cell);
@@ -253,10 +259,15 @@ std::vector<TrackSeed>
 seedsAlongCurves(const TrackedScene& scene,
                  const ModelCurves& curves,
                  double beyond,
-                 unsigned threads)
+                 unsigned threads,
+                 ProgressMonitor* monitor)
 {
+  if (monitor)
+    monitor->begin("parallel curves", curves.size());
   std::vector<std::vector<TrackSeed>> of_curve(curves.size());
   forEachChunk(curves.size(), 1, threads, [&](std::size_t c, std::size_t) {
+    if (monitor && monitor->canceled())
+      throw Canceled();
     const ModelCurve& curve = curves[c];
     const double count = std::accumulate(curve.counts.begin(), curve.counts.end(), 0.0);
     const double whole = length(curve);
@@ -270,6 +281,8 @@ seedsAlongCurves(const TrackedScene& scene,
     for (const Stretch& stretch : stretches)
       addSeeds(scene, stretch, stretches.size(), counts, of_curve[c]);
   });
+  if (monitor)
+    monitor->advance(curves.size());
   std::vector<TrackSeed> seeds;
   for (const std::vector<TrackSeed>& some : of_curve)
     seeds.insert(seeds.end(), some.begin(), some.end());

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include <linelet/support/progress_monitor.h>
+
 #include "curve_track.h"
 #include "curves/ridges/model_curve.h"
 
@@ -23,6 +25,7 @@ std::vector<TrackSeed>
 seedsAlongCurves(const TrackedScene& scene,
                  const ModelCurves& curves,
                  double beyond,
-                 unsigned threads);
+                 unsigned threads,
+                 ProgressMonitor* monitor = nullptr);
 
 } // namespace linelet

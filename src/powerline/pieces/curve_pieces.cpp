@@ -271,7 +271,7 @@ curvesOf(const Candidates& candidates,
   RefinedSettings curve_settings;
   curve_settings.threads = settings.threads;
   curve_settings.only_stiff = true;       // as wires are
-  curve_settings.may_be_straight = false; // they hang
+  curve_settings.may_be_straight = false; // they sag
   std::vector<Curve> curves =
       reconstructRefined(points, curve_settings, monitor).curves;
   std::stable_sort(curves.begin(), curves.end(), [](const Curve& a, const Curve& b) {

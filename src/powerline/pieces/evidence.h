@@ -22,7 +22,7 @@ struct Evidence {
                          ///< surroundings alone, for the points around it
   bool hangs = false;    ///< like a wire, regardless of its surroundings
   bool sound = false;    ///< a wire, but perhaps too sparsely covered with points
-  bool even = false;     ///< sound, as densely covered as so few points can
+  bool even = false;     ///< sound, its points spread nearly as if at random
   bool accepted = false; ///< sound and densely enough covered
 };
 

@@ -78,6 +78,19 @@ distanceTo(const ModelCurves& curves, const Point& from, const Point& to)
   return best;
 }
 
+/** \brief Expects \a found to be the two segments from a to b and from c to d. */
+void
+expectBoth(const ModelCurves& found,
+           const Point& a,
+           const Point& b,
+           const Point& c,
+           const Point& d)
+{
+  EXPECT_EQ(found.size(), 2u);
+  EXPECT_LT(distanceTo(found, a, b), 1);
+  EXPECT_LT(distanceTo(found, c, d), 1);
+}
+
 } // namespace
 
 TEST(StraightSegments, CrossAtASmallAngle)
@@ -87,10 +100,7 @@ TEST(StraightSegments, CrossAtASmallAngle)
   scatter.addSegment(a, b, 100);
   scatter.addSegment(c, d, 100);
   scatter.addAnywhere(60);
-  const ModelCurves found = straightSegments(scatter.points, settingsOf(6, 60));
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_LT(distanceTo(found, a, b), 1);
-  EXPECT_LT(distanceTo(found, c, d), 1);
+  expectBoth(straightSegments(scatter.points, settingsOf(6, 60)), a, b, c, d);
 }
 
 TEST(StraightSegments, AreSeparateOnBothSidesOfAGap)
@@ -100,10 +110,7 @@ TEST(StraightSegments, AreSeparateOnBothSidesOfAGap)
   scatter.addSegment(a, b, 60);
   scatter.addSegment(c, d, 50);
   scatter.addAnywhere(40);
-  const ModelCurves found = straightSegments(scatter.points, settingsOf(8, 40));
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_LT(distanceTo(found, a, b), 1);
-  EXPECT_LT(distanceTo(found, c, d), 1);
+  expectBoth(straightSegments(scatter.points, settingsOf(8, 40)), a, b, c, d);
 }
 
 TEST(StraightSegments, BranchesEndWhereTheyLeave)
@@ -112,10 +119,7 @@ TEST(StraightSegments, BranchesEndWhereTheyLeave)
   const Point a(-8, 0, 0), b(8, 0, 0), c(1, 0, 0), d(5, 5, 2);
   scatter.addSegment(a, b, 120);
   scatter.addSegment(c, d, 50);
-  const ModelCurves found = straightSegments(scatter.points, settingsOf(7.5, 5));
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_LT(distanceTo(found, a, b), 1);
-  EXPECT_LT(distanceTo(found, c, d), 1);
+  expectBoth(straightSegments(scatter.points, settingsOf(7.5, 5)), a, b, c, d);
 }
 
 TEST(StraightSegments, AreNotFoundAmongScatteredPoints)
@@ -123,7 +127,8 @@ TEST(StraightSegments, AreNotFoundAmongScatteredPoints)
   Scatter scatter;
   scatter.addAnywhere(300);
   EXPECT_TRUE(straightSegments(scatter.points, settingsOf(6, 300)).empty());
-  EXPECT_TRUE(straightSegments({}, settingsOf(6, 300)).empty());
+  for (const Points& few : {Points(), Points(1, {1, 1, 1}), Points(50, {1, 1, 1})})
+    EXPECT_TRUE(straightSegments(few, settingsOf(6, 300)).empty()) << few.size();
 }
 
 // Four lines that cross each other, whose points scatter by a twentieth of their
