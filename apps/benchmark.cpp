@@ -338,8 +338,8 @@ runBenchmark(const std::vector<std::string>& arguments)
   frame.app
       .add_option("--geometries",
                   options.geometries,
-                  "names, or benchmark (the ten), or held-out (those never used for "
-                  "tuning); or random: shapes drawn at random, at any scale")
+                  "names, or benchmark (the ten), or held-out (nine outside its "
+                  "grid); or random: shapes drawn at random, at any scale")
       ->delimiter(',')
       ->type_name("NAME,...")
       ->default_str(options.geometries.front());
